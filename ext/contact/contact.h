@@ -1,0 +1,75 @@
+// When do two touch? The room's one door: a pair of layouts and a question become typed code, once per
+// statement.
+//
+//   auto contact = make_contact(ships, ships, {.horizon = {.now = 600, .h = 600}, .within = 926});
+//   contact->decide(candidates, hits);                  // keeps the pairs that touch at some moment of the
+//   horizon contact->times(hits, times);                        // begin and end of the first contact, only
+//   when they are read
+//
+// Touching counts (contact is closed). A pair is looked at only while both objects exist: during
+// [max(now, t_a, t_b), min(now + h, until_a, until_b)]. Bodies at different reference times and of different
+// laws mix freely.
+//
+// Every method is symmetric: exchanging a and b changes no answer. Objects of this type keep scratch space
+// and are used by one thread at a time; several may share the same bodies.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "motion/bodies.h"
+
+namespace foresee {
+
+struct ContactQuestion {
+  Horizon horizon;
+  double within = 0;  ///< coming this close counts as touching; >= 0, finite
+  std::optional<double>
+      within_z;  ///< three axes: the limit along z, apart from the one in x and y; >= 0, finite
+};
+
+/// Begin and end of the first contact, clipped to the moments asked about: absolute, and measured from `now`.
+struct ContactTimes {
+  double t, t_end;
+  double dt, dt_end;
+};
+
+/// The closest approach of the two centres while both exist in the interval; the earliest moment on ties.
+struct ClosestApproach {
+  double t, dt;
+  double d;
+};
+
+class Contact {
+ public:
+  virtual ~Contact() = default;
+
+  /// Appends to `hits` those of `pairs` that touch, in their order.
+  virtual void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) = 0;
+
+  /// Times of pairs that decide() has kept; `out` has one place for each.
+  virtual void times(std::span<const Pair> hits, std::span<ContactTimes> out) = 0;
+
+  /// Closest approach of pairs that decide() has kept; `out` has one place for each.
+  virtual void closest_approach(std::span<const Pair> hits, std::span<ClosestApproach> out) = 0;
+
+  /// How far swept boxes of both sides together must grow so that every pair that touches has boxes that
+  /// meet: in x and y (or all axes), and along z. Both are upper bounds.
+  struct Reach {
+    double within;
+    double within_z;
+  };
+  virtual Reach reach() const = 0;
+};
+
+/// Requires: a and b have the same number of axes. `name_a` and `name_b` are what messages call the two
+/// sides. Throws Error where DESIGN's table of shapes has no distance: a cylinder and a ball with r > 0;
+/// within_z with fewer than three axes, or where neither side is a point or a cylinder. The bodies must
+/// outlive the contact.
+std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const ContactQuestion& question,
+                                      const std::string& name_a, const std::string& name_b);
+
+}  // namespace foresee

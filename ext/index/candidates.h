@@ -1,0 +1,30 @@
+// Who might touch? Every index answers with candidates: pairs of row numbers whose swept boxes meet, pulled
+// in batches.
+//
+//   auto candidates = make_gpcd_grid<2>(boxes, interrupt);
+//   std::vector<Pair> batch;
+//   while (candidates->next(batch)) { …; batch.clear(); }
+//
+// Guarantee: every pair whose swept boxes meet comes exactly once; other pairs may come too, none twice. In a
+// self-join the two row numbers of a pair differ and come in any order. Empty boxes meet nothing.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "motion/swept_box.h"
+
+namespace foresee {
+
+class Candidates {
+ public:
+  virtual ~Candidates() = default;
+
+  /// Appends the next candidates to `out`; false once there are none left (then nothing is appended).
+  /// A batch is a few thousand pairs, so that memory stays small and the first rows come early; it may be
+  /// empty.
+  virtual bool next(std::vector<Pair>& out) = 0;
+};
+
+}  // namespace foresee

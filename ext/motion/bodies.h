@@ -1,0 +1,87 @@
+// A read-only view of many moving objects: what contact, swept boxes and queries compute with.
+//
+//   double rows[] = {0, 0, 1, 0,    10, 0, -1, 0};                       // x, y, vx, vy of two points
+//   Bodies ships{Layout{.axes = 2, .law = Law::uniform}, rows, 2};
+//   ships.row(1)[ships.at.v] == -1
+//
+// Rows are `at.size` doubles each, one after another, in the order of row_offsets(layout).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "motion/layout.h"
+#include "motion/vec.h"
+
+namespace foresee {
+
+struct Bodies {
+  Bodies() = default;
+  Bodies(const Layout& layout, const double* rows, std::size_t count)
+      : layout(layout), at(row_offsets(layout)), rows(rows), count(count) {}
+
+  const double* row(std::size_t i) const { return rows + i * static_cast<std::size_t>(at.size); }
+
+  Layout layout;
+  Offsets at;
+  const double* rows = nullptr;
+  std::size_t count = 0;
+};
+
+/// Row numbers of two objects, the first among the bodies a, the second among the bodies b (or a again).
+struct Pair {
+  std::uint32_t a;
+  std::uint32_t b;
+
+  friend bool operator==(const Pair&, const Pair&) = default;
+  friend auto operator<=>(const Pair&, const Pair&) = default;
+};
+
+/// The moments that a question asks about: the closed interval [now, now + h], its end being the exact real
+/// sum. Requires: now finite; h finite and >= 0.
+struct Horizon {
+  double now = 0;
+  double h = 0;
+};
+
+/// One object's motion as numbers of its own: what is not declared is at rest, from time 0, for ever.
+template <int D>
+struct Motion {
+  double t;
+  Vec<D> x, v, a;
+  double until;
+};
+
+template <int D>
+Motion<D> motion_of(const Bodies& bodies, std::size_t i) {
+  const double* row = bodies.row(i);
+  const Offsets& at = bodies.at;
+  auto vector_at = [row](int place) -> Vec<D> {
+    return place == Offsets::absent ? Vec<D>(Vec<D>::Zero()) : Vec<D>(Eigen::Map<const Vec<D>>(row + place));
+  };
+  return {at.t == Offsets::absent ? 0.0 : row[at.t], vector_at(at.x), vector_at(at.v), vector_at(at.a),
+          at.until == Offsets::absent ? std::numeric_limits<double>::infinity() : row[at.until]};
+}
+
+/// Half extents of the smallest axis-aligned box around an object's shape.
+template <int D>
+Vec<D> half_extents_of(const Bodies& bodies, std::size_t i) {
+  const double* row = bodies.row(i);
+  switch (bodies.layout.shape) {
+    case Shape::box:
+      return Eigen::Map<const Vec<D>>(row + bodies.at.half);
+    case Shape::ball:
+      return Vec<D>::Constant(row[bodies.at.r]);
+    case Shape::cylinder: {
+      Vec<D> half = Vec<D>::Constant(row[bodies.at.r]);
+      half[D - 1] = row[bodies.at.hz];
+      return half;
+    }
+    case Shape::point:
+      break;
+  }
+  return Vec<D>::Zero();
+}
+
+}  // namespace foresee

@@ -1,0 +1,56 @@
+#include "motion/layout.h"
+
+#include <algorithm>
+
+namespace foresee {
+namespace {
+
+Offsets offsets_of(const Layout& layout, bool stored) {
+  Offsets at;
+  int next = 0;
+  auto take = [&next](int places) {
+    const int place = next;
+    next += places;
+    return place;
+  };
+  if (layout.has_t) at.t = take(1);
+  at.x = take(layout.axes);
+  if (layout.law != Law::rest) at.v = take(layout.axes);
+  if (layout.law == Law::forced && stored) {
+    at.force = take(layout.axes);
+    at.mass = take(1);
+  } else if (layout.law == Law::accelerated || layout.law == Law::forced) {
+    at.a = take(layout.axes);
+  }
+  if (layout.shape == Shape::box) at.half = take(layout.axes);
+  if (layout.shape == Shape::ball || layout.shape == Shape::cylinder) at.r = take(1);
+  if (layout.shape == Shape::cylinder) at.hz = take(1);
+  if (layout.has_until) at.until = take(1);
+  at.size = next;
+  return at;
+}
+
+}  // namespace
+
+Offsets record_offsets(const Layout& layout) {
+  return offsets_of(layout, true);
+}
+
+Offsets row_offsets(const Layout& layout) {
+  return offsets_of(layout, false);
+}
+
+void row_from_record(const Layout& layout, const double* record, double* row) {
+  const Offsets from = record_offsets(layout);
+  if (layout.law != Law::forced) {
+    std::copy_n(record, from.size, row);
+    return;
+  }
+  const Offsets to = row_offsets(layout);
+  std::copy_n(record, from.force, row);
+  for (int axis = 0; axis < layout.axes; ++axis)
+    row[to.a + axis] = record[from.force + axis] / record[from.mass];
+  std::copy(record + from.mass + 1, record + from.size, row + to.a + layout.axes);
+}
+
+}  // namespace foresee

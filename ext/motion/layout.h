@@ -1,0 +1,69 @@
+// Which numbers does an object have? A layout is what a table declares; it fixes the order of an object's
+// doubles in the stored record and in the row that queries compute with.
+//
+//   Layout drones{.axes = 3, .law = Law::accelerated, .shape = Shape::box, .has_t = true};
+//   Offsets at = record_offsets(drones);      // at.t == 0, at.x == 1, at.v == 4, at.a == 7, at.half == 10,
+//   size 13
+//
+// What is not declared has no place: its offset is `absent` and it costs no byte and no time.
+#pragma once
+
+#include <cstdint>
+
+namespace foresee {
+
+/// How an object moves; each law adds columns to the one before.
+enum class Law : std::uint8_t {
+  rest,         ///< x
+  uniform,      ///< x, v
+  accelerated,  ///< x, v, a
+  forced,       ///< x, v, force and mass: a = F/m, rounded once, computed when read
+};
+
+/// What an object is around its centre.
+enum class Shape : std::uint8_t {
+  point,
+  box,       ///< half extents on every axis
+  ball,      ///< radius: an interval, a disc or a ball
+  cylinder,  ///< three axes only: radius in x and y, half extent in z
+};
+
+struct Layout {
+  int axes = 1;
+  Law law = Law::rest;
+  Shape shape = Shape::point;
+  bool has_t = false;
+  bool has_until = false;
+
+  friend bool operator==(const Layout&, const Layout&) = default;
+};
+
+/// Where each quantity starts among an object's doubles; vectors take `axes` places, forces and masses sit
+/// side by side.
+struct Offsets {
+  static constexpr int absent = -1;
+  int t = absent;      ///< reference time
+  int x = absent;      ///< centre at the reference time
+  int v = absent;      ///< velocity at the reference time
+  int a = absent;      ///< acceleration
+  int force = absent;  ///< only in records
+  int mass = absent;   ///< only in records
+  int half = absent;   ///< half extents of a box
+  int r = absent;      ///< radius of a ball or cylinder
+  int hz = absent;     ///< half height of a cylinder
+  int until = absent;  ///< last moment of the motion, +infinity for ever
+  int size = 0;        ///< doubles per object
+
+  friend bool operator==(const Offsets&, const Offsets&) = default;
+};
+
+/// The order of the doubles as they are stored: t, x…, v…, a… or force… and mass, half… or r and hz, until.
+Offsets record_offsets(const Layout& layout);
+
+/// The order of the doubles that queries read: the same, with the acceleration in place of force and mass.
+Offsets row_offsets(const Layout& layout);
+
+/// Turns one stored record into the row that queries read. The two differ for Law::forced only.
+void row_from_record(const Layout& layout, const double* record, double* row);
+
+}  // namespace foresee

@@ -1,0 +1,76 @@
+// Which pairs will meet, and when? predictive_join as a library call: candidates, contact, rows.
+//
+//   Join join({.a = ships, .now = 600, .h = 600, .within = 926}, interrupt);
+//   while (auto rows = join.next(); !rows.empty())
+//     for (const JoinRow& row : rows) use(row.a, row.b, row.contact.t);
+//
+// Guarantee: every pair that touches during [now, now + h] comes exactly once, whatever the method; in a
+// self-join a < b. Rows come in no particular order. Columns that `wants` leaves out are not computed.
+// Memory: the scenes, one swept box an object, and one batch of pairs.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "contact/contact.h"
+#include "index/candidates.h"
+#include "motion/error.h"
+#include "query/scene.h"
+
+namespace foresee {
+
+enum class JoinMethod : std::uint8_t { automatic, grid, scan };
+
+/// Throws Error for an unknown name, listing the known ones.
+JoinMethod join_method(std::string_view name);
+
+struct JoinWants {
+  bool contact = true;   ///< t, t_end, dt, dt_end
+  bool approach = true;  ///< t_cpa, dt_cpa, d_cpa
+};
+
+struct JoinQuestion {
+  std::shared_ptr<const Scene> a;
+  std::shared_ptr<const Scene> b;  ///< null: pairs within a
+  double now = 0;
+  double h = 0;
+  double within = 0;
+  std::optional<double> within_z;
+  JoinMethod method = JoinMethod::automatic;
+  std::optional<std::int64_t> only_a;  ///< only pairs whose column a has this id
+  std::optional<std::int64_t> only_b;
+  bool skip_touching = false;  ///< leave out pairs that touch at the first moment asked about: dt > 0
+  JoinWants wants;
+};
+
+struct JoinRow {
+  std::int64_t a, b;
+  ContactTimes contact;
+  ClosestApproach approach;
+};
+
+class Join {
+ public:
+  /// Throws Error for a wrong question (h, within not finite or negative; different axes; shapes without a
+  /// distance).
+  Join(JoinQuestion question, Interrupt& interrupt);
+
+  /// The next rows, some thousands at most; empty once there are none left. Valid until the next call.
+  std::span<const JoinRow> next();
+
+ private:
+  JoinQuestion question_;
+  Interrupt& interrupt_;
+  std::unique_ptr<Contact> contact_;
+  std::unique_ptr<Candidates> candidates_;
+  std::vector<Pair> pairs_, hits_;
+  std::vector<ContactTimes> times_;
+  std::vector<ClosestApproach> approaches_;
+  std::vector<JoinRow> rows_;
+};
+
+}  // namespace foresee

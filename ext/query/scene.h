@@ -1,0 +1,29 @@
+// What a question is asked about: all objects of one table as they were at one moment of the database.
+//
+// A scene is immutable once it is filled and shared by every cursor that reads it, so that rows do not change
+// under a loop that updates the table. Ids are unique; rows are in no particular order.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "motion/bodies.h"
+
+namespace foresee {
+
+struct Scene {
+  std::string name;  ///< what messages call it
+  Layout layout;
+  std::vector<std::int64_t> ids;
+  std::vector<double> rows;  ///< ids.size() rows of row_offsets(layout).size doubles
+
+  std::size_t size() const { return ids.size(); }
+  Bodies bodies() const { return {layout, rows.data(), ids.size()}; }
+};
+
+/// The newest reference time stored: what `now` is when nobody says. 0 without objects or without t.
+double newest_t(const Scene& scene);
+
+}  // namespace foresee

@@ -1,0 +1,14 @@
+// The entry point: everything that `.load foresee` brings.
+#include <sqlite3ext.h>
+SQLITE_EXTENSION_INIT1
+
+#include "sqlite/foresee.h"
+#include "sqlite/modules.h"
+
+extern "C" __attribute__((visibility("default"))) int sqlite3_foresee_init(sqlite3* db, char** message,
+                                                                           const sqlite3_api_routines* api) {
+  SQLITE_EXTENSION_INIT2(api);
+  (void)api;
+  (void)message;
+  return foresee::register_scalars(db);
+}

@@ -1,0 +1,14 @@
+// Which build is this?
+#pragma once
+
+#include <string>
+
+namespace foresee {
+
+/// The version as SQL reports it, e.g. "0.1.0".
+const char* version();
+
+/// Version, commit, compiler, SIMD in use and SQLite, one a line.
+std::string debug_report();
+
+}  // namespace foresee

@@ -1,0 +1,32 @@
+// What CREATE VIRTUAL TABLE said: the declared columns in their order, the auxiliary columns, the options.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "motion/layout.h"
+
+namespace foresee {
+
+/// One declared column of the motion vocabulary (the id is not among them) and its place in the stored
+/// record.
+struct MotionColumn {
+  std::string name;  ///< as DESIGN.md section 2 spells it: t, x, vy, fz, m, hx, r, until
+  int place;         ///< index among the record's doubles
+};
+
+/// `+name TYPE`: carried along.
+struct AuxiliaryColumn {
+  std::string name;
+  std::string type;  ///< what stands behind the name, possibly empty
+};
+
+struct Declaration {
+  Layout layout;
+  std::vector<MotionColumn> columns;  ///< in the order in which they were declared
+  std::vector<AuxiliaryColumn> auxiliaries;
+  double horizon = 60;  ///< the look-ahead for which the tree is tuned
+};
+
+}  // namespace foresee

@@ -1,0 +1,105 @@
+// Where do the bytes rest? The objects of one table in its shadow tables, behind plain calls.
+//
+//   store.insert(42, record, auxiliaries);                // record: record_offsets(layout).size doubles
+//   store.load(ids, rows, interrupt);                     // everything, for a query
+//
+// Every double comes back bit for bit. All state lives in SQLite's tables, so transactions, WAL readers,
+// VACUUM and backup are SQLite's own; what a transaction has not written yet is flushed in sync(), at
+// savepoints and before any read. Blobs are checked before they are believed.
+//
+// Errors: SQLite's result codes as StoreError; a blob that is not what this code wrote is
+// SQLITE_CORRUPT_VTAB.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "motion/error.h"
+#include "storage/declaration.h"
+#include "storage/sqlite_api.h"
+
+namespace foresee {
+
+/// A failure of SQLite or of the stored bytes; `code` is what the callback returns.
+struct StoreError : Error {
+  StoreError(int code, const std::string& message) : Error(message), code(code) {}
+  int code;
+};
+
+/// The state of a table's contents: equal versions of one table on one connection mean equal contents.
+struct ContentVersion {
+  std::uint64_t stamp = 0;    ///< rewritten at random once per write transaction, stored
+  std::uint64_t changes = 0;  ///< moved by this connection's uncommitted changes and by rollbacks
+
+  friend bool operator==(const ContentVersion&, const ContentVersion&) = default;
+};
+
+class ObjectStore {
+ public:
+  /// Makes the shadow tables of a new table.
+  static std::unique_ptr<ObjectStore> create(sqlite3* db, const std::string& schema, const std::string& table,
+                                             const Declaration& declaration);
+  /// Opens the shadow tables of an existing one. Reads nothing but the format version.
+  static std::unique_ptr<ObjectStore> open(sqlite3* db, const std::string& schema, const std::string& table,
+                                           const Declaration& declaration);
+  virtual ~ObjectStore() = default;
+
+  virtual const Declaration& declaration() const = 0;
+
+  // --- reading
+  // ---------------------------------------------------------------------------------------------------------
+  virtual ContentVersion version() = 0;
+  virtual bool contains(std::int64_t id) = 0;
+  /// The record of `id`, or nothing.
+  virtual std::optional<std::vector<double>> read(std::int64_t id) = 0;
+  /// All ids and rows (row_from_record of each record), leaf by leaf.
+  virtual void load(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt) = 0;
+  /// The leaf that follows leaf number `after` (0 to begin): its number, or 0 at the end; fills ids and
+  /// records.
+  virtual std::int64_t next_leaf(std::int64_t after, std::vector<std::int64_t>& ids,
+                                 std::vector<double>& records) = 0;
+  /// Hands the auxiliary column of `id` to `context` as the result; NULL where there is none.
+  virtual void result_auxiliary(sqlite3_context* context, std::int64_t id, int column) = 0;
+  virtual std::int64_t count() = 0;
+
+  // --- writing: each call is all or nothing
+  // ----------------------------------------------------------------------------
+  /// The id that SQLite would give to a row without one: one more than the largest.
+  virtual std::int64_t next_id() = 0;
+  /// Requires: no object has this id. `auxiliaries`: one value per auxiliary column.
+  virtual void insert(std::int64_t id, std::span<const double> record,
+                      std::span<sqlite3_value*> auxiliaries) = 0;
+  /// Requires: `id` exists; `new_id` is `id` or free. Auxiliary values that are sqlite3_value_nochange stay
+  /// as they are.
+  virtual void update(std::int64_t id, std::int64_t new_id, std::span<const double> record,
+                      std::span<sqlite3_value*> auxiliaries) = 0;
+  /// Requires: `id` exists.
+  virtual void erase(std::int64_t id) = 0;
+
+  // --- commands
+  // --------------------------------------------------------------------------------------------------------
+  /// Writes map and leaves anew from the objects in the leaves, neighbours in space together.
+  virtual void rebuild(Interrupt& interrupt) = 0;
+  /// Packs the leaves, neighbours in space together.
+  virtual void optimize(Interrupt& interrupt) = 0;
+  /// What is wrong with the stored bytes, a sentence each; empty: nothing.
+  virtual std::vector<std::string> check(Interrupt& interrupt) = 0;
+
+  // --- the virtual table's life, named as SQLite's callbacks
+  // -----------------------------------------------------------
+  virtual void begin() = 0;
+  virtual void sync() = 0;
+  virtual void commit() = 0;
+  virtual void rollback() = 0;
+  virtual void savepoint(int level) = 0;
+  virtual void release(int level) = 0;
+  virtual void rollback_to(int level) = 0;
+  virtual void rename(const std::string& new_table) = 0;
+  virtual void drop() = 0;
+};
+
+}  // namespace foresee
