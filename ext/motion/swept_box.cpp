@@ -1,0 +1,116 @@
+// How the bounds are made safe
+// ----------------------------
+// On one axis the centre is f(s) = x + s (v + a s / 2) for the time s since the object's own t, and s runs
+// over [s0, s1] with 0 <= s0, s1 <= S = |now - t| + h. The extremes of f are at s0, at s1, or at the turning
+// point -v/a if it lies between; clamping the turning point into [s0, s1] makes it right to look at all three
+// always.
+//
+// What plain double arithmetic can lose, with u = 2^-53 (doubled, so that it holds in every rounding mode)
+// and M = |x| + |v| S + |a| S^2:
+//  - s0 and s1 come from at most two roundings: each is off by at most 2u S, which moves f by at most
+//    (|v| + |a| S) 2u S <= 2u M. This covers a minimum taken with until, and a turning point clamped to an
+//    end that is itself off.
+//  - Evaluating f: x goes through one rounding, v s through three, a s^2 / 2 through four: at most 3u M.
+//  - The turning point is off by u|v/a|; as f is flat there, that moves f by u^2 |a| S^2 only.
+//  - Underflow: each of a s, a s / 2 and the product with s loses at most 2^-1074: together (S + 4) 2^-1073.
+// 16u M + (S + 4) 2^-1070 is more than twice the sum, which leaves room for the roundings of the pad itself.
+#include "motion/swept_box.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foresee {
+namespace {
+
+constexpr double u = 0x1p-53;
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr std::size_t objects_per_check = 4096;
+
+/// When the object exists, as time since its own t; `reach` is S above.
+struct Life {
+  double begin, end, reach;
+  bool none;
+};
+
+Life life_of(double t, double until, const Horizon& horizon) {
+  const double since = horizon.now - t;
+  Life life;
+  life.begin = std::max(since, 0.0);
+  life.end = std::min(since + horizon.h, until - t);
+  life.reach = std::abs(since) + horizon.h;
+  // Rounding keeps order: if t - now, rounded, exceeds the double h, then so does the exact difference.
+  life.none = t - horizon.now > horizon.h || until < horizon.now;
+  return life;
+}
+
+struct Bounds {
+  double lower, upper;
+};
+
+/// [lower - grow, upper + grow], rounded outward; infinite where no double holds it.
+Bounds grown(double lower, double upper, double grow) {
+  const double g = grow + 8 * u * grow;
+  const double low = lower - g, high = upper + g;
+  const double safe_low = low - (4 * u * std::abs(low) + 0x1p-1074);
+  const double safe_high = high + (4 * u * std::abs(high) + 0x1p-1074);
+  const bool sound = std::isfinite(lower) && std::isfinite(upper) && std::isfinite(g);
+  return {sound && std::isfinite(safe_low) ? safe_low : -inf,
+          sound && std::isfinite(safe_high) ? safe_high : inf};
+}
+
+/// What the centre covers on one axis; `size` is half extent and margin together.
+Bounds swept_axis(double x, double v, double a, const Life& life, double size) {
+  if (v == 0 && a == 0) return grown(x, x, size);
+  auto place = [=](double s) { return x + s * (v + a * s * 0.5); };
+  const double first = place(life.begin), last = place(life.end);
+  double lower = std::min(first, last), upper = std::max(first, last);
+  if (a != 0) {
+    const double turn = place(std::clamp(-v / a, life.begin, std::max(life.begin, life.end)));
+    lower = std::min(lower, turn);
+    upper = std::max(upper, turn);
+  }
+  const double reach = life.reach;
+  const double magnitude = std::abs(x) + reach * (std::abs(v) + std::abs(a) * reach);
+  const double pad = 16 * u * magnitude + (reach + 4) * 0x1p-1070;
+  // A sum with infinity or NaN anywhere in it is not finite, and then neither bound is.
+  return grown(lower, upper, pad + size + (first - first) + (last - last));
+}
+
+}  // namespace
+
+template <int D>
+Box<D> swept_box(const Bodies& bodies, std::size_t i, const Horizon& horizon, const Vec<D>& margin) {
+  const Motion<D> motion = motion_of<D>(bodies, i);
+  const Life life = life_of(motion.t, motion.until, horizon);
+  if (life.none) return Box<D>::empty();
+  const Vec<D> half = half_extents_of<D>(bodies, i);
+  Box<D> box;
+  for (int axis = 0; axis < D; ++axis) {
+    const Bounds bounds =
+        swept_axis(motion.x[axis], motion.v[axis], motion.a[axis], life, half[axis] + margin[axis]);
+    box.lower[axis] = bounds.lower;
+    box.upper[axis] = bounds.upper;
+  }
+  return box;
+}
+
+template <int D>
+std::vector<Box<D>> swept_boxes(const Bodies& bodies, const Horizon& horizon, const Vec<D>& margin,
+                                Interrupt& interrupt) {
+  std::vector<Box<D>> boxes;
+  boxes.reserve(bodies.count);
+  for (std::size_t i = 0; i < bodies.count; ++i) {
+    if (i % objects_per_check == 0) interrupt.check();
+    boxes.push_back(swept_box<D>(bodies, i, horizon, margin));
+  }
+  return boxes;
+}
+
+template Box<1> swept_box<1>(const Bodies&, std::size_t, const Horizon&, const Vec<1>&);
+template Box<2> swept_box<2>(const Bodies&, std::size_t, const Horizon&, const Vec<2>&);
+template Box<3> swept_box<3>(const Bodies&, std::size_t, const Horizon&, const Vec<3>&);
+template std::vector<Box<1>> swept_boxes<1>(const Bodies&, const Horizon&, const Vec<1>&, Interrupt&);
+template std::vector<Box<2>> swept_boxes<2>(const Bodies&, const Horizon&, const Vec<2>&, Interrupt&);
+template std::vector<Box<3>> swept_boxes<3>(const Bodies&, const Horizon&, const Vec<3>&, Interrupt&);
+
+}  // namespace foresee
