@@ -1,0 +1,37 @@
+#include "sqlite/callback.h"
+
+#include <exception>
+#include <new>
+
+#include "storage/object_store.h"
+
+namespace foresee {
+namespace {
+
+int report(char** message, int code, const char* text) noexcept {
+  sqlite3_free(*message);
+  *message = sqlite3_mprintf("%s", text);
+  return code;
+}
+
+}  // namespace
+
+int code_of_exception(char** message) noexcept {
+  try {
+    throw;
+  } catch (const StoreError& error) {
+    return report(message, error.code, error.what());
+  } catch (const Refusal& error) {
+    return report(message, error.code, error.what());
+  } catch (const Interrupted&) {
+    return SQLITE_INTERRUPT;
+  } catch (const std::bad_alloc&) {
+    return SQLITE_NOMEM;
+  } catch (const std::exception& error) {
+    return report(message, SQLITE_ERROR, error.what());
+  } catch (...) {
+    return SQLITE_ERROR;
+  }
+}
+
+}  // namespace foresee

@@ -1,0 +1,28 @@
+// The harness itself: what it prints is what the other tests compare.
+#include "database.h"
+
+namespace foresee::testing {
+namespace {
+
+TEST(TestDatabase, PrintsEveryType) {
+  Database db;
+  EXPECT_EQ(
+      db.rows("SELECT 1, 1.0, 0.1, -0.0, 1e300, NULL, 'text', x'0aff' UNION ALL SELECT 2,2,2,2,2,2,2,2"),
+      "1|1.0|0.1|-0.0|1e+300|NULL|text|x'0aff'\n2|2|2|2|2|2|2|2");
+}
+
+TEST(TestDatabase, ReportsErrors) {
+  Database db;
+  EXPECT_EQ(db.error_of("SELECT nonsense"), "no such column: nonsense");
+  EXPECT_EQ(db.rows("SELECT nonsense"), "error: no such column: nonsense");
+  EXPECT_EQ(db.code_of("SELECT nonsense"), SQLITE_ERROR);
+}
+
+TEST(Scalars, AreRegisteredByTheEntryPoint) {
+  Database db;
+  EXPECT_EQ(db.rows("SELECT foresee_version()"), "0.1.0");
+  EXPECT_EQ(db.rows("SELECT instr(foresee_debug(), 'SQLite: ') > 0"), "1");
+}
+
+}  // namespace
+}  // namespace foresee::testing
