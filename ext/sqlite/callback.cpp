@@ -9,6 +9,7 @@ namespace foresee {
 namespace {
 
 int report(char** message, int code, const char* text) noexcept {
+  if (message == nullptr) return code;  // an application may pass none to the entry point
   sqlite3_free(*message);
   *message = sqlite3_mprintf("%s", text);
   return code;

@@ -2,40 +2,41 @@
 // scenes.
 //
 // One Connection lives in the modules' pAux and dies with the last of them. Tables come and go with every
-// schema change (VACUUM, ALTER); decoded scenes outlive them here, keyed by schema and name and valid for one
-// ContentVersion.
+// schema change (VACUUM, ALTER); a table's decoded scene lives as long as the table is connected and is valid
+// for one ContentVersion.
 #pragma once
 
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
-#include <utility>
 
 #include "query/scene.h"
+#include "sqlite/statement_interrupt.h"
 #include "storage/object_store.h"
 
 namespace foresee {
 
 class Connection {
  public:
-  explicit Connection(sqlite3* db) : db_(db) {}
+  explicit Connection(sqlite3* db) : db_(db), interrupt_(db) {}
 
   sqlite3* db() const { return db_; }
 
   /// sqlite3_interrupt, seen from inside a long computation; also drives the application's progress handler.
-  Interrupt& interrupt();
+  Interrupt& interrupt() { return interrupt_; }
 
   // A table announces itself in xConnect and leaves in xDisconnect; the number finds it again (see
   // open_table.h).
   std::int64_t announce(ObjectStore* store, const std::string& schema, const std::string& table);
-  void leave(std::int64_t number);
+  void rename(std::int64_t number, const std::string& table);
+  void leave(std::int64_t number) noexcept;
 
   struct OpenTable {
     ObjectStore* store;
     std::string schema, table;
   };
-  /// Null if no table has this number.
+  /// Null if no table has this number. Valid until the table leaves.
   const OpenTable* find(std::int64_t number) const;
 
   /// The table's contents as they are now, decoded at most once per version.
@@ -48,10 +49,10 @@ class Connection {
   };
 
   sqlite3* db_;
-  std::unique_ptr<Interrupt> interrupt_;
+  StatementInterrupt interrupt_;
   std::int64_t last_number_ = 0;
   std::map<std::int64_t, OpenTable> tables_;
-  std::map<std::pair<std::string, std::string>, CachedScene> scenes_;
+  std::map<const ObjectStore*, CachedScene> scenes_;
 };
 
 }  // namespace foresee

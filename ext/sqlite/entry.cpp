@@ -2,6 +2,7 @@
 #include <sqlite3ext.h>
 SQLITE_EXTENSION_INIT1
 
+#include "sqlite/callback.h"
 #include "sqlite/foresee.h"
 #include "sqlite/modules.h"
 
@@ -9,6 +10,8 @@ extern "C" __attribute__((visibility("default"))) int sqlite3_foresee_init(sqlit
                                                                            const sqlite3_api_routines* api) {
   SQLITE_EXTENSION_INIT2(api);
   (void)api;
-  (void)message;
-  return foresee::register_scalars(db);
+  return foresee::guarded(message, [db] {
+    const auto connection = std::make_shared<foresee::Connection>(db);
+    return foresee::register_scalars(db);
+  });
 }

@@ -7,10 +7,17 @@
 
 namespace foresee {
 
-/// Each returns an SQLite result code. A module shares the connection's state and lets go of it when SQLite
-/// destroys it.
+// Each returns an SQLite result code.
 int register_scalars(sqlite3* db);  // scalars.cpp
-// int register_moving_objects(sqlite3* db, std::shared_ptr<Connection>);    moving_objects.cpp
-// int register_table_functions(sqlite3* db, std::shared_ptr<Connection>);   table_functions.cpp
+// int register_moving_objects(sqlite3* db, const std::shared_ptr<Connection>&);     moving_objects.cpp
+// int register_table_functions(sqlite3* db, const std::shared_ptr<Connection>&);    table_functions.cpp
+
+/// Registers a module that shares the connection's state through pAux and lets go of it when SQLite destroys
+/// the module.
+int register_module(sqlite3* db, const char* name, const sqlite3_module* module,
+                    const std::shared_ptr<Connection>& connection);
+
+/// The state behind a module's pAux.
+const std::shared_ptr<Connection>& connection_of(void* aux);
 
 }  // namespace foresee

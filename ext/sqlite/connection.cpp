@@ -1,0 +1,44 @@
+#include "sqlite/connection.h"
+
+namespace foresee {
+
+std::int64_t Connection::announce(ObjectStore* store, const std::string& schema, const std::string& table) {
+  const std::int64_t number = last_number_ + 1;
+  tables_.emplace(number, OpenTable{store, schema, table});
+  return last_number_ = number;
+}
+
+void Connection::rename(std::int64_t number, const std::string& table) {
+  OpenTable& open = tables_.at(number);
+  open.table = table;
+  scenes_.erase(open.store);  // a scene carries its table's name
+}
+
+void Connection::leave(std::int64_t number) noexcept {
+  const auto open = tables_.find(number);
+  if (open == tables_.end()) return;
+  scenes_.erase(open->second.store);
+  tables_.erase(open);
+  // sqlite3_close disconnects the tables first and then refuses while a statement is left.
+  if (tables_.empty()) interrupt_.finalize();
+}
+
+const Connection::OpenTable* Connection::find(std::int64_t number) const {
+  const auto open = tables_.find(number);
+  return open == tables_.end() ? nullptr : &open->second;
+}
+
+std::shared_ptr<const Scene> Connection::scene(const OpenTable& table) {
+  const ContentVersion version = table.store->version();
+  const auto cached = scenes_.find(table.store);
+  if (cached != scenes_.end() && cached->second.version == version) return cached->second.scene;
+  if (cached != scenes_.end()) scenes_.erase(cached);  // before the next one is decoded: memory holds one
+  auto scene = std::make_shared<Scene>();
+  scene->name = table.table;
+  scene->layout = table.store->declaration().layout;
+  table.store->load(scene->ids, scene->rows, interrupt_);
+  scenes_[table.store] = {version, scene};
+  return scene;
+}
+
+}  // namespace foresee
