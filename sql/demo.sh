@@ -1,0 +1,43 @@
+#!/usr/bin/env bash
+# The tour: installs what is missing (Debian), builds the extension and runs sql/tour/ in the sqlite3 shell.
+#
+#   bash sql/demo.sh
+#
+# Prints what a person at the shell would see. With the AIS data of ../shared/data beside the clone the last step
+# imports a morning of real ships; without it that step says that it is left out.
+set -euo pipefail
+cd "$(dirname "$0")/.."
+. sql/packages.sh
+
+need_packages "${build_packages[@]}"
+
+log=build/demo.log
+mkdir -p build
+build() {
+  [ -f build/release/build.ninja ] || cmake --preset release -DFORESEE_TESTS=OFF
+  cmake --build --preset release --target foresee
+}
+echo "Building build/release/foresee.so (a few minutes the first time; log: $log)"
+if ! build >"$log" 2>&1; then
+  tail -n 40 "$log" >&2
+  echo "The build failed; the whole log is $log." >&2
+  exit 1
+fi
+
+for step in sql/tour/*.sql; do
+  printf '\n\033[1m=== %s ===\033[0m\n' "$step"
+  if [ "$step" = sql/tour/05_real_ships.sql ] && [ ! -f ../shared/data/ships_us_20220103.csv.gz ]; then
+    echo "Left out: ../shared/data/ships_us_20220103.csv.gz is not there."
+    continue
+  fi
+  sqlite3 -batch :memory: <"$step" 2>&1 || true # a step that shows an error ends with that error's status
+done
+
+cat <<'END'
+
+That was the tour. Your turn, from this directory:
+
+  sqlite3 fleet.db
+  sqlite> .load build/release/foresee
+  sqlite> .read sql/tour/01_harbour.sql
+END

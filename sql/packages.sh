@@ -1,0 +1,89 @@
+# shellcheck shell=bash disable=SC2034
+# What must be on the machine before foresee can be built, and how it gets there. Sourced by sql/demo.sh and
+# tests/run.sh:
+#
+#   need_packages "${build_packages[@]}"
+#
+# Each line is "Debian package: how we see that it is there". What is there is left alone, wherever it came from. What is
+# missing is installed with apt where there is apt; anywhere else the list is printed and nothing is begun.
+
+build_packages=(
+  "g++: command g++"
+  "cmake: command cmake"
+  "ninja-build: command ninja"
+  "git: command git"
+  "sqlite3: command sqlite3"
+  "libsqlite3-dev: header sqlite3ext.h"
+  "libeigen3-dev: header eigen3/Eigen/Core Eigen/Core"
+  "libboost-dev: header boost/version.hpp"
+)
+test_packages=(
+  "clang: command clang++"
+  "libclang-rt-14-dev: sanitizers"
+  "libgtest-dev: header gtest/gtest.h"
+  "python3: command python3"
+  "npm: command npm"
+  "clang-format: command clang-format"
+  "binutils: command nm"
+)
+
+# Is one of the headers found by the C++ compiler?
+has_header() {
+  local header
+  for header in "$@"; do
+    if echo "#include <$header>" | g++ -std=c++20 -E -x c++ - >/dev/null 2>&1; then return 0; fi
+  done
+  return 1
+}
+
+# Does Clang find its sanitizer runtimes?
+has_sanitizers() {
+  echo 'int main() {}' | clang++ -fsanitize=address,undefined -x c++ - -o /dev/null >/dev/null 2>&1
+}
+
+is_there() {
+  local kind=$1
+  shift
+  case $kind in
+    command) command -v "$1" >/dev/null 2>&1 ;;
+    header) has_header "$@" ;;
+    sanitizers) has_sanitizers ;;
+  esac
+}
+
+# The names of those packages whose check fails, one a line.
+missing_packages() {
+  local need
+  for need in "$@"; do
+    # shellcheck disable=SC2086  # the check is a few words
+    is_there ${need#*: } || echo "${need%%: *}"
+  done
+}
+
+install_with_apt() {
+  local as_root=()
+  [ "$(id -u)" = 0 ] || as_root=(sudo)
+  echo "Installing: $*"
+  "${as_root[@]}" apt-get update -qq &&
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "$@" >/dev/null
+}
+
+say_what_is_missing() {
+  {
+    echo "Missing on this machine (by their Debian names): $*"
+    echo "Install them, then run this script again."
+  } >&2
+}
+
+need_packages() {
+  local missing
+  mapfile -t missing < <(missing_packages "$@")
+  [ ${#missing[@]} -eq 0 ] && return 0
+  if ! command -v apt-get >/dev/null 2>&1 || { [ "$(id -u)" != 0 ] && ! command -v sudo >/dev/null 2>&1; }; then
+    say_what_is_missing "${missing[@]}"
+    return 1
+  fi
+  install_with_apt "${missing[@]}" || { say_what_is_missing "${missing[@]}"; return 1; }
+  mapfile -t missing < <(missing_packages "$@")
+  [ ${#missing[@]} -eq 0 ] || { say_what_is_missing "${missing[@]}"; return 1; }
+}

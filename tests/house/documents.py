@@ -1,0 +1,91 @@
+"""Runs the SQL examples of a Markdown file, in order, in the sqlite3 shell with the extension, on one fresh database.
+
+What is run:
+    ```sql            a block: it must succeed
+    ```sql error      a block that must fail; the ```text block that follows holds what it must say
+    ```text           after a ```sql block: what it prints, line by line, in the shell's box mode
+    <!-- sql setup    until -->: run before what follows, not shown to readers
+
+Every block is a shell of its own: temporary tables and `.mode` end with it, the database stays.
+"""
+import re
+import tempfile
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Optional
+
+from house import shell
+
+FENCE = re.compile(r"^```(.*)$")
+
+
+@dataclass
+class Block:
+    kind: str  # "sql", "sql error", "setup" or another fence's tag
+    line: int
+    text: str
+    expected: Optional[str] = None
+
+
+def fenced_and_hidden(document):
+    """The fenced blocks and hidden set-ups of a document, in order."""
+    found, open_block, end = [], None, None
+    for number, line in enumerate(document.splitlines(), 1):
+        if open_block is None:
+            fence = FENCE.match(line)
+            if fence:
+                open_block, end = Block(fence.group(1).strip(), number, ""), "```"
+            elif line.strip() == "<!-- sql setup":
+                open_block, end = Block("setup", number, ""), "-->"
+        elif line.strip() == end:
+            found.append(open_block)
+            open_block = None
+        else:
+            open_block.text += line + "\n"
+    if open_block is not None:
+        raise ValueError(f"line {open_block.line}: the block never ends")
+    return found
+
+
+def examples(document):
+    """The blocks to run; a `text` block has become the `expected` of the block before it."""
+    runnable, previous = [], None
+    for block in fenced_and_hidden(document):
+        if block.kind in ("sql", "sql error", "setup"):
+            runnable.append(block)
+        elif block.kind == "text" and previous is not None and previous.kind.startswith("sql"):
+            previous.expected = block.text
+        previous = block
+    return runnable
+
+
+def lines(text):
+    return [line.rstrip() for line in text.strip().splitlines()]
+
+
+def complaint(block, status, output):
+    """What is wrong with a block's outcome; None if nothing."""
+    if block.kind == "sql error":
+        if status == 0:
+            return "was to fail, and did not"
+        missing = [line for line in lines(block.expected or "") if line.strip() not in output]
+        if not block.expected or missing:
+            return f"failed as it should, but says\n{output}"
+    elif status != 0:
+        return f"fails:\n{output}"
+    elif block.expected is not None and lines(output) != lines(block.expected):
+        return f"prints\n{output}"
+    return None
+
+
+def run_document(document, name):
+    """(complaints, number of blocks run)."""
+    found, blocks = [], examples(document)
+    with tempfile.TemporaryDirectory() as folder:
+        for block in blocks:
+            loads = [] if ".load" in block.text else ["-cmd", ".load build/release/foresee"]
+            status, output = shell(block.text, "-box", "-bail", *loads, database=Path(folder) / "example.db")
+            wrong = complaint(block, status, output)
+            if wrong:
+                found.append(f"{name}:{block.line}: the {block.kind} block {wrong}")
+    return found, len(blocks)

@@ -1,0 +1,44 @@
+"""What the scripts of this folder share: the paths, the sqlite3 shell with the extension, visible skips."""
+import os
+import subprocess
+import sys
+import unittest
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+EXTENSION = Path(os.environ.get("FORESEE_EXTENSION", ROOT / "build/release/foresee.so"))
+PRELOAD = os.environ.get("FORESEE_PRELOAD", "")
+SANITIZED = bool(os.environ.get("FORESEE_SANITIZE"))
+SHARED_DATA = Path(os.environ.get("FORESEE_SHARED_DATA", ROOT.parent / "shared/data"))
+
+SKIPPED = 77  # what CMakeLists.txt names as SKIP_RETURN_CODE
+
+
+def environment():
+    """The environment in which a stock program can load the extension under test."""
+    if not PRELOAD:
+        return dict(os.environ)
+    # Leaks of the stock program are not ours; those of the extension are found by the test programs of the rooms.
+    return dict(os.environ, LD_PRELOAD=PRELOAD, ASAN_OPTIONS="detect_leaks=0")
+
+
+def with_extension(text):
+    """`text` with the path of the extension that users are told replaced by the one under test."""
+    return text.replace("build/release/foresee", str(EXTENSION.with_suffix("")))
+
+
+def shell(script, *arguments, database=":memory:"):
+    """Runs `script` in the sqlite3 shell from the root; returns (status, all that it prints)."""
+    done = subprocess.run(
+        ["sqlite3", "-batch", "-init", os.devnull, *map(with_extension, arguments), str(database)], input=with_extension(script), text=True,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=ROOT, env=environment(), timeout=300)
+    return done.returncode, done.stdout
+
+
+def main():
+    """unittest.main(), except that a program of which every test was skipped says so to ctest."""
+    program = unittest.main(exit=False, verbosity=2)
+    result = program.result
+    if not result.wasSuccessful() or result.testsRun == 0:
+        sys.exit(1)
+    sys.exit(SKIPPED if len(result.skipped) == result.testsRun else 0)

@@ -1,0 +1,66 @@
+"""The guard of the rooms, tried on made-up trees: it catches planted violations and lets good trees pass."""
+import tempfile
+import unittest
+from pathlib import Path
+
+from rooms import violations
+
+
+def tree(files):
+    """violations() of a tree made of {path: text}."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name, text in files.items():
+            path = Path(folder) / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        return violations(folder)[0]
+
+
+class RoomGuard(unittest.TestCase):
+    def catches(self, path, include, words):
+        found = tree({path: f"#pragma once\n{include}\n"})
+        self.assertEqual(len(found), 1, found)
+        self.assertIn(f"{path}:2", found[0])
+        self.assertIn(words, found[0])
+
+    def passes(self, path, include):
+        self.assertEqual(tree({path: include + "\n"}), [])
+
+    def test_a_room_may_include_rooms_to_its_right(self):
+        self.passes("contact/ball.h", '#include "motion/vec.h"')
+        self.passes("query/join.h", '#include "index/candidates.h"\n#include "contact/contact.h"')
+        self.passes("sqlite/table.cpp", '#include "storage/object_store.h"\n#include "query/join.h"')
+        self.passes("motion/vec.h", '#include <Eigen/Core>\n#include "motion/law.h"')
+        self.passes("index/gpcd_grid/stripes.cpp", '#include "index/gpcd_grid/stripes.h"')
+
+    def test_a_room_may_not_include_rooms_to_its_left(self):
+        self.catches("motion/vec.h", '#include "contact/contact.h"', "motion may include no other room")
+        self.catches("contact/ball.h", '#include "index/candidates.h"', "contact may include motion")
+        self.catches("index/all_pairs.cpp", '#include "query/scene.h"', "index may include")
+        self.catches("query/join.h", '#include "sqlite/foresee.h"', "query may include")
+        self.catches("query/join.h", '  #  include "storage/object_store.h"', "query may include")
+
+    def test_storage_sees_the_page_interface_and_motion_only(self):
+        self.passes("storage/pages.cpp", '#include "index/pages.h"\n#include "motion/layout.h"')
+        self.catches("storage/pages.cpp", '#include "index/candidates.h"', "storage may include motion")
+        self.catches("storage/pages.cpp", '#include "contact/contact.h"', "storage may include motion")
+
+    def test_only_storage_and_sqlite_see_sqlite(self):
+        self.passes("storage/sqlite_api.h", "#include <sqlite3ext.h>")
+        self.catches("query/join.h", "#include <sqlite3.h>", "see SQLite")
+        self.catches("index/pages.h", '#include "sqlite3ext.h"', "see SQLite")
+
+    def test_relative_paths_are_no_way_around(self):
+        self.catches("motion/vec.h", '#include "../contact/contact.h"', "relative path")
+        self.catches("motion/vec.h", '#include "motion/../query/join.h"', "relative path")
+
+    def test_a_file_outside_the_rooms_is_a_violation(self):
+        self.assertEqual(tree({"loose.h": ""}), ["loose.h: not in a room"])
+        self.assertEqual(tree({"annex/loose.h": ""}), ["annex/loose.h: not in a room"])
+
+    def test_a_comment_is_no_include(self):
+        self.passes("motion/vec.h", '// #include "query/join.h"')
+
+
+if __name__ == "__main__":
+    unittest.main()
