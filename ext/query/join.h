@@ -5,8 +5,9 @@
 //     for (const JoinRow& row : rows) use(row.a, row.b, row.contact.t);
 //
 // Guarantee: every pair that touches during [now, now + h] comes exactly once, whatever the method; in a
-// self-join a < b. Rows come in no particular order. Columns that `wants` leaves out are not computed.
-// Memory: the scenes, one swept box an object, and one batch of pairs.
+// self-join a < b. A scene joined with itself as two sides (b == a) gives every such pair in both orders, and
+// never an object with itself. Rows come in no particular order. Columns that `wants` leaves out are not
+// computed. Memory: the scenes, one swept box an object, and one batch of pairs.
 #pragma once
 
 #include <cstdint>
@@ -35,15 +36,15 @@ struct JoinWants {
 
 struct JoinQuestion {
   std::shared_ptr<const Scene> a;
-  std::shared_ptr<const Scene> b;  ///< null: pairs within a
+  std::shared_ptr<const Scene> b;  ///< null: pairs within a, each once
   double now = 0;
   double h = 0;
   double within = 0;
   std::optional<double> within_z;
   JoinMethod method = JoinMethod::automatic;
-  std::optional<std::int64_t> only_a;  ///< only pairs whose column a has this id
+  std::optional<std::int64_t> only_a;  ///< only pairs whose column a has this id: linear in the objects
   std::optional<std::int64_t> only_b;
-  bool skip_touching = false;  ///< leave out pairs that touch at the first moment asked about: dt > 0
+  bool skip_touching = false;  ///< leave out pairs that touch at `now` already: dt = 0
   JoinWants wants;
 };
 
@@ -55,14 +56,17 @@ struct JoinRow {
 
 class Join {
  public:
-  /// Throws Error for a wrong question (h, within not finite or negative; different axes; shapes without a
-  /// distance).
+  /// Throws Error for a wrong question (h, within or within_z negative or not finite; now not finite;
+  /// different axes; shapes without a distance). `interrupt` must outlive the join.
   Join(JoinQuestion question, Interrupt& interrupt);
 
   /// The next rows, some thousands at most; empty once there are none left. Valid until the next call.
   std::span<const JoinRow> next();
 
  private:
+  void keep_asked_pairs();
+  void make_rows();
+
   JoinQuestion question_;
   Interrupt& interrupt_;
   std::unique_ptr<Contact> contact_;

@@ -1,0 +1,111 @@
+#include "query/join.h"
+
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "query/join_candidates.h"
+
+namespace foresee {
+namespace {
+
+std::string written(double value) {
+  char text[32];
+  return {text, std::to_chars(text, text + sizeof text, value).ptr};
+}
+
+void check_not_negative(const char* name, double value) {
+  if (!(std::isfinite(value) && value >= 0))
+    throw Error(std::string(name) + " must be a finite number >= 0, not " + written(value));
+}
+
+std::string axes_of(const Scene& scene) {
+  return scene.name + " has " + std::to_string(scene.layout.axes) +
+         (scene.layout.axes == 1 ? " axis" : " axes");
+}
+
+JoinQuestion checked(JoinQuestion question) {
+  check_not_negative("h", question.h);
+  check_not_negative("within", question.within);
+  if (question.within_z) check_not_negative("within_z", *question.within_z);
+  if (!std::isfinite(question.now)) throw Error("now must be a finite number, not " + written(question.now));
+  if (question.b && question.a->layout.axes != question.b->layout.axes)
+    throw Error(axes_of(*question.a) + " and " + axes_of(*question.b) +
+                ": a join takes two tables with the same number of axes");
+  return question;
+}
+
+std::unique_ptr<Contact> contact_of(const JoinQuestion& question) {
+  const Scene& a = *question.a;
+  const Scene& b = question.b ? *question.b : a;
+  const ContactQuestion asked{{question.now, question.h}, question.within, question.within_z};
+  return make_contact(a.bodies(), b.bodies(), asked, a.name, b.name);
+}
+
+}  // namespace
+
+JoinMethod join_method(std::string_view name) {
+  if (name == "auto") return JoinMethod::automatic;
+  if (name == "grid") return JoinMethod::grid;
+  if (name == "scan") return JoinMethod::scan;
+  throw Error("method must be 'auto', 'grid' or 'scan', not '" + std::string(name) + "'");
+}
+
+Join::Join(JoinQuestion question, Interrupt& interrupt)
+    : question_(checked(std::move(question))),
+      interrupt_(interrupt),
+      contact_(contact_of(question_)),
+      candidates_(join_candidates(question_, contact_->reach(), interrupt)) {
+  // Which pairs touch at once is only known from their times.
+  if (question_.skip_touching) question_.wants.contact = true;
+}
+
+std::span<const JoinRow> Join::next() {
+  rows_.clear();
+  while (rows_.empty()) {
+    interrupt_.check();
+    pairs_.clear();
+    if (!candidates_->next(pairs_)) break;
+    keep_asked_pairs();
+    hits_.clear();
+    contact_->decide(pairs_, hits_);
+    make_rows();
+  }
+  return rows_;
+}
+
+void Join::keep_asked_pairs() {
+  const Scene& a = *question_.a;
+  const Scene& b = question_.b ? *question_.b : a;
+  const bool within_one = !question_.b;
+  const bool one_table = within_one || question_.b == question_.a;
+  const bool one_id = question_.only_a || question_.only_b;
+  std::size_t kept = 0;
+  for (Pair pair : pairs_) {
+    if (one_table && pair.a == pair.b) continue;
+    if (within_one && a.ids[pair.a] > a.ids[pair.b]) {
+      if (one_id) continue;  // the id asked for stands in the other column of this pair
+      std::swap(pair.a, pair.b);
+    }
+    if (question_.only_a && a.ids[pair.a] != *question_.only_a) continue;
+    if (question_.only_b && b.ids[pair.b] != *question_.only_b) continue;
+    pairs_[kept++] = pair;
+  }
+  pairs_.resize(kept);
+}
+
+void Join::make_rows() {
+  const Scene& a = *question_.a;
+  const Scene& b = question_.b ? *question_.b : a;
+  times_.resize(hits_.size());
+  approaches_.resize(hits_.size());
+  if (question_.wants.contact) contact_->times(hits_, times_);
+  if (question_.wants.approach) contact_->closest_approach(hits_, approaches_);
+  for (std::size_t i = 0; i < hits_.size(); ++i) {
+    if (question_.skip_touching && !(times_[i].dt > 0)) continue;
+    rows_.push_back({a.ids[hits_[i].a], b.ids[hits_[i].b], times_[i], approaches_[i]});
+  }
+}
+
+}  // namespace foresee

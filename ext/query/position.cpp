@@ -1,0 +1,50 @@
+#include "query/position.h"
+
+#include <cmath>
+
+#include "motion/error.h"
+#include "motion/position.h"
+
+namespace foresee {
+namespace {
+
+template <int D>
+bool position_of(const Bodies& bodies, std::size_t i, double moment, PositionRow& row) {
+  const Motion<D> motion = motion_of<D>(bodies, i);
+  if (!exists_at(motion, moment)) return false;
+  const State<D> state = state_at(motion, moment);
+  for (int axis = 0; axis < D; ++axis) {
+    row.x[static_cast<std::size_t>(axis)] = state.x[axis];
+    row.v[static_cast<std::size_t>(axis)] = state.v[axis];
+  }
+  return true;
+}
+
+bool position_of(const Bodies& bodies, std::size_t i, double moment, PositionRow& row) {
+  switch (bodies.layout.axes) {
+    case 1:
+      return position_of<1>(bodies, i, moment, row);
+    case 2:
+      return position_of<2>(bodies, i, moment, row);
+    default:
+      return position_of<3>(bodies, i, moment, row);
+  }
+}
+
+}  // namespace
+
+Positions::Positions(std::shared_ptr<const Scene> scene, double moment)
+    : scene_(std::move(scene)), bodies_(scene_->bodies()), moment_(moment) {
+  if (!std::isfinite(moment)) throw Error("at must be a finite number");
+}
+
+std::optional<PositionRow> Positions::next() {
+  while (next_ < bodies_.count) {
+    const std::size_t i = next_++;
+    PositionRow row{scene_->ids[i], {}, {}};
+    if (position_of(bodies_, i, moment_, row)) return row;
+  }
+  return std::nullopt;
+}
+
+}  // namespace foresee

@@ -1,0 +1,39 @@
+// Where is everything at a moment? predictive_position as a library call.
+//
+//   Positions positions(ships, 700);
+//   while (auto row = positions.next()) use(row->id, row->x[0]);
+//
+// Guarantee: every object that exists at the moment comes exactly once, in the scene's order; the others do
+// not come. Cost: one evaluation an object, when it is pulled.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "query/scene.h"
+
+namespace foresee {
+
+struct PositionRow {
+  std::int64_t id;
+  std::array<double, 3> x, v;  ///< as many as the scene has axes
+};
+
+class Positions {
+ public:
+  /// Throws Error unless `moment` is finite.
+  Positions(std::shared_ptr<const Scene> scene, double moment);
+
+  /// The next object; nothing once there are none left.
+  std::optional<PositionRow> next();
+
+ private:
+  std::shared_ptr<const Scene> scene_;
+  Bodies bodies_;
+  double moment_;
+  std::size_t next_ = 0;
+};
+
+}  // namespace foresee
