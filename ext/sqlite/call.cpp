@@ -1,0 +1,86 @@
+#include "sqlite/call.h"
+
+#include <cmath>
+#include <new>
+
+#include "sqlite/table_function.h"
+
+namespace foresee {
+namespace {
+
+/// The value as a person would write it in SQL.
+std::string written(sqlite3_value* value) {
+  if (sqlite3_value_type(value) == SQLITE_BLOB) return "a blob";
+  const char* quote = sqlite3_value_type(value) == SQLITE_TEXT ? "'" : "";
+  const auto* text = reinterpret_cast<const char*>(sqlite3_value_text(value));
+  if (!text) throw std::bad_alloc();
+  return std::string(quote).append(text).append(quote);
+}
+
+constexpr double two_to_63 = 0x1p63;
+
+bool holds_exactly(double value, std::int64_t integer) {
+  return value < two_to_63 && static_cast<std::int64_t>(value) == integer;
+}
+
+}  // namespace
+
+void Call::reject(int input, const char* kind) const {
+  const auto place = static_cast<std::size_t>(input);
+  throw Error(std::string(function_.inputs[place]) + " must be " + kind + ", not " +
+              written(inputs_[place].get()));
+}
+
+std::optional<double> Call::number(int input) const {
+  sqlite3_value* value = inputs_[static_cast<std::size_t>(input)].get();
+  if (!value) return std::nullopt;
+  const int type = sqlite3_value_numeric_type(value);
+  if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) reject(input, "a number");
+  const double number = sqlite3_value_double(value);
+  if (type == SQLITE_INTEGER && !holds_exactly(number, sqlite3_value_int64(value)))
+    reject(input, "a number that a double holds exactly");
+  return number;
+}
+
+double Call::required_number(int input) const {
+  if (const auto given = number(input)) return *given;
+  const std::string name = function_.inputs[static_cast<std::size_t>(input)];
+  throw Error(name + " is missing: write " + usage(function_));
+}
+
+std::optional<std::string> Call::text(int input) const {
+  sqlite3_value* value = inputs_[static_cast<std::size_t>(input)].get();
+  if (!value) return std::nullopt;
+  if (sqlite3_value_type(value) != SQLITE_TEXT) reject(input, "a name in quotes");
+  const auto* text = reinterpret_cast<const char*>(sqlite3_value_text(value));
+  if (!text) throw std::bad_alloc();
+  return text;
+}
+
+std::optional<std::int64_t> Call::only(int output) const {
+  for (const Hint& hint : hints_) {
+    if (hint.output != output || hint.op != SQLITE_INDEX_CONSTRAINT_EQ) continue;
+    const int type = sqlite3_value_numeric_type(hint.value);
+    if (type == SQLITE_INTEGER) return sqlite3_value_int64(hint.value);
+    if (type != SQLITE_FLOAT) continue;
+    const double number = sqlite3_value_double(hint.value);
+    if (std::abs(number) < two_to_63 && std::trunc(number) == number)
+      return static_cast<std::int64_t>(number);
+  }
+  return std::nullopt;
+}
+
+bool Call::only_positive(int output) const {
+  for (const Hint& hint : hints_) {
+    if (hint.output != output) continue;
+    const int type = sqlite3_value_numeric_type(hint.value);
+    if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) continue;
+    const double bound = sqlite3_value_double(hint.value);
+    if (hint.op == SQLITE_INDEX_CONSTRAINT_GT && bound >= 0) return true;
+    const bool from_below = hint.op == SQLITE_INDEX_CONSTRAINT_GE || hint.op == SQLITE_INDEX_CONSTRAINT_EQ;
+    if (from_below && bound > 0) return true;
+  }
+  return false;
+}
+
+}  // namespace foresee

@@ -1,0 +1,69 @@
+// One call of a table-valued function as SQLite hands it over: which inputs were given, which outputs are
+// read, and what the query asks of them.
+//
+//   const double h = call.required_number(input_h);
+//   const std::string method = call.text(input_method).value_or("auto");
+//
+// A NULL input counts as left out. An input of the wrong kind is an Error that says what to write.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sqlite/connection.h"
+#include "storage/sqlite_api.h"
+
+namespace foresee {
+
+struct TableFunction;
+
+struct FreeValue {
+  void operator()(sqlite3_value* value) const { sqlite3_value_free(value); }
+};
+using OwnedValue = std::unique_ptr<sqlite3_value, FreeValue>;
+
+/// `output op value` from the WHERE clause. SQLite checks it again: using it is optional.
+struct Hint {
+  int output;
+  int op;  ///< SQLITE_INDEX_CONSTRAINT_EQ, GT, GE, LT or LE
+  sqlite3_value* value;
+};
+
+class Call {
+ public:
+  Call(const TableFunction& function, Connection& connection, std::span<const OwnedValue> inputs,
+       std::vector<Hint> hints, std::uint32_t outputs_read)
+      : function_(function),
+        connection_(connection),
+        inputs_(inputs),
+        hints_(std::move(hints)),
+        outputs_read_(outputs_read) {}
+
+  Connection& connection() const { return connection_; }
+
+  std::optional<double> number(int input) const;
+  double required_number(int input) const;
+  std::optional<std::string> text(int input) const;
+
+  bool reads(int output) const { return (outputs_read_ >> output & 1) != 0; }
+
+  /// The integer that the query wants `output` to be, if it does.
+  std::optional<std::int64_t> only(int output) const;
+  /// Does the query want `output` to be more than zero?
+  bool only_positive(int output) const;
+
+ private:
+  [[noreturn]] void reject(int input, const char* kind) const;
+
+  const TableFunction& function_;
+  Connection& connection_;
+  std::span<const OwnedValue> inputs_;  ///< one per input, null where it was left out
+  std::vector<Hint> hints_;
+  std::uint32_t outputs_read_;
+};
+
+}  // namespace foresee
