@@ -1,0 +1,25 @@
+// Which tables does this connection see, and which of them hold moving objects?
+//
+// Read from each schema's sqlite_schema in the order in which SQLite resolves a bare name: temp, main, then
+// the attached databases. Cost: one scan of each schema.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "storage/sqlite_api.h"
+
+namespace foresee {
+
+struct VisibleTable {
+  std::string schema, name;
+  bool holds_moving_objects;
+};
+
+/// All tables and views.
+std::vector<VisibleTable> visible_tables(sqlite3* db);
+
+/// Is this the text of a CREATE VIRTUAL TABLE … USING moving_objects, as sqlite_schema keeps it?
+bool uses_moving_objects(const std::string& sql);
+
+}  // namespace foresee

@@ -1,0 +1,88 @@
+#include "sqlite/open_table.h"
+
+#include <vector>
+
+#include "sqlite/moving_objects_tables.h"
+#include "sqlite/select.h"
+
+namespace foresee {
+namespace {
+
+bool same_name(const std::string& a, const std::string& b) {
+  return sqlite3_stricmp(a.c_str(), b.c_str()) == 0;
+}
+
+bool in_schema(const VisibleTable& table, const std::optional<std::string>& schema) {
+  return !schema || same_name(table.schema, *schema);
+}
+
+/// " (moving_objects tables here: main.crates, main.ships)".
+std::string list_of(const std::vector<VisibleTable>& tables) {
+  std::string list;
+  for (const VisibleTable& table : tables)
+    if (table.holds_moving_objects) list += (list.empty() ? "" : ", ") + table.schema + "." + table.name;
+  return list.empty()
+             ? " (there is no moving_objects table here; make one with CREATE VIRTUAL TABLE ships USING "
+               "moving_objects(id, x, y, vx, vy))"
+             : " (moving_objects tables here: " + list + ")";
+}
+
+/// The one table that is meant when nobody names one.
+TableName only_table(sqlite3* db, const std::optional<std::string>& schema) {
+  const std::vector<VisibleTable> tables = visible_tables(db);
+  const VisibleTable* only = nullptr;
+  for (const VisibleTable& table : tables) {
+    if (!table.holds_moving_objects || !in_schema(table, schema)) continue;
+    if (only) throw Error("tbl is missing, and there is more than one table to ask" + list_of(tables));
+    only = &table;
+  }
+  if (!only) throw Error("there is no table to ask" + list_of(tables));
+  return {only->name, only->schema};
+}
+
+/// Says why `name` could not be opened; returns if it is a moving_objects table, so that the fault is
+/// another.
+void explain(sqlite3* db, const std::string& table, const std::optional<std::string>& schema) {
+  const std::string name = schema ? *schema + "." + table : table;
+  const std::vector<VisibleTable> tables = visible_tables(db);
+  for (const VisibleTable& seen : tables) {
+    if (!same_name(seen.name, table) || !in_schema(seen, schema)) continue;
+    if (seen.holds_moving_objects) return;
+    throw Error(name + " is not a moving_objects table" + list_of(tables));
+  }
+  throw Error("no such table: " + name + list_of(tables));
+}
+
+/// Null if the table that SQLite finds is none of ours.
+std::optional<OpenScene> ask(Connection& connection, const std::string& table, const std::string& from) {
+  const char* t = table.c_str();
+  Select select(connection.db(), "SELECT \"%w\" FROM %s\"%w\" WHERE \"%w\" MATCH 'foresee-handle'", t,
+                from.c_str(), t, t);
+  const auto number = select.step() ? select.integer(0) : std::nullopt;
+  const Connection::OpenTable* open = number ? connection.find(*number) : nullptr;
+  if (!open || !same_name(open->table, table)) return std::nullopt;
+  return OpenScene{*number, connection.scene(*open)};
+}
+
+std::string quoted_schema(const std::string& schema) {
+  std::string text = "\"";
+  for (char c : schema) text += c == '"' ? "\"\"" : std::string(1, c);
+  return text + "\".";
+}
+
+}  // namespace
+
+OpenScene open_scene(Connection& connection, const TableName& asked) {
+  const TableName name = asked.table ? asked : only_table(connection.db(), asked.schema);
+  try {
+    auto scene = ask(connection, *name.table, name.schema ? quoted_schema(*name.schema) : "");
+    if (scene) return *std::move(scene);
+  } catch (const StoreError& error) {
+    if ((error.code & 0xff) == SQLITE_ERROR) explain(connection.db(), *name.table, name.schema);
+    throw;
+  }
+  explain(connection.db(), *name.table, name.schema);
+  throw Error(*name.table + " does not answer as a moving_objects table does");
+}
+
+}  // namespace foresee

@@ -1,0 +1,11 @@
+// The table-valued functions, one file each.
+#pragma once
+
+#include "sqlite/table_function.h"
+
+namespace foresee {
+
+const TableFunction& predictive_join();      // predictive_join.cpp
+const TableFunction& predictive_position();  // predictive_position.cpp
+
+}  // namespace foresee
