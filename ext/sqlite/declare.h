@@ -1,0 +1,27 @@
+// What do the arguments of CREATE VIRTUAL TABLE declare?
+//
+//   Declaration ships = parse_declaration("ships", {"id", "t", "x", "y", "vx", "vy", "r", "+name TEXT"});
+//
+// The id comes first; then the motion columns in any order; then auxiliary columns, as in SQLite's R*Tree.
+// Options (`horizon = 60`) may stand anywhere after the id. What is no table of DESIGN's vocabulary throws
+// Error: the message names the table, quotes the argument and says what would be right.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "storage/declaration.h"
+
+namespace foresee {
+
+Declaration parse_declaration(std::string_view table, const std::vector<std::string_view>& arguments);
+
+/// Throws Error if `table` is also a column's name: the command column is named like the table.
+void require_table_name(const Declaration& declaration, std::string_view table);
+
+/// The CREATE TABLE for sqlite3_declare_vtab: id, the declared columns in their order, and the hidden command
+/// column named like the table.
+std::string declared_schema(const Declaration& declaration, std::string_view table);
+
+}  // namespace foresee

@@ -1,0 +1,44 @@
+// Which column names does moving_objects know? The fixed vocabulary of motion and shape, without `id`.
+//
+//   find_word("VX")->quantity == Quantity::velocity, ->axis == 0
+//   nearest_word("vxx") == "vx"
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace foresee {
+
+enum class Quantity : std::uint8_t {
+  reference_time,
+  centre,
+  velocity,
+  acceleration,
+  force,
+  mass,
+  half_extent,
+  radius,
+  until,
+};
+constexpr int quantity_count = 9;
+
+struct Word {
+  std::string_view name;
+  Quantity quantity;
+  int axis;  ///< 0 where the quantity has no axes
+};
+
+/// The word of this name in any case, or null.
+const Word* find_word(std::string_view name);
+
+/// The word for a quantity along an axis, e.g. "vy".
+std::string_view word_for(Quantity quantity, int axis);
+
+/// The known word (or "id") that differs from `name` by one letter or two, or "" if none is that near.
+std::string_view nearest_word(std::string_view name);
+
+/// Equal as SQLite compares names: ASCII letters in any case.
+bool same_name(std::string_view a, std::string_view b);
+
+}  // namespace foresee
