@@ -1,0 +1,41 @@
+// Boxes far larger or faster than the rest: which of them cross the stripe at hand?
+//
+// Giants stay outside the grid, where they would be copied into many stripes. Instead the grid walks through
+// its stripes in order and every giant that crosses one is compared with what lies there. Seen from a stripe
+// a giant has classes like any box, so each of its pairs is still reported once.
+//
+// Requires: stripes are visited along y first. Cost: one step for each stripe that a giant crosses; memory
+// follows the number of giants only.
+#pragma once
+
+#include <vector>
+
+#include "index/gpcd_grid/stripes.h"
+
+namespace foresee::gpcd {
+
+template <int D>
+class Giants {
+ public:
+  Giants(const Partition<D>& partition, const Stripes<D>& stripes, Interrupt& interrupt);
+
+  /// All giants, sorted along x.
+  std::span<const Key> all() const { return sorted_; }
+  /// Those that cross a stripe (its numbers along y and z), sorted along x. Valid until the next call.
+  std::span<const Key> crossing(const int (&stripe)[D]);
+
+ private:
+  void advance(int row);
+
+  struct Place {
+    Key key;
+    StripeRange y, z;
+  };
+  std::vector<Key> sorted_;
+  std::vector<Place> waiting_;  // by the first stripe along y, the next to come last
+  std::vector<Place> active_;   // those that cross the current stripes along y, sorted along x
+  std::vector<Key> crossing_;
+  int row_ = -1;
+};
+
+}  // namespace foresee::gpcd
