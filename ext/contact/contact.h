@@ -27,8 +27,8 @@ namespace foresee {
 struct ContactQuestion {
   Horizon horizon;
   double within = 0;  ///< coming this close counts as touching; >= 0, finite
-  std::optional<double>
-      within_z;  ///< three axes: the limit along z, apart from the one in x and y; >= 0, finite
+  std::optional<double> within_z =
+      {};  ///< three axes: the limit along z, apart from the one in x and y; >= 0, finite
 };
 
 /// Begin and end of the first contact, clipped to the moments asked about: absolute, and measured from `now`.

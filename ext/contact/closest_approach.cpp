@@ -1,0 +1,211 @@
+#include "contact/closest_approach.h"
+
+#include <array>
+
+namespace foresee {
+namespace {
+
+bool less(const DoubleDouble& a, const DoubleDouble& b) {
+  return a.high < b.high || (a.high == b.high && a.low < b.low);
+}
+
+/// How far apart at a moment: the exact power of two `scale` keeps the square from over- and underflowing.
+struct Distance {
+  DoubleDouble square;  ///< of distance / scale
+  double scale;
+  double error;  ///< bound on what square can be off
+
+  double value() const {
+    if (square.high <= error) return 0;
+    const double root = std::sqrt(square.high);
+    const DoubleDouble rest = square - product(root, root);
+    return (root + rest.high / (2 * root)) * scale;
+  }
+};
+
+template <int D>
+class Approach {
+ public:
+  Approach(const Setup& setup, const double* row_a, const double* row_b)
+      : course_(course_of<DoubleDouble, D>(setup, row_a, row_b)) {
+    const Moments moments = moments_of(setup, row_a, row_b);
+    begin_ = difference(moments.t_begin, setup.horizon.now);
+    end_ = moments.t_end < setup.horizon.now + setup.horizon.h ? difference(moments.t_end, setup.horizon.now)
+                                                               : DoubleDouble{moments.dt_end, 0};
+    for (int j = 0; j < D; ++j) bent_ = bent_ || course_.a[j].high != 0;
+    double size = 0;
+    const double tau = end_.high;
+    for (int j = 0; j < D; ++j)
+      size = std::max(size, std::abs(course_.x[j].high) +
+                                tau * (std::abs(course_.v[j].high) + tau * std::abs(course_.a[j].high)));
+    // The exponent of the largest coordinate that can occur; what is far smaller than it cannot matter.
+    scale_ = size > 0 && std::isfinite(size) ? std::ldexp(1.0, std::clamp(std::ilogb(size), -1000, 1000)) : 1;
+    size_ = size / scale_;
+  }
+
+  struct Nearest {
+    DoubleDouble tau;
+    double distance;
+  };
+
+  Nearest nearest() const {
+    std::array<DoubleDouble, 8> moments;
+    const int count = bent_ ? bent_candidates(moments) : straight_candidates(moments);
+    DoubleDouble best_tau = moments[0];
+    Distance best = distance_at(best_tau);
+    for (int i = 1; i < count; ++i) {
+      const Distance other = distance_at(moments[i]);
+      // Not nearer by more than the error: a tie, and the earlier moment stays.
+      if (!(other.square.high < best.square.high - (best.error + other.error) * 2)) {
+        const DoubleDouble gap = best.square - other.square;
+        if (!(gap.high > best.error + other.error)) continue;
+      }
+      best = other;
+      best_tau = moments[i];
+    }
+    return {best_tau, best.value()};
+  }
+
+ private:
+  DoubleDouble place(int j, const DoubleDouble& tau) const {
+    return bent_ ? course_.x[j] + tau * (course_.v[j] + tau * course_.a[j])
+                 : course_.x[j] + tau * course_.v[j];
+  }
+  DoubleDouble speed(int j, const DoubleDouble& tau) const {
+    const DoubleDouble turn = tau * course_.a[j];
+    return course_.v[j] + turn + turn;
+  }
+
+  Distance distance_at(const DoubleDouble& tau) const {
+    Distance d{{0, 0}, 1, 0};
+    DoubleDouble away[D];
+    double largest = 0;
+    for (int j = 0; j < D; ++j) {
+      away[j] = place(j, tau);
+      largest = std::max(largest, std::abs(away[j].high));
+    }
+    d.scale = scale_;
+    const double inverse = 1 / scale_;
+    for (int j = 0; j < D; ++j) {
+      const DoubleDouble part{away[j].high * inverse, away[j].low * inverse};
+      d.square = d.square + part * part;
+    }
+    // Each coordinate is within 2^-96 of the largest that can occur.
+    const double coordinate = 0x1p-96 * size_;
+    d.error = D * coordinate * (2 * largest * inverse + coordinate) + 0x1p-98 * d.square.high;
+    return d;
+  }
+
+  DoubleDouble clipped(const DoubleDouble& tau) const {
+    if (less(tau, begin_)) return begin_;
+    return less(end_, tau) ? end_ : tau;
+  }
+
+  int straight_candidates(std::array<DoubleDouble, 8>& moments) const {
+    DoubleDouble along{0, 0}, speed_squared{0, 0};
+    for (int j = 0; j < D; ++j) {
+      along = along + course_.x[j] * course_.v[j];
+      speed_squared = speed_squared + course_.v[j] * course_.v[j];
+    }
+    int count = 0;
+    moments[count++] = begin_;
+    const DoubleDouble turn = -along / speed_squared;
+    if (std::isfinite(turn.high)) moments[count++] = clipped(turn);
+    moments[count++] = end_;
+    return count;
+  }
+
+  /// Half the slope of the squared distance.
+  DoubleDouble slope(const DoubleDouble& tau) const {
+    DoubleDouble sum{0, 0};
+    for (int j = 0; j < D; ++j) sum = sum + place(j, tau) * speed(j, tau);
+    return sum;
+  }
+  double slope_of_slope(double tau) const {
+    double sum = 0;
+    for (int j = 0; j < D; ++j) {
+      const double a = course_.a[j].high, q = course_.v[j].high + 2 * tau * a;
+      sum += q * q + 2 * a * (course_.x[j].high + tau * (course_.v[j].high + tau * a));
+    }
+    return sum;
+  }
+
+  /// Begin, the minima between the turning points of the slope, and end, in order of time.
+  int bent_candidates(std::array<DoubleDouble, 8>& moments) const {
+    double c1 = 0, c2 = 0, c3 = 0;  // slope of the slope: c1 + 2 c2 tau + 3 c3 tau^2
+    for (int j = 0; j < D; ++j) {
+      const double x = course_.x[j].high, v = course_.v[j].high, a = course_.a[j].high;
+      c1 += v * v + 2 * x * a;
+      c2 += 3 * v * a;
+      c3 += 2 * a * a;
+    }
+    double turns[4] = {begin_.high, begin_.high, end_.high, end_.high};
+    const double discriminant = c2 * c2 - 3 * c3 * c1;
+    if (discriminant > 0) {
+      const double q = -(c2 + std::copysign(std::sqrt(discriminant), c2));
+      const double one = q / (3 * c3), two = q != 0 ? c1 / q : one;
+      turns[1] = std::clamp(std::min(one, two), begin_.high, end_.high);
+      turns[2] = std::clamp(std::max(one, two), begin_.high, end_.high);
+    } else {
+      turns[1] = turns[2] = end_.high;
+    }
+    int count = 0;
+    moments[count++] = begin_;
+    for (int piece = 0; piece < 3; ++piece)
+      if (turns[piece] < turns[piece + 1] && slope({turns[piece], 0}).high < 0 &&
+          slope({turns[piece + 1], 0}).high > 0)
+        moments[count++] = clipped(bottom(turns[piece], turns[piece + 1]));
+    moments[count++] = end_;
+    return count;
+  }
+
+  /// Where the slope goes through zero from below: bisection in double, then Newton in DoubleDouble.
+  DoubleDouble bottom(double low, double high) const {
+    for (int i = 0; i < 200; ++i) {
+      const double middle = low + 0.5 * (high - low);
+      if (!(low < middle && middle < high)) break;
+      const double step = -slope({middle, 0}).high / slope_of_slope(middle);
+      const double guess = middle + step;
+      if (slope({middle, 0}).high < 0)
+        low = middle;
+      else
+        high = middle;
+      if (low < guess && guess < high && std::abs(step) < 1e-3 * (high - low)) {
+        low = std::max(low, guess - 4 * std::abs(step));
+        high = std::min(high, guess + 4 * std::abs(step));
+        if (!(slope({low, 0}).high < 0 && slope({high, 0}).high > 0)) return polished(guess);
+      }
+    }
+    return polished(low);
+  }
+
+  DoubleDouble polished(double tau) const {
+    DoubleDouble moment{tau, 0};
+    for (int i = 0; i < 3; ++i) {
+      const double step = -slope(moment).high / slope_of_slope(moment.high);
+      if (!std::isfinite(step)) break;
+      moment = moment + DoubleDouble{step, 0};
+    }
+    return moment;
+  }
+
+  Course<DoubleDouble, D> course_;
+  DoubleDouble begin_, end_;
+  double scale_ = 1, size_ = 0;
+  bool bent_ = false;
+};
+
+}  // namespace
+
+template <int D>
+ClosestApproach closest_approach_of(const Setup& setup, const double* row_a, const double* row_b) {
+  const auto nearest = Approach<D>(setup, row_a, row_b).nearest();
+  const DoubleDouble moment = sum(setup.horizon.now, nearest.tau.high);
+  return {moment.high + (moment.low + nearest.tau.low), nearest.tau.high, nearest.distance};
+}
+
+template ClosestApproach closest_approach_of<1>(const Setup&, const double*, const double*);
+template ClosestApproach closest_approach_of<2>(const Setup&, const double*, const double*);
+template ClosestApproach closest_approach_of<3>(const Setup&, const double*, const double*);
+
+}  // namespace foresee

@@ -1,0 +1,147 @@
+// The instant of a crossing that a Track has bracketed, rounded once.
+//
+// Within the bracket a primitive is on one side all the time, or its polynomial is monotone there and has at
+// most one root. That root is found by one Newton step from the bracket's begin, with the value of the
+// polynomial in DoubleDouble; it comes with an error radius, and is accepted if all numbers within that
+// radius round to the same double (Ziv's test). Roots of different primitives are rounded apart and then
+// compared: rounding keeps order. What this cannot settle is NaN.
+#pragma once
+
+#include "contact/track.h"
+
+namespace foresee {
+
+/// A moment from `now` and absolute, each rounded once.
+struct Instant {
+  double dt, t;
+  bool known() const { return dt == dt && t == t; }
+};
+
+inline Instant unknown_instant() {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  return {nan, nan};
+}
+
+inline Instant later(const Instant& a, const Instant& b) {
+  if (!a.known() || !b.known()) return unknown_instant();
+  return {std::max(a.dt, b.dt), std::max(a.t, b.t)};
+}
+
+inline Instant earlier(const Instant& a, const Instant& b) {
+  if (!a.known() || !b.known()) return unknown_instant();
+  return {std::min(a.dt, b.dt), std::min(a.t, b.t)};
+}
+
+/// base + s for every s within `radius` of `step`, rounded; unknown if they round differently.
+inline Instant rounded_instant(double now, double base, double step, double radius) {
+  const double low = step - radius, high = step + radius;
+  const DoubleDouble moment = sum(now, base);
+  const double wider = radius + 4 * unit_roundoff * (std::abs(moment.low) + std::abs(step));
+  const double t_low = moment.high + ((moment.low + step) - wider);
+  const double t_high = moment.high + ((moment.low + step) + wider);
+  if (base + low == base + high && t_low == t_high) return {base + low, t_low};
+  return unknown_instant();
+}
+
+/// Which way a primitive is crossed: from outside in (the begin of contact) or from inside out (its end).
+enum class Way : std::uint8_t { in, out };
+
+/// A primitive's polynomial near bracket.before: value in DoubleDouble, slope and bend in double. Inside: p
+/// <= 0.
+struct Crossed {
+  DoubleDouble value;
+  double value_error;
+  double slope, slope_error;
+  double bend;  ///< bound on |p''| / 2 in the bracket
+};
+
+/// The root of a polynomial known to be crossed in the given way, or unknown.
+template <Way way>
+Instant root_of(const Crossed& p, double now, double base, double width) {
+  const double steep = way == Way::in ? -p.slope : p.slope;
+  const double step = -p.value.high / p.slope;
+  const double reach = std::max(width, 2 * std::abs(step));
+  // Monotone, and at least half as steep as at the base, wherever the root can be.
+  if (!(steep - p.slope_error - 2 * p.bend * reach > 0.5 * steep)) return unknown_instant();
+  const double lost = p.value_error + std::abs(p.value.low) + p.bend * step * step;
+  const double radius =
+      2 * (lost / steep) + 2 * std::abs(step) * (p.slope_error / steep + 4 * unit_roundoff) + 0x1p-1060;
+  return rounded_instant(now, base, step, radius);
+}
+
+template <Way way, int D, int Degree>
+class CrossingVisitor {
+ public:
+  CrossingVisitor(const Relative<D>& relative, const Course<DoubleDouble, D>& course, const Bracket& bracket,
+                  double now)
+      : base_(bracket.before), now_(now), underflow_(relative.underflow) {
+    width_ = (bracket.after - bracket.before) * (1 + 4 * unit_roundoff);
+    view_from<D, Degree>(relative, base_, view_);
+    for (int j = 0; j < D; ++j) {
+      const DoubleDouble tau{base_, 0};
+      place_[j] = Degree < 2 ? course.x[j] + tau * course.v[j]
+                             : course.x[j] + tau * (course.v[j] + tau * course.a[j]);
+    }
+  }
+
+  Instant all(const Instant& a, const Instant& b) const {
+    return way == Way::in ? later(a, b) : earlier(a, b);
+  }
+  Instant any(const Instant& a, const Instant& b) const {
+    return way == Way::in ? earlier(a, b) : later(a, b);
+  }
+
+  Instant slab(int axis, DoubleDouble half) const {
+    const AxisView& w = view_[axis];
+    if (slab_within(w, half.high) > width_) return always_inside();
+    if (slab_apart(w, half.high) > width_) return always_outside();
+    // Only the side towards which the pair is can be crossed, unless the slab is thin: then let others
+    // decide.
+    const bool high_side = w.p >= 0;
+    const double other = half.high + std::abs(w.p) - 2 * (w.ep + 8 * unit_roundoff * half.high);
+    if (!(other > width_ * (std::abs(w.q) + w.eq + width_ * (std::abs(w.a) + w.ea))))
+      return unknown_instant();
+    const DoubleDouble value = high_side ? place_[axis] - half : -place_[axis] - half;
+    const double slope = high_side ? w.q : -w.q;
+    return root_of<way>({value, fine(w.ep, w.p, half.high), slope, w.eq, std::abs(w.a) + w.ea}, now_, base_,
+                        width_);
+  }
+
+  template <std::size_t N>
+  Instant ball(const std::array<Centre<DoubleDouble>, N>& centre, DoubleDouble radius) const {
+    std::array<Centre<double>, N> rough;
+    DoubleDouble value = -(radius * radius);
+    for (std::size_t i = 0; i < N; ++i) {
+      rough[i] = {centre[i].axis, centre[i].at.high};
+      const DoubleDouble away = place_[centre[i].axis] - centre[i].at;
+      value = value + away * away;
+    }
+    const BallView b = ball_view<Degree>(view_, rough, radius.high, underflow_);
+    if (ball_within<Degree>(b, width_) > width_) return always_inside();
+    if (ball_apart<Degree>(b, width_) > width_) return always_outside();
+    const double span = std::max(width_, 2 * std::abs(value.high / b.f1));
+    const double bend =
+        std::abs(b.c2) + b.e2 + span * (3 * (std::abs(b.c3) + b.e3) + 6 * span * (b.c4 + b.e4));
+    return root_of<way>({value, b.ef * 0x1p-44 + underflow_, b.f1, b.e1, 2 * bend}, now_, base_, width_);
+  }
+
+ private:
+  static constexpr double inf = std::numeric_limits<double>::infinity();
+  static constexpr Instant always_inside() {
+    return way == Way::in ? Instant{-inf, -inf} : Instant{inf, inf};
+  }
+  static constexpr Instant always_outside() {
+    return way == Way::in ? Instant{inf, inf} : Instant{-inf, -inf};
+  }
+
+  /// DoubleDouble loses at most 2^-97 of what the double bound counts in 2^-53.
+  double fine(double rough_error, double p, double half) const {
+    return (rough_error + 8 * unit_roundoff * (std::abs(p) + half)) * 0x1p-44 + underflow_;
+  }
+
+  AxisView view_[D];
+  DoubleDouble place_[D];
+  double base_, width_, now_, underflow_;
+};
+
+}  // namespace foresee

@@ -1,0 +1,76 @@
+// The table of DESIGN.md section 3, "which distance depends on the shapes", as one decision per statement.
+#include "contact/contact.h"
+#include "contact/kinds.h"
+#include "motion/error.h"
+
+namespace foresee {
+namespace {
+
+/// A ball-shaped table whose radii are all 0 holds points.
+bool is_ball_of_size(const Bodies& bodies) {
+  if (bodies.layout.shape != Shape::ball) return false;
+  for (std::size_t i = 0; i < bodies.count; ++i)
+    if (bodies.row(i)[bodies.at.r] > 0) return true;
+  return false;
+}
+
+bool has(const Bodies& a, const Bodies& b, Shape shape) {
+  return a.layout.shape == shape || b.layout.shape == shape;
+}
+
+void check_within_z(const Bodies& a, const Bodies& b) {
+  if (a.layout.axes != 3)
+    throw Error("within_z is for tables with x, y and z; leave it out here (within covers every axis)");
+  if (!has(a, b, Shape::point) && !has(a, b, Shape::cylinder))
+    throw Error(
+        "within_z needs points or cylinders (r with hz) on one side; between balls or boxes leave it out: "
+        "within covers every axis");
+}
+
+void check_cylinder_meets_no_ball(const Bodies& a, const Bodies& b, const std::string& name_a,
+                                  const std::string& name_b) {
+  const bool ball_a = is_ball_of_size(a);
+  if (!ball_a && !is_ball_of_size(b)) return;
+  const std::string& ball = ball_a ? name_a : name_b;
+  const std::string& upright = ball_a ? name_b : name_a;
+  const Bodies& other = ball_a ? b : a;
+  const bool is_cylinder = other.layout.shape == Shape::cylinder;
+  throw Error("no distance is defined between " + upright +
+              (is_cylinder ? " (cylinders)" : " (points, which within_z makes cylinders)") + " and " + ball +
+              " (balls with r > 0): declare hz in " + ball + " to make them cylinders, " +
+              (is_cylinder ? "or set their r to 0" : "or leave out within_z"));
+}
+
+int degree_of(Law law) {
+  switch (law) {
+    case Law::rest:
+      return 0;
+    case Law::uniform:
+      return 1;
+    default:
+      return 2;
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const ContactQuestion& question,
+                                      const std::string& name_a, const std::string& name_b) {
+  if (question.within_z) check_within_z(a, b);
+  const double within = question.within;
+  const int degree = std::max(degree_of(a.layout.law), degree_of(b.layout.law));
+  const bool box = has(a, b, Shape::box);
+  if (has(a, b, Shape::cylinder) || question.within_z) {
+    check_cylinder_meets_no_ball(a, b, name_a, name_b);
+    const Setup upright{a, b, question.horizon, within, question.within_z.value_or(0)};
+    return box ? make_cylinder_box(upright, degree) : make_cylinder_cylinder(upright, degree);
+  }
+  const Setup setup{a, b, question.horizon, within, within};
+  const bool round = is_ball_of_size(a) || is_ball_of_size(b) || within > 0;
+  const bool both_boxes = a.layout.shape == Shape::box && b.layout.shape == Shape::box;
+  // Per axis: boxes among themselves, anything in one dimension, and where nothing is round.
+  if (both_boxes || a.layout.axes == 1 || !round) return make_box_box(setup, degree);
+  return box ? make_box_ball(setup, degree) : make_ball_ball(setup, degree);
+}
+
+}  // namespace foresee

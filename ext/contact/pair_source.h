@@ -1,0 +1,133 @@
+// What the contact room knows about a pair before any geometry: its rows, its moments, its relative course.
+//
+// Time runs from `now`: tau = 0 is now. With exact numbers as T nothing is rounded; with DoubleDouble little
+// is.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/contact.h"
+#include "contact/double_double.h"
+
+namespace foresee {
+
+/// Two tables and a question; `within` is the limit in x and y (or along all axes), `within_z` the one along
+/// z.
+struct Setup {
+  Bodies a, b;
+  Horizon horizon;
+  double within = 0;
+  double within_z = 0;
+};
+
+inline double value_or(const double* row, int place, double otherwise) {
+  return place == Offsets::absent ? otherwise : row[place];
+}
+
+/// Centre of b minus centre of a: x + v tau + a tau^2 on each axis, so `a` is half the relative acceleration.
+template <class T, int D>
+struct Course {
+  T x[D], v[D], a[D];
+};
+
+/// Sums over both sides, nothing added yet: box half extents, radii, half heights of cylinders.
+template <class T, int D>
+struct RawSizes {
+  T half[D];
+  T radius;
+  T height;
+};
+
+/// When both exist within the horizon, measured from now and absolute; each rounded once.
+struct Moments {
+  double dt_begin, dt_end;
+  double t_begin, t_end;
+  bool begin_exact, end_exact;  ///< dt_begin, dt_end are the exact values
+  bool none;                    ///< the two never exist together during the horizon
+};
+
+inline Moments moments_of(const Setup& setup, const double* row_a, const double* row_b) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const double now = setup.horizon.now, h = setup.horizon.h;
+  const double start = std::max({now, value_or(row_a, setup.a.at.t, 0), value_or(row_b, setup.b.at.t, 0)});
+  const double stop =
+      std::min(value_or(row_a, setup.a.at.until, inf), value_or(row_b, setup.b.at.until, inf));
+  const DoubleDouble begin = difference(start, now);
+  Moments moments{begin.high, h, start, now + h, begin.low == 0, true, false};
+  moments.none = start > stop || begin.high > h || (begin.high == h && begin.low > 0);
+  if (stop < inf) {
+    const DoubleDouble end = difference(stop, now);
+    if (end.high < h || (end.high == h && end.low < 0)) {
+      moments.dt_end = end.high;
+      moments.t_end = stop;
+      moments.end_exact = end.low == 0;
+    }
+  }
+  return moments;
+}
+
+/// Motion of one side on one axis at its own reference time; what is not declared is 0.
+struct AxisMotion {
+  double x, v, a;
+};
+
+inline AxisMotion axis_motion(const Bodies& bodies, const double* row, int axis) {
+  const Offsets& at = bodies.at;
+  return {row[at.x + axis], at.v == Offsets::absent ? 0 : row[at.v + axis],
+          at.a == Offsets::absent ? 0 : row[at.a + axis]};
+}
+
+/// Conversions that let one piece of code compute with DoubleDouble and with exact numbers.
+template <class T>
+struct Exactly {
+  static T number(double value) { return T{value}; }
+  static T difference_of(double a, double b) { return T{a} - T{b}; }
+};
+template <>
+struct Exactly<DoubleDouble> {
+  static DoubleDouble number(double value) { return {value, 0}; }
+  static DoubleDouble difference_of(double a, double b) { return difference(a, b); }
+};
+
+template <class T, int D>
+Course<T, D> course_of(const Setup& setup, const double* row_a, const double* row_b) {
+  using E = Exactly<T>;
+  const double now = setup.horizon.now;
+  const double t_a = value_or(row_a, setup.a.at.t, 0), t_b = value_or(row_b, setup.b.at.t, 0);
+  const T s_a = E::difference_of(now, t_a), s_b = E::difference_of(now, t_b);
+  Course<T, D> course;
+  for (int axis = 0; axis < D; ++axis) {
+    const AxisMotion a = axis_motion(setup.a, row_a, axis), b = axis_motion(setup.b, row_b, axis);
+    const T x = E::difference_of(b.x, a.x), v = E::difference_of(b.v, a.v);
+    const T acceleration = E::difference_of(b.a, a.a);
+    course.a[axis] = half_of(acceleration);
+    if (t_a == t_b) {
+      course.v[axis] = v + s_a * acceleration;
+      course.x[axis] = x + s_a * (v + s_a * course.a[axis]);
+    } else {
+      const T turn_a = s_a * E::number(a.a), turn_b = s_b * E::number(b.a);
+      course.v[axis] = v + (turn_b - turn_a);
+      course.x[axis] =
+          x + (s_b * (E::number(b.v) + half_of(turn_b)) - s_a * (E::number(a.v) + half_of(turn_a)));
+    }
+  }
+  return course;
+}
+
+template <class T, int D>
+RawSizes<T, D> raw_sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
+  const Offsets &a = setup.a.at, &b = setup.b.at;
+  auto both = [&](int place_a, int place_b) {
+    return Exactly<T>::number(value_or(row_a, place_a, 0)) + Exactly<T>::number(value_or(row_b, place_b, 0));
+  };
+  auto axis_of = [](int place, int axis) { return place == Offsets::absent ? place : place + axis; };
+  RawSizes<T, D> sizes;
+  for (int axis = 0; axis < D; ++axis) sizes.half[axis] = both(axis_of(a.half, axis), axis_of(b.half, axis));
+  sizes.radius = both(a.r, b.r);
+  sizes.height = both(a.hz, b.hz);
+  return sizes;
+}
+
+}  // namespace foresee

@@ -1,0 +1,68 @@
+// Two objects by hand, and the answer of the contact room about them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/contact.h"
+
+namespace foresee::testing_pairs {
+
+/// One object with every number spelled out; only those of its layout are used.
+struct Object {
+  Layout layout{.axes = 2, .law = Law::accelerated, .has_t = true, .has_until = true};
+  double t = 0;
+  double x[3] = {}, v[3] = {}, a[3] = {};
+  double half[3] = {};
+  double r = 0, hz = 0;
+  double until = std::numeric_limits<double>::infinity();
+
+  std::vector<double> row() const {
+    const Offsets at = row_offsets(layout);
+    std::vector<double> row(at.size);
+    if (at.t >= 0) row[at.t] = t;
+    for (int j = 0; j < layout.axes; ++j) {
+      row[at.x + j] = x[j];
+      if (at.v >= 0) row[at.v + j] = v[j];
+      if (at.a >= 0) row[at.a + j] = a[j];
+      if (at.half >= 0) row[at.half + j] = half[j];
+    }
+    if (at.r >= 0) row[at.r] = r;
+    if (at.hz >= 0) row[at.hz] = hz;
+    if (at.until >= 0) row[at.until] = until;
+    return row;
+  }
+};
+
+inline Object object(int axes, Shape shape) {
+  Object o;
+  o.layout.axes = axes;
+  o.layout.shape = shape;
+  return o;
+}
+
+inline std::optional<ContactTimes> contact(const Object& a, const Object& b,
+                                           const ContactQuestion& question) {
+  const std::vector<double> row_a = a.row(), row_b = b.row();
+  const Bodies bodies_a(a.layout, row_a.data(), 1), bodies_b(b.layout, row_b.data(), 1);
+  const auto contact = make_contact(bodies_a, bodies_b, question, "a", "b");
+  const Pair pair{0, 0};
+  std::vector<Pair> hits;
+  contact->decide({&pair, 1}, hits);
+  if (hits.empty()) return std::nullopt;
+  ContactTimes times;
+  contact->times(hits, {&times, 1});
+  return times;
+}
+
+inline ClosestApproach closest(const Object& a, const Object& b, const ContactQuestion& question) {
+  const std::vector<double> row_a = a.row(), row_b = b.row();
+  const Bodies bodies_a(a.layout, row_a.data(), 1), bodies_b(b.layout, row_b.data(), 1);
+  const Pair pair{0, 0};
+  ClosestApproach approach;
+  make_contact(bodies_a, bodies_b, question, "a", "b")->closest_approach({&pair, 1}, {&approach, 1});
+  return approach;
+}
+
+}  // namespace foresee::testing_pairs
