@@ -83,13 +83,17 @@ Partition<D> choose_partition(std::span<const FloatBox<D>> sample, std::size_t c
   if (sample.empty()) return partition;
 
   double mean[D], wished[D];
-  for (int axis = 0; axis < D; ++axis) mean[axis] = typical_extent(sample, axis);
+  Range range[D];
+  for (int axis = 0; axis < D; ++axis) {
+    mean[axis] = typical_extent(sample, axis);
+    range[axis] = middle_range(sample, axis);
+  }
   coarsen_until_few_giants(sample, count, mean);
 
   const double stripes_max = std::max(1.0, static_cast<double>(count) / 8);
   double stripes = 1;
   for (int axis = 1; axis < D; ++axis) {
-    wished[axis] = parts(middle_range(sample, axis).length, stripe_height * mean[axis], stripes_max);
+    wished[axis] = parts(range[axis].length, stripe_height * mean[axis], stripes_max);
     stripes *= wished[axis];
   }
   if (D == 3 && stripes > stripes_max) {
@@ -101,10 +105,10 @@ Partition<D> choose_partition(std::span<const FloatBox<D>> sample, std::size_t c
     stripes = fewer * more;
   }
   const double buckets_max = 2 * static_cast<double>(count) / stripes;
-  wished[0] = parts(middle_range(sample, 0).length, bucket_width * mean[0], buckets_max);
+  wished[0] = parts(range[0].length, bucket_width * mean[0], buckets_max);
 
   for (int axis = 0; axis < D; ++axis) {
-    partition.axis[axis] = cuts_of(middle_range(sample, axis), wished[axis]);
+    partition.axis[axis] = cuts_of(range[axis], wished[axis]);
     // What fits into a few parts is no giant, however small the mean is.
     const double size = axis == 0 ? bucket_width : stripe_height;
     const double few_parts = giant_extent / size / partition.axis[axis].per_unit;

@@ -5,15 +5,20 @@
 namespace foresee::gpcd {
 namespace {
 
-constexpr std::size_t sample_size = 1024;
+constexpr std::size_t sample_max = 512;
+constexpr std::size_t sample_share =
+    8;  // at most every eighth box, so that small scenes do not pay for statistics
+constexpr std::size_t sample_enough = 64;
 constexpr std::size_t pairs_per_batch = 4096;
 constexpr std::size_t steps_per_batch = 1 << 17;  // about a millisecond
 constexpr std::size_t boxes_per_check = 8192;
 
-/// Non-empty boxes of both sides, one from each of sample_size equal parts, not at equal distances.
+/// Non-empty boxes of both sides, one from each of some hundred equal parts, not at equal distances.
 template <int D>
 std::vector<Box<D>> sample_of(std::span<const Box<D>> a, std::span<const Box<D>> b) {
-  const std::size_t count = a.size() + b.size(), wanted = std::min(count, sample_size);
+  const std::size_t count = a.size() + b.size(),
+                    aim = std::clamp(count / sample_share, sample_enough, sample_max),
+                    wanted = std::min(count, aim);
   std::vector<Box<D>> sample;
   for (std::size_t part = 0; part < wanted; ++part) {
     const std::size_t begin = part * count / wanted, end = (part + 1) * count / wanted;
