@@ -1,0 +1,142 @@
+// What the grid costs, in counts that are the same on every machine: entries, steps of the kernel, checks.
+#include "index/gpcd_grid/grid.h"
+#include "pairs.h"
+
+namespace foresee::testing {
+namespace {
+
+NeverInterrupt never;
+
+template <int D>
+std::vector<Box<D>> boxes_of(SceneKind kind, std::size_t count) {
+  const Layout layout{D, Law::accelerated, Shape::box, false, false};
+  const RandomScene scene = random_scene({layout, kind, count, 3});
+  return swept_boxes<D>(scene.bodies(), scene.horizon(), Vec<D>::Zero(), never);
+}
+
+struct Cost {
+  std::size_t entries, giants, steps, candidates;
+};
+
+template <int D>
+Cost cost_of(const std::vector<Box<D>>& boxes) {
+  gpcd::Grid<D> grid(boxes, {}, false, never);
+  const std::size_t candidates = drain(grid).size();
+  return {grid.entry_count(), grid.giant_count(), grid.steps_taken(), candidates};
+}
+
+template <int D>
+void expect_linear_in_objects() {
+  const Cost small = cost_of<D>(boxes_of<D>(SceneKind::uniform, 5000));
+  const Cost large = cost_of<D>(boxes_of<D>(SceneKind::uniform, 40000));
+  EXPECT_LE(small.entries, 5000u * (D == 3 ? 4 : 2));
+  EXPECT_LE(large.entries, 40000u * (D == 3 ? 4 : 2));
+  EXPECT_LE(static_cast<double>(large.steps) / static_cast<double>(small.steps), 8 * 1.25);
+}
+
+TEST(GpcdGridCost, IsLinearInUniformScenes) {
+  expect_linear_in_objects<1>();
+  expect_linear_in_objects<2>();
+  expect_linear_in_objects<3>();
+}
+
+/// One object that spans the space, or crosses it many times over, meets everybody once and changes nothing
+/// else.
+template <int D>
+void expect_unmoved_by_one(SceneKind kind) {
+  const Cost without = cost_of<D>(boxes_of<D>(SceneKind::uniform, 20000));
+  const Cost with = cost_of<D>(boxes_of<D>(kind, 20000));
+  EXPECT_EQ(with.giants, 1u);
+  EXPECT_LE(with.entries, without.entries + without.entries / 20);
+  EXPECT_LE(with.candidates, without.candidates + without.candidates / 20 + 20000);
+  EXPECT_LE(with.steps, 2 * without.steps);
+}
+
+TEST(GpcdGridCost, HardlyGrowsWithOneGiant) {
+  expect_unmoved_by_one<1>(SceneKind::one_giant);
+  expect_unmoved_by_one<2>(SceneKind::one_giant);
+  expect_unmoved_by_one<3>(SceneKind::one_giant);
+}
+
+TEST(GpcdGridCost, HardlyGrowsWithOneFastObject) {
+  expect_unmoved_by_one<1>(SceneKind::one_fast);
+  expect_unmoved_by_one<2>(SceneKind::one_fast);
+  expect_unmoved_by_one<3>(SceneKind::one_fast);
+}
+
+TEST(GpcdGridCost, StaysBoundedWhenAllAreAtOneSpot) {
+  constexpr std::size_t count = 3000;
+  const Cost cost = cost_of<2>(boxes_of<2>(SceneKind::one_spot, count));
+  EXPECT_LE(cost.entries, 6 * count);
+  // Entries share stripes with all others, so steps follow the pairs there are.
+  EXPECT_LE(cost.steps * gpcd::lanes_per_step, 6 * count * (count - 1) / 2);
+}
+
+TEST(GpcdGridCost, IsMovedLittleByObjectsFarAway) {
+  std::vector<Box<2>> boxes = boxes_of<2>(SceneKind::uniform, 20000);
+  const Cost before = cost_of<2>(boxes);
+  for (int i = 0; i < 5; ++i) {
+    const auto far = static_cast<std::size_t>(i * 3000);
+    const double offset = std::pow(10.0, 4 + 6 * i);
+    boxes[far].lower += offset, boxes[far].upper += offset;
+  }
+  const Cost after = cost_of<2>(boxes);
+  EXPECT_LE(after.entries, before.entries + before.entries / 10);
+  EXPECT_LE(after.steps, before.steps + before.steps / 5);
+}
+
+/// Half of the objects are large: they are neither entered everywhere nor compared with everything.
+TEST(GpcdGridCost, StaysModerateWithTwoSizes) {
+  Random random(5);
+  std::vector<Box<2>> boxes;
+  for (int i = 0; i < 40000; ++i) {
+    Box<2> box;
+    const double extent = i % 5 < 2 ? 40 : 0.5;
+    box.lower = {random.in(0, 20000), random.in(0, 20000)};
+    box.upper = box.lower + extent;
+    boxes.push_back(box);
+  }
+  const Cost cost = cost_of<2>(boxes);
+  EXPECT_LE(cost.entries, 3u * 40000);
+  EXPECT_LE(cost.steps, 10u * 40000);
+}
+
+/// Asks to stop at one of the first checks.
+struct StopAt final : Interrupt {
+  explicit StopAt(int checks) : checks_left(checks) {}
+  void check() override {
+    if (--checks_left < 0) throw Interrupted();
+  }
+  int checks_left;
+};
+
+TEST(GpcdGridInterrupt, IsSeenDuringTheBuild) {
+  const std::vector<Box<2>> boxes = boxes_of<2>(SceneKind::uniform, 100000);
+  for (int checks : {0, 1, 5, 20}) {
+    StopAt stop(checks);
+    EXPECT_THROW(gpcd::Grid<2>(boxes, {}, false, stop), Interrupted);
+  }
+}
+
+TEST(GpcdGridInterrupt, IsSeenInEveryBatch) {
+  const std::vector<Box<2>> boxes(20000, Box<2>{Vec<2>::Zero(), Vec<2>::Constant(1)});
+  StopAt stop(1000);
+  gpcd::Grid<2> grid(boxes, {}, false, stop);
+  std::vector<Pair> batch;
+  ASSERT_TRUE(grid.next(batch));
+  stop.checks_left = 0;
+  EXPECT_THROW(grid.next(batch), Interrupted);
+}
+
+TEST(GpcdGridInterrupt, IsSeenWhileSortingWhatHasNoOrder) {
+  Random random(8);
+  std::vector<gpcd::Key> keys;
+  for (int i = 0; i < 200000; ++i) keys.push_back(random.next());
+  StopAt stop(3);
+  EXPECT_THROW(gpcd::sort_keys(keys, stop), Interrupted);
+  gpcd::sort_keys(keys, never);
+  EXPECT_TRUE(std::is_sorted(keys.begin(), keys.end()));
+}
+
+}  // namespace
+}  // namespace foresee::testing
