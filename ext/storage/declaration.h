@@ -24,8 +24,8 @@ struct AuxiliaryColumn {
 
 struct Declaration {
   Layout layout;
-  std::vector<MotionColumn> columns;  ///< in the order in which they were declared
-  std::vector<AuxiliaryColumn> auxiliaries;
+  std::vector<MotionColumn> columns = {};  ///< in the order in which they were declared
+  std::vector<AuxiliaryColumn> auxiliaries = {};
   double horizon = 60;  ///< the look-ahead for which the tree is tuned
 };
 

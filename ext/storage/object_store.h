@@ -41,10 +41,12 @@ struct ContentVersion {
 class ObjectStore {
  public:
   /// Makes the shadow tables of a new table.
-  static std::unique_ptr<ObjectStore> create(sqlite3* db, const std::string& schema, const std::string& table,
+  static std::shared_ptr<ObjectStore> create(sqlite3* db, const std::string& schema, const std::string& table,
                                              const Declaration& declaration);
-  /// Opens the shadow tables of an existing one. Reads nothing but the format version.
-  static std::unique_ptr<ObjectStore> open(sqlite3* db, const std::string& schema, const std::string& table,
+  /// Opens the shadow tables of an existing one. Reads nothing but _meta. In the middle of a transaction
+  /// SQLite may connect a table again (any ALTER does it) while the old virtual table still holds unwritten
+  /// changes: then both share one store, hence shared_ptr.
+  static std::shared_ptr<ObjectStore> open(sqlite3* db, const std::string& schema, const std::string& table,
                                            const Declaration& declaration);
   virtual ~ObjectStore() = default;
 
@@ -73,8 +75,8 @@ class ObjectStore {
   /// Requires: no object has this id. `auxiliaries`: one value per auxiliary column.
   virtual void insert(std::int64_t id, std::span<const double> record,
                       std::span<sqlite3_value*> auxiliaries) = 0;
-  /// Requires: `id` exists; `new_id` is `id` or free. Auxiliary values that are sqlite3_value_nochange stay
-  /// as they are.
+  /// Requires: `id` exists. Auxiliary values that are sqlite3_value_nochange stay as they are. Another object
+  /// that has `new_id` is replaced; so INSERT OR REPLACE of an existing id is update(id, id, …).
   virtual void update(std::int64_t id, std::int64_t new_id, std::span<const double> record,
                       std::span<sqlite3_value*> auxiliaries) = 0;
   /// Requires: `id` exists.
@@ -82,9 +84,10 @@ class ObjectStore {
 
   // --- commands
   // --------------------------------------------------------------------------------------------------------
-  /// Writes map and leaves anew from the objects in the leaves, neighbours in space together.
+  /// Writes leaves and map anew from what the leaves hold, neighbours in space together; drops auxiliary
+  /// values that belong to no object.
   virtual void rebuild(Interrupt& interrupt) = 0;
-  /// Packs the leaves, neighbours in space together.
+  /// Packs the leaves, neighbours in space together, if map and leaves agree; SQLITE_CORRUPT_VTAB if not.
   virtual void optimize(Interrupt& interrupt) = 0;
   /// What is wrong with the stored bytes, a sentence each; empty: nothing.
   virtual std::vector<std::string> check(Interrupt& interrupt) = 0;

@@ -1,0 +1,20 @@
+// CRC-32C (Castagnoli), the checksum of every stored node: any change within 32 neighbouring bits is noticed,
+// so any single byte.
+//
+//   crc32c("123456789", 9) == 0xE3069283
+//   crc32c(b, 5, crc32c(a, 4))        // of a followed by b
+//
+// Cost: some 8 bytes in three cycles with the CPU's instruction, about a cycle a byte without.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace foresee {
+
+std::uint32_t crc32c(const void* bytes, std::size_t size, std::uint32_t before = 0);
+
+/// The same without the CPU's instruction: what other machines use, and what tests compare with.
+std::uint32_t crc32c_portable(const void* bytes, std::size_t size, std::uint32_t before = 0);
+
+}  // namespace foresee

@@ -1,0 +1,135 @@
+#include "storage/leaf_node.h"
+
+#include <cmath>
+
+namespace foresee {
+namespace {
+
+bool is_finite(double value) {
+  constexpr std::uint64_t infinity_without_sign = 0x7ff0000000000000ull << 1;
+  return std::bit_cast<std::uint64_t>(value) << 1 < infinity_without_sign;
+}
+
+const char* extent_fault(const NodeFormat& format, const double* record) {
+  const Offsets& at = format.at;
+  if (at.half != Offsets::absent)
+    for (int axis = 0; axis < format.layout.axes; ++axis)
+      if (record[at.half + axis] < 0) return "a half extent is negative";
+  if (at.r != Offsets::absent && record[at.r] < 0) return "a radius is negative";
+  if (at.hz != Offsets::absent && record[at.hz] < 0) return "a half extent is negative";
+  return nullptr;
+}
+
+const char* force_fault(const NodeFormat& format, const double* record) {
+  const Offsets& at = format.at;
+  if (!(record[at.mass] > 0)) return "a mass is not positive";
+  for (int axis = 0; axis < format.layout.axes; ++axis)
+    if (!is_finite(record[at.force + axis] / record[at.mass])) return "an acceleration F/m overflows";
+  return nullptr;
+}
+
+}  // namespace
+
+const char* record_fault(const NodeFormat& format, const double* record) {
+  const Offsets& at = format.at;
+  const bool ends = at.until != Offsets::absent;  // `until` comes last, and may be +infinity
+  bool finite = true;
+  for (int i = 0; i < at.size - ends; ++i) finite &= is_finite(record[i]);
+  if (!finite) return "a number is not finite";
+  if (ends) {
+    const double start = at.t == Offsets::absent ? 0.0 : record[at.t];
+    if (!(record[at.until] >= start)) return "an object ends before it begins";
+  }
+  if (const char* fault = extent_fault(format, record)) return fault;
+  return at.mass == Offsets::absent ? nullptr : force_fault(format, record);
+}
+
+const char* leaf_fault(const NodeFormat& format, std::span<const std::byte> blob, std::int64_t number) {
+  if (const char* fault = node_fault(format, blob, number)) return fault;
+  if (load_number<std::uint8_t>(blob.data() + NodeFormat::level_at) != 0) return "it is no leaf";
+  const LeafView leaf(format, blob);
+  const int count = leaf.count();
+  if (count < 1 || static_cast<std::size_t>(count) > format.leaf_capacity) return "its count is wrong";
+  for (int i = 1; i < count; ++i)
+    if (leaf.id(i - 1) >= leaf.id(i)) return "its ids do not ascend";
+  double record[16];
+  static_assert(sizeof record / sizeof *record >= 1 + 3 + 3 + 3 + 1 + 3 + 1, "t, x, v, F, m, half, until");
+  for (int i = 0; i < count; ++i) {
+    leaf.copy_record(i, record);
+    if (const char* fault = record_fault(format, record)) return fault;
+  }
+  return nullptr;
+}
+
+int LeafView::lower_bound(std::int64_t id) const {
+  int low = 0, high = count();
+  if (high > 0 && this->id(high - 1) < id) return high;  // ids mostly arrive ascending
+  while (low < high) {
+    const int middle = (low + high) / 2;
+    if (this->id(middle) < id)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+int LeafView::find(std::int64_t id) const {
+  const int i = lower_bound(id);
+  return i < count() && this->id(i) == id ? i : -1;
+}
+
+void LeafView::copy_ids(std::int64_t* ids) const {
+  std::memcpy(ids, id_at(0), static_cast<std::size_t>(count()) * sizeof *ids);
+}
+
+void LeafView::copy_records(double* records) const {
+  std::memcpy(records, record_at(0), static_cast<std::size_t>(count()) * format_->record_size);
+}
+
+LeafNode::LeafNode(const NodeFormat& format) : LeafView(format, {}), own_(format.node_size) {
+  bytes_ = own_;
+  store_number<std::uint8_t>(own_.data() + NodeFormat::format_at, NodeFormat::version);
+}
+
+LeafNode::LeafNode(const NodeFormat& format, std::span<const std::byte> blob)
+    : LeafView(format, {}), own_(blob.begin(), blob.end()) {
+  bytes_ = own_;
+}
+
+void LeafNode::set_count(int count) noexcept {
+  store_number(own_.data() + NodeFormat::count_at, static_cast<std::uint16_t>(count));
+}
+
+void LeafNode::shift(int from, int to) noexcept {
+  const auto moved = static_cast<std::size_t>(count() - from);
+  std::memmove(writable(id_at(to)), id_at(from), moved * sizeof(std::int64_t));
+  std::memmove(writable(record_at(to)), record_at(from), moved * format_->record_size);
+}
+
+void LeafNode::put(std::int64_t id, const double* record) noexcept {
+  const int i = lower_bound(id);
+  shift(i, i + 1);
+  store_number(writable(id_at(i)), id);
+  replace(i, record);
+  set_count(count() + 1);
+}
+
+void LeafNode::replace(int i, const double* record) noexcept {
+  std::memcpy(writable(record_at(i)), record, format_->record_size);
+}
+
+void LeafNode::remove(int i) noexcept {
+  const int last = count() - 1;
+  shift(i + 1, i);
+  std::memset(writable(id_at(last)), 0, sizeof(std::int64_t));  // what is deleted does not linger in the file
+  std::memset(writable(record_at(last)), 0, format_->record_size);
+  set_count(last);
+}
+
+std::span<const std::byte> LeafNode::sealed(std::int64_t number) noexcept {
+  seal_node(own_, number);
+  return own_;
+}
+
+}  // namespace foresee

@@ -1,0 +1,79 @@
+// How large is a node, and where does everything in it stand? Fixed for a table when it is created.
+//
+//     byte 0   1       2..3   4..7   8..15                        last 4
+//   +-------+--------+-------+------+--------+- - - - - - - - - +----------+
+//   | level | format | count | 0    | parent | leaf or inner    | checksum |
+//   +-------+--------+-------+------+--------+- - - - - - - - - +----------+
+//
+//   leaf (level 0):    ids[leaf_capacity] from byte 16, ascending; then records[leaf_capacity]
+//   inner (level > 0): epoch at byte 16; entries[inner_capacity] from byte 24
+//
+// Little-endian; every number of 8 bytes is aligned to 8. The checksum is the CRC-32C of everything before it
+// followed by the node's number, so that a node in another's place is noticed too. docs/storage_format.md
+// says the same at length.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <span>
+
+#include "motion/layout.h"
+
+namespace foresee {
+
+static_assert(std::endian::native == std::endian::little,
+              "nodes are stored as a little-endian CPU sees them");
+
+struct NodeFormat {
+  static constexpr int version = 1;
+  static constexpr std::size_t level_at = 0;
+  static constexpr std::size_t format_at = 1;
+  static constexpr std::size_t count_at = 2;
+  static constexpr std::size_t parent_at = 8;
+  static constexpr std::size_t ids_at = 16;
+  static constexpr std::size_t epoch_at = 16;
+  static constexpr std::size_t entries_at = 24;
+  static constexpr std::size_t checksum_size = 4;
+  static constexpr std::size_t least_capacity = 4;  ///< entries of a node, however small the page
+  static constexpr std::size_t page_reserve = 64;   ///< what SQLite needs of a page beside the blob
+
+  NodeFormat() = default;
+  /// Requires: node_size is what `node_size_for` gave for some page size.
+  NodeFormat(const Layout& layout, std::size_t node_size);
+
+  /// The size of the table's blobs: they fit a page, unless the page is so small that they would hold fewer
+  /// than `least_capacity` entries.
+  static std::size_t node_size_for(const Layout& layout, std::size_t page_size);
+
+  Layout layout;
+  Offsets at;  ///< of a record
+  std::size_t node_size = 0;
+  std::size_t record_size = 0;  ///< bytes
+  std::size_t leaf_capacity = 0;
+  std::size_t records_at = 0;
+  std::size_t inner_entry_size = 0;  ///< bytes
+  std::size_t inner_capacity = 0;
+};
+
+template <class T>
+T load_number(const std::byte* at) {
+  T value;
+  std::memcpy(&value, at, sizeof value);
+  return value;
+}
+
+template <class T>
+void store_number(std::byte* at, T value) {
+  std::memcpy(at, &value, sizeof value);
+}
+
+/// Writes the checksum of node `number` into its last bytes.
+void seal_node(std::span<std::byte> node, std::int64_t number);
+
+/// What is wrong with a blob that claims to be node `number`: size, checksum, format. Null: nothing so far;
+/// level, count and contents are for the caller.
+const char* node_fault(const NodeFormat& format, std::span<const std::byte> node, std::int64_t number);
+
+}  // namespace foresee

@@ -1,0 +1,147 @@
+// A database in memory with one store in it, and the calls that SQLite makes around a transaction.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "storage/object_store.h"
+#include "storage/statement.h"
+
+namespace foresee {
+
+inline Declaration ships() {
+  return {.layout = {.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true}};  // t x y vx vy r
+}
+
+inline Declaration named_ships() {
+  Declaration declaration = ships();
+  declaration.auxiliaries = {{"name", "TEXT"}, {"cargo", ""}};
+  return declaration;
+}
+
+/// SQL values that belong to nobody's row.
+class Values {
+ public:
+  Values(sqlite3* db, std::initializer_list<const char*> texts) {
+    for (const char* text : texts) {
+      sqlite3_stmt* statement = nullptr;
+      sqlite3_prepare_v2(db, "SELECT ?", -1, &statement, nullptr);
+      sqlite3_bind_text(statement, 1, text, -1, SQLITE_STATIC);
+      sqlite3_step(statement);
+      values_.push_back(sqlite3_value_dup(sqlite3_column_value(statement, 0)));
+      sqlite3_finalize(statement);
+    }
+  }
+  ~Values() {
+    for (sqlite3_value* value : values_) sqlite3_value_free(value);
+  }
+  operator std::span<sqlite3_value*>() { return values_; }
+
+ private:
+  std::vector<sqlite3_value*> values_;
+};
+
+class Database {
+ public:
+  explicit Database(const std::string& file = ":memory:") {
+    EXPECT_EQ(sqlite3_open(file.c_str(), &db_), SQLITE_OK);
+  }
+  ~Database() { EXPECT_EQ(sqlite3_close(db_), SQLITE_OK) << "a statement is still open"; }
+  Database(const Database&) = delete;
+
+  operator sqlite3*() const { return db_; }
+  void run(const std::string& sql) const { execute(db_, sql); }
+  std::int64_t number(const std::string& sql) const {
+    Statement statement(db_, sql);
+    Statement::Run run(statement);
+    return run.step() ? run.integer(0) : -1;
+  }
+  std::string text(const std::string& sql) const {
+    Statement statement(db_, sql);
+    Statement::Run run(statement);
+    return run.step() ? run.text(0) : "(no row)";
+  }
+
+ private:
+  sqlite3* db_ = nullptr;
+};
+
+/// Makes a table as SQLite does, in a transaction of its own.
+inline std::shared_ptr<ObjectStore> make_store(Database& db, const Declaration& declaration = ships(),
+                                               const std::string& table = "ships",
+                                               const std::string& schema = "main") {
+  db.run("BEGIN IMMEDIATE");
+  auto store = ObjectStore::create(db, schema, table, declaration);
+  store->sync();
+  db.run("COMMIT");
+  store->commit();
+  return store;
+}
+
+inline void begin(Database& db, ObjectStore& store) {
+  db.run("BEGIN IMMEDIATE");
+  store.begin();
+}
+
+inline void commit(Database& db, ObjectStore& store) {
+  store.sync();
+  db.run("COMMIT");
+  store.commit();
+}
+
+inline void roll_back(Database& db, ObjectStore& store) {
+  db.run("ROLLBACK");
+  store.rollback();
+}
+
+inline void open_savepoint(Database& db, ObjectStore& store, int level) {
+  store.savepoint(level);
+  db.run("SAVEPOINT s" + std::to_string(level));
+}
+
+inline void roll_back_to(Database& db, ObjectStore& store, int level) {
+  db.run("ROLLBACK TO s" + std::to_string(level));
+  store.rollback_to(level);
+}
+
+/// A record of ships() that says which object it belongs to.
+inline std::vector<double> ship(double mark) {
+  return {100, mark, -mark, 1, 0.5, 2};
+}
+
+inline std::vector<std::string> faults(ObjectStore& store) {
+  NeverInterrupt never;
+  return store.check(never);
+}
+
+/// Every id and its first coordinate, as load() sees them.
+inline std::vector<std::pair<std::int64_t, double>> contents(ObjectStore& store) {
+  NeverInterrupt never;
+  std::vector<std::int64_t> ids;
+  std::vector<double> rows;
+  store.load(ids, rows, never);
+  const Offsets at = row_offsets(store.declaration().layout);
+  std::vector<std::pair<std::int64_t, double>> result;
+  for (std::size_t i = 0; i < ids.size(); ++i)
+    result.emplace_back(ids[i], rows[i * static_cast<std::size_t>(at.size) + static_cast<std::size_t>(at.x)]);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// Expects a StoreError of this code whose message contains `words`.
+template <class Call>
+void expect_store_error(int code, const std::string& words, Call call) {
+  try {
+    call();
+    ADD_FAILURE() << "no error, expected: " << words;
+  } catch (const StoreError& error) {
+    EXPECT_EQ(error.code, code) << error.what();
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace foresee

@@ -1,0 +1,174 @@
+// Transactions: savepoints exact, rollback whole, versions that never lie, other connections.
+#include <cstdio>
+#include <filesystem>
+
+#include "storage/database.h"
+
+namespace foresee {
+namespace {
+
+using Contents = std::vector<std::pair<std::int64_t, double>>;
+
+TEST(Transactions, RollbackDropsWhatIsPendingAndWhatIsWritten) {
+  Database db;
+  auto store = make_store(db);
+  begin(db, *store);
+  store->insert(1, ship(1), {});
+  commit(db, *store);
+  begin(db, *store);
+  store->insert(2, ship(2), {});
+  open_savepoint(db, *store, 0);
+  store->erase(1);
+  roll_back(db, *store);
+  EXPECT_EQ(contents(*store), (Contents{{1, 1}}));
+}
+
+TEST(Transactions, SavepointsKeepExactlyWhatTheySaw) {
+  Database db;
+  auto store = make_store(db);
+  begin(db, *store);
+  store->insert(1, ship(1), {});
+  open_savepoint(db, *store, 0);
+  store->insert(2, ship(2), {});
+  open_savepoint(db, *store, 1);
+  store->update(1, 5, ship(5), {});
+  roll_back_to(db, *store, 1);
+  EXPECT_EQ(contents(*store), (Contents{{1, 1}, {2, 2}}));
+  EXPECT_EQ(store->next_id(), 3);
+  roll_back_to(db, *store, 0);
+  EXPECT_EQ(contents(*store), (Contents{{1, 1}}));
+  EXPECT_FALSE(store->contains(2));
+  commit(db, *store);
+  EXPECT_EQ(faults(*store), std::vector<std::string>{});
+}
+
+TEST(Transactions, RollbackBelowTheFirstSavepointSeenMeansTheBeginning) {
+  Database db;
+  auto store = make_store(db);
+  db.run("BEGIN IMMEDIATE");
+  db.run("SAVEPOINT s0");
+  store->begin();
+  store->savepoint(1);
+  db.run("SAVEPOINT s1");
+  store->insert(1, ship(1), {});
+  db.run("ROLLBACK TO s0");
+  store->rollback_to(0);
+  EXPECT_EQ(contents(*store), Contents{});
+  commit(db, *store);
+}
+
+TEST(Transactions, CreateIsAWriteTransactionWithoutBegin) {
+  Database db;
+  db.run("BEGIN");
+  auto store = ObjectStore::create(db, "main", "ships", ships());
+  store->insert(1, ship(1), {});
+  store->sync();
+  db.run("COMMIT");
+  store->commit();
+  EXPECT_EQ(contents(*store), (Contents{{1, 1}}));
+}
+
+TEST(Transactions, VersionMovesWithEveryChangeAndReturnsWithRollback) {
+  Database db;
+  auto store = make_store(db);
+  const ContentVersion empty = store->version();
+  EXPECT_EQ(store->version(), empty);
+  begin(db, *store);
+  EXPECT_EQ(store->version(), empty);
+  store->insert(1, ship(1), {});
+  const ContentVersion one = store->version();
+  EXPECT_NE(one, empty);
+  store->insert(2, ship(2), {});
+  const ContentVersion two = store->version();
+  EXPECT_NE(two, one);
+  open_savepoint(db, *store, 0);
+  EXPECT_EQ(store->version(), two);
+  store->erase(1);
+  EXPECT_NE(store->version(), two);
+  roll_back_to(db, *store, 0);
+  EXPECT_NE(store->version(), one);
+  roll_back(db, *store);
+  EXPECT_EQ(store->version(), empty);
+}
+
+TEST(Transactions, StampIsWrittenOncePerWriteTransaction) {
+  Database db;
+  auto store = make_store(db);
+  const std::string stamp = "SELECT value FROM ships_meta WHERE key = 'stamp'";
+  const std::int64_t created = db.number(stamp);
+  begin(db, *store);
+  store->insert(1, ship(1), {});
+  const std::int64_t first = db.number(stamp);
+  EXPECT_NE(first, created);
+  store->insert(2, ship(2), {});
+  EXPECT_EQ(db.number(stamp), first);
+  commit(db, *store);
+  begin(db, *store);
+  commit(db, *store);
+  EXPECT_EQ(db.number(stamp), first) << "nothing was written";
+}
+
+TEST(Transactions, KeepLastInsertRowid) {
+  Database db;
+  auto store = make_store(db);
+  db.run("CREATE TABLE other(id INTEGER PRIMARY KEY); INSERT INTO other VALUES(77)");
+  begin(db, *store);
+  store->insert(1, ship(1), {});
+  commit(db, *store);
+  EXPECT_EQ(sqlite3_last_insert_rowid(db), 77);
+}
+
+TEST(Transactions, ASecondVirtualTableOfOneTransactionSharesTheStore) {
+  Database db;
+  auto store = make_store(db);
+  begin(db, *store);
+  store->insert(1, ship(1), {});
+  auto again = ObjectStore::open(db, "main", "ships", ships());
+  again->begin();
+  EXPECT_EQ(contents(*again), (Contents{{1, 1}}));
+  again->insert(2, ship(2), {});
+  again->sync();
+  commit(db, *store);
+  again->commit();
+  EXPECT_EQ(contents(*store), (Contents{{1, 1}, {2, 2}}));
+  EXPECT_EQ(faults(*store), std::vector<std::string>{});
+}
+
+class TwoConnections : public ::testing::Test {
+ protected:
+  TwoConnections() : file_(std::filesystem::temp_directory_path() / "foresee_two_connections.db") {
+    remove();
+  }
+  ~TwoConnections() override { remove(); }
+  void remove() {
+    for (const char* end : {"", "-wal", "-shm", "-journal"}) std::filesystem::remove(file_.string() + end);
+  }
+  std::filesystem::path file_;
+};
+
+TEST_F(TwoConnections, SeeEachOthersCommitsAndBelieveNothingOld) {
+  Database writer(file_.string()), other(file_.string());
+  writer.run("PRAGMA journal_mode = wal");
+  auto mine = make_store(writer);
+  auto theirs = ObjectStore::open(other, "main", "ships", ships());
+  for (int id = 1; id <= 200; id += 2) {
+    begin(writer, *mine);
+    EXPECT_EQ(mine->next_id(), id);
+    mine->insert(id, ship(id), {});
+    const ContentVersion before = theirs->version();
+    EXPECT_EQ(theirs->count(), id - 1) << "uncommitted";
+    commit(writer, *mine);
+    EXPECT_NE(theirs->version(), before);
+    begin(other, *theirs);
+    EXPECT_TRUE(theirs->contains(id));
+    EXPECT_EQ(theirs->next_id(), id + 1);
+    theirs->insert(id + 1, ship(id + 1), {});
+    commit(other, *theirs);
+  }
+  EXPECT_EQ(contents(*mine), contents(*theirs));
+  EXPECT_EQ(mine->count(), 200);
+  EXPECT_EQ(faults(*mine), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace foresee
