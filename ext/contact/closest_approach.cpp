@@ -30,8 +30,8 @@ class Approach {
       : course_(course_of<DoubleDouble, D>(setup, row_a, row_b)) {
     const Moments moments = moments_of(setup, row_a, row_b);
     begin_ = difference(moments.t_begin, setup.horizon.now);
-    end_ = moments.t_end < setup.horizon.now + setup.horizon.h ? difference(moments.t_end, setup.horizon.now)
-                                                               : DoubleDouble{moments.dt_end, 0};
+    end_ = moments.ends_with_horizon ? DoubleDouble{moments.dt_end, 0}
+                                     : difference(moments.t_end, setup.horizon.now);
     for (int j = 0; j < D; ++j) bent_ = bent_ || course_.a[j].high != 0;
     double size = 0;
     const double tau = end_.high;

@@ -45,6 +45,7 @@ struct Moments {
   double dt_begin, dt_end;
   double t_begin, t_end;
   bool begin_exact, end_exact;  ///< dt_begin, dt_end are the exact values
+  bool ends_with_horizon;       ///< the end is now + h, not an object's own
   bool none;                    ///< the two never exist together during the horizon
 };
 
@@ -55,7 +56,7 @@ inline Moments moments_of(const Setup& setup, const double* row_a, const double*
   const double stop =
       std::min(value_or(row_a, setup.a.at.until, inf), value_or(row_b, setup.b.at.until, inf));
   const DoubleDouble begin = difference(start, now);
-  Moments moments{begin.high, h, start, now + h, begin.low == 0, true, false};
+  Moments moments{begin.high, h, start, now + h, begin.low == 0, true, true, false};
   moments.none = start > stop || begin.high > h || (begin.high == h && begin.low > 0);
   if (stop < inf) {
     const DoubleDouble end = difference(stop, now);
@@ -63,6 +64,7 @@ inline Moments moments_of(const Setup& setup, const double* row_a, const double*
       moments.dt_end = end.high;
       moments.t_end = stop;
       moments.end_exact = end.low == 0;
+      moments.ends_with_horizon = false;
     }
   }
   return moments;

@@ -4,6 +4,7 @@
 
 #include "contact/closest_approach.h"
 #include "contact/crossing.h"
+#include "contact/exact_contact.h"
 
 namespace foresee {
 
@@ -33,47 +34,60 @@ class TypedContact final : public Contact {
 
  private:
   Track<Kind, Degree> track(const double* row_a, const double* row_b, const Moments& moments) const {
-    return {relative_of<D, Degree>(setup_, row_a, row_b),
-            Kind::template sizes<double>(raw_sizes_of<double, D>(setup_, row_a, row_b), setup_.within,
-                                         setup_.within_z),
-            moments};
+    return {relative_of<D, Degree>(setup_, row_a, row_b), sizes<double>(row_a, row_b), moments};
   }
 
   bool touches(const double* row_a, const double* row_b) const {
     const Moments moments = moments_of(setup_, row_a, row_b);
     if (moments.none) return false;
     Bracket first;
-    return track(row_a, row_b, moments).first_contact(first) != Verdict::no;
+    const Verdict verdict = track(row_a, row_b, moments).first_contact(first);
+    if (verdict != Verdict::uncertain) return verdict == Verdict::yes;
+    return exact_touches(formula(row_a, row_b), exact_moments_of(setup_, row_a, row_b));
   }
 
   ContactTimes times_of(const double* row_a, const double* row_b) const {
-    const Moments moments = moments_of(setup_, row_a, row_b);
-    const auto track = this->track(row_a, row_b, moments);
-    const Instant begin{moments.dt_begin, moments.t_begin}, end{moments.dt_end, moments.t_end};
-    Instant from = begin, to = end;
-    Bracket first, last;
-    const Verdict verdict = track.first_contact(first);
-    if (verdict == Verdict::uncertain) first.after = first.before;
-    if (first.after > first.before || first.before > moments.dt_begin)
-      from = settled<Way::in>(track, first, row_a, row_b, begin, end);
-    const Verdict leaves = track.end_of_contact(first.after, last);
-    if (leaves != Verdict::no) to = settled<Way::out>(track, last, row_a, row_b, from, end);
-    return {from.t, to.t, from.dt, to.dt};
+    Instant begin, end;
+    if (filtered_times(row_a, row_b, begin, end)) return {begin.t, end.t, begin.dt, end.dt};
+    return exact_times(formula(row_a, row_b), exact_moments_of(setup_, row_a, row_b));
   }
 
-  /// The crossing in the bracket, clipped to what was asked; the bracket's begin where doubles cannot settle
-  /// it.
+  /// What double and DoubleDouble can vouch for; false where they cannot.
+  bool filtered_times(const double* row_a, const double* row_b, Instant& begin, Instant& end) const {
+    const Moments moments = moments_of(setup_, row_a, row_b);
+    const Instant first_moment{moments.dt_begin, moments.t_begin}, last_moment{moments.dt_end, moments.t_end};
+    const auto track = this->track(row_a, row_b, moments);
+    Bracket first, last;
+    if (track.first_contact(first) != Verdict::yes) return false;
+    begin = first_moment;
+    if (first.after > moments.dt_begin) begin = later(crossing<Way::in>(track, first, row_a, row_b), begin);
+    const Verdict leaves = track.end_of_contact(first.after, last);
+    if (leaves == Verdict::uncertain) return false;
+    end = last_moment;
+    if (leaves == Verdict::yes) end = earlier(crossing<Way::out>(track, last, row_a, row_b), end);
+    return begin.known() && end.known();
+  }
+
   template <Way way>
-  Instant settled(const Track<Kind, Degree>& track, const Bracket& bracket, const double* row_a,
-                  const double* row_b, const Instant& least, const Instant& most) const {
-    using Wide = DoubleDouble;
-    const CrossingVisitor<way, D, Degree> visitor(track.relative(), course_of<Wide, D>(setup_, row_a, row_b),
-                                                  bracket, setup_.horizon.now);
-    const auto sizes = Kind::template sizes<Wide>(raw_sizes_of<Wide, D>(setup_, row_a, row_b),
-                                                  Wide{setup_.within, 0}, Wide{setup_.within_z, 0});
-    Instant crossing = Kind::visit(sizes, visitor);
-    if (!crossing.known()) crossing = {bracket.before, setup_.horizon.now + bracket.before};
-    return earlier(later(crossing, least), most);
+  Instant crossing(const Track<Kind, Degree>& track, const Bracket& bracket, const double* row_a,
+                   const double* row_b) const {
+    const auto course = course_of<DoubleDouble, D>(setup_, row_a, row_b);
+    return Kind::visit(
+        sizes<DoubleDouble>(row_a, row_b),
+        CrossingVisitor<way, D, Degree>(track.relative(), course, bracket, setup_.horizon.now));
+  }
+
+  Formula formula(const double* row_a, const double* row_b) const {
+    Formula formula;
+    const auto course = course_of<Dyadic, D>(setup_, row_a, row_b);
+    Kind::visit(sizes<Dyadic>(row_a, row_b), FormulaVisitor<D>(course, formula));
+    return formula;
+  }
+
+  template <class T>
+  auto sizes(const double* row_a, const double* row_b) const {
+    return Kind::template sizes<T>(raw_sizes_of<T, D>(setup_, row_a, row_b),
+                                   Exactly<T>::number(setup_.within), Exactly<T>::number(setup_.within_z));
   }
 
   Setup setup_;

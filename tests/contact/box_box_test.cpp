@@ -28,8 +28,17 @@ TEST(BoxBox, MeetAndPart) {
   expect_times(contact(box(0, 0, 1, 0), box(10, 0, -1, 0), {.horizon = {0, 100}}), 4, 6);
 }
 
+TEST(BoxBox, TouchAtTheLastMomentAndNotAfterIt) {
+  EXPECT_TRUE(contact(box(0, 0, 1, 0), box(10, 0, -1, 0), {.horizon = {0, 4}}));
+  EXPECT_FALSE(contact(box(0, 0, 1, 0), box(10, 0, -1, 0), {.horizon = {0, std::nextafter(4.0, 0)}}));
+}
+
 TEST(BoxBox, TouchAtTheFirstMomentAndLeave) {
   expect_times(contact(box(0, 0, 0, 0), box(2, 0, 1, 0), {.horizon = {0, 10}}), 0, 0);
+}
+
+TEST(BoxBox, SharedEdgeIsContact) {
+  expect_times(contact(box(0, 0, 1, 0), box(10, 2, -1, 0), {.horizon = {0, 100}}), 4, 6);
 }
 
 TEST(BoxBox, CornersMeetForAnInstant) {
@@ -57,6 +66,11 @@ TEST(BoxBox, GrazingAtTheTurningPointIsContact) {
   EXPECT_NEAR(times->dt, 4, 1e-6);
 }
 
+TEST(BoxBox, WithinGrowsEveryAxis) {
+  expect_times(contact(box(0, 0, 1, 0), box(10, 3, -1, 0), {.horizon = {0, 100}, .within = 1}), 3.5, 6.5);
+  EXPECT_FALSE(contact(box(0, 0, 1, 0), box(10, 3.5, -1, 0), {.horizon = {0, 100}, .within = 1}));
+}
+
 TEST(BoxBox, ReferenceTimesMayDiffer) {
   Object late = box(6, 0, -1, 0);
   late.t = 104;  // was at 10 when now was 100
@@ -74,6 +88,16 @@ TEST(BoxBox, OnlyWhileBothExist) {
   EXPECT_TRUE(contact(box(0, 0, 0, 0), guest, {.horizon = {10, 20}}));
   EXPECT_TRUE(contact(box(0, 0, 0, 0), guest, {.horizon = {40, 20}}));
   EXPECT_FALSE(contact(box(0, 0, 0, 0), guest, {.horizon = {41, 20}}));
+}
+
+TEST(BoxBox, PointsMeetWhereTheyCoincide) {
+  Object a = object(3, Shape::point), b = object(3, Shape::point);
+  for (int j = 0; j < 3; ++j) a.v[j] = j + 1, b.x[j] = 4.0 * (j + 1);
+  const auto times = contact(a, b, {.horizon = {0, 10}});
+  ASSERT_TRUE(times.has_value());
+  EXPECT_NEAR(times->dt, 4, 1e-6);
+  b.x[2] += 1e-9;
+  EXPECT_FALSE(contact(a, b, {.horizon = {0, 10}}));
 }
 
 TEST(BoxBox, FarFromTheOriginNothingIsLost) {

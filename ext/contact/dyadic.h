@@ -1,0 +1,57 @@
+// Exact numbers m 2^e: what every double is, closed under sums, differences, products and halves. No rounding
+// anywhere.
+//
+//   Dyadic gap = Dyadic(1e300) - Dyadic(1e-300);         // all bits kept
+//   double nearest = rounded(gap);                        // once, ties to even
+//
+// Up to 1024 bits live inside the object (allocation costs more than arithmetic); longer ones on the heap.
+#pragma once
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <compare>
+
+namespace foresee {
+
+using Integer = boost::multiprecision::number<
+    boost::multiprecision::cpp_int_backend<1024, 0, boost::multiprecision::signed_magnitude,
+                                           boost::multiprecision::unchecked>,
+    boost::multiprecision::et_off>;
+
+class Dyadic {
+ public:
+  Dyadic() = default;
+  /// Requires: value finite.
+  explicit Dyadic(double value);
+  Dyadic(Integer mantissa, int exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}
+  static Dyadic power_of_two(int exponent) { return {Integer(1), exponent}; }
+
+  int sign() const { return mantissa_.sign(); }
+  const Integer& mantissa() const { return mantissa_; }
+  int exponent() const { return exponent_; }
+  /// floor(log2 |value|). Requires: not zero.
+  int magnitude() const;
+  /// value 2^shift
+  Dyadic scaled(int shift) const { return {mantissa_, exponent_ + shift}; }
+
+  friend Dyadic operator+(const Dyadic& a, const Dyadic& b);
+  friend Dyadic operator-(const Dyadic& a, const Dyadic& b);
+  friend Dyadic operator*(const Dyadic& a, const Dyadic& b) {
+    return {a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_};
+  }
+  friend Dyadic operator-(const Dyadic& a) { return {-a.mantissa_, a.exponent_}; }
+  friend bool operator==(const Dyadic& a, const Dyadic& b) { return (a - b).sign() == 0; }
+  friend std::strong_ordering operator<=>(const Dyadic& a, const Dyadic& b) { return (a - b).sign() <=> 0; }
+
+ private:
+  Integer mantissa_ = 0;
+  int exponent_ = 0;
+};
+
+inline Dyadic half_of(const Dyadic& a) {
+  return a.scaled(-1);
+}
+
+/// The nearest double, ties to even; infinite beyond the largest.
+double rounded(const Dyadic& value);
+
+}  // namespace foresee
