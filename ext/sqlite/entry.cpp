@@ -12,6 +12,7 @@ extern "C" __attribute__((visibility("default"))) int sqlite3_foresee_init(sqlit
   (void)api;
   return foresee::guarded(message, [db] {
     const auto connection = std::make_shared<foresee::Connection>(db);
-    return foresee::register_scalars(db);
+    const int rc = foresee::register_scalars(db);
+    return rc != SQLITE_OK ? rc : foresee::register_moving_objects(db, connection);
   });
 }

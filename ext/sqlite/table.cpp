@@ -4,7 +4,7 @@
 
 namespace foresee {
 
-Table::Table(std::shared_ptr<Connection> connection_, std::unique_ptr<ObjectStore> store_,
+Table::Table(std::shared_ptr<Connection> connection_, std::shared_ptr<ObjectStore> store_,
              const std::string& schema, const std::string& name_)
     : sqlite3_vtab{},
       connection(std::move(connection_)),

@@ -19,7 +19,7 @@ namespace foresee {
 class TableCursor;
 
 struct Table : sqlite3_vtab {
-  Table(std::shared_ptr<Connection> connection, std::unique_ptr<ObjectStore> store, const std::string& schema,
+  Table(std::shared_ptr<Connection> connection, std::shared_ptr<ObjectStore> store, const std::string& schema,
         const std::string& name);
   ~Table();
   Table(const Table&) = delete;
@@ -38,7 +38,7 @@ struct Table : sqlite3_vtab {
   void rename(const std::string& new_name);
 
   std::shared_ptr<Connection> connection;
-  std::unique_ptr<ObjectStore> store;
+  std::shared_ptr<ObjectStore> store;
   std::string name;
   Values values;
   std::int64_t number;  ///< what Connection::find knows it by

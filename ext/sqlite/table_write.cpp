@@ -67,7 +67,7 @@ void update_row(Table& table, std::int64_t old_id, const NewRow& row) {
     throw Refusal(SQLITE_MISMATCH, table.name + ".id of row " + std::to_string(old_id) +
                                        " would become NULL: every object has an id; write an INTEGER");
   const std::span<const double> record = table.values.record(*id, row.motion);
-  if (*id != old_id && replaces(table, *id)) table.store->erase(*id);
+  if (*id != old_id) replaces(table, *id);  // refuses, or the update replaces it
   table.store->update(old_id, *id, record, row.auxiliaries);
 }
 

@@ -1,0 +1,172 @@
+// Reading a moving_objects table: look-ups, scans, writes beneath a scan, and the handle for functions.
+#include <functional>
+
+#include "database.h"
+
+namespace foresee::testing {
+namespace {
+
+struct TableScan : ::testing::Test {
+  TableScan() {
+    db.exec(
+        "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, vx, +name TEXT);"
+        "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 500)"
+        "INSERT INTO ships SELECT i, i * 0.5, 1, 'ship ' || i FROM n");
+  }
+
+  std::string plan(const std::string& sql) {
+    const std::string rows = db.rows("EXPLAIN QUERY PLAN " + sql);
+    return rows.substr(rows.rfind('|') + 1);
+  }
+
+  Database db;
+};
+
+TEST_F(TableScan, VisitsEveryObjectOnce) {
+  EXPECT_EQ(db.rows("SELECT count(*), count(DISTINCT id), min(id), max(id), sum(x) FROM ships"),
+            "500|500|1|500|62625.0");
+  EXPECT_EQ(plan("SELECT * FROM ships"), "SCAN ships VIRTUAL TABLE INDEX 0:");
+}
+
+TEST_F(TableScan, AnEmptyTableHasNoRows) {
+  db.exec("CREATE VIRTUAL TABLE none USING moving_objects(id, x)");
+  EXPECT_EQ(db.rows("SELECT * FROM none"), "");
+  EXPECT_EQ(db.rows("SELECT * FROM none WHERE id = 1"), "");
+}
+
+TEST_F(TableScan, LooksUpByIdAndRowid) {
+  for (const char* id : {"id", "rowid", "_rowid_"}) {
+    const std::string sql = std::string("SELECT id, x, name FROM ships WHERE ") + id + " = ";
+    EXPECT_EQ(db.rows(sql + "77"), "77|38.5|ship 77");
+    EXPECT_EQ(db.rows(sql + "'77'"), "77|38.5|ship 77");
+    EXPECT_EQ(db.rows(sql + "77.0"), "77|38.5|ship 77");
+    for (const char* none : {"501", "77.5", "NULL", "'abc'", "x'37'", "1e300", "-1e300"})
+      EXPECT_EQ(db.rows(sql + none), "") << id << " = " << none;
+    EXPECT_EQ(plan(sql + "77"), "SCAN ships VIRTUAL TABLE INDEX 1:");
+  }
+}
+
+TEST_F(TableScan, LooksUpManyIds) {
+  EXPECT_EQ(db.rows("SELECT id FROM ships WHERE id IN (3, 900, 1, 2, 3) ORDER BY id"), "1\n2\n3");
+  EXPECT_EQ(db.rows("SELECT id FROM ships WHERE id = 7 AND id = 8"), "");
+  EXPECT_EQ(db.rows("SELECT id FROM ships WHERE id > 498 ORDER BY id DESC"), "500\n499");
+  EXPECT_EQ(db.rows("SELECT a.id, b.id FROM ships a JOIN ships b ON b.id = a.id + 1 WHERE a.id = 9"), "9|10");
+}
+
+TEST_F(TableScan, FiltersByOtherColumns) {
+  EXPECT_EQ(db.rows("SELECT id FROM ships WHERE name = 'ship 12'"), "12");
+  EXPECT_EQ(db.rows("SELECT id FROM ships WHERE x = '6'"), "12") << "x has a number's affinity";
+}
+
+TEST_F(TableScan, TheCommandColumnIsHidden) {
+  EXPECT_EQ(db.rows("SELECT * FROM ships WHERE id = 1"), "1|0.5|1.0|ship 1");
+  EXPECT_EQ(db.rows("SELECT ships FROM ships WHERE id = 1"), "NULL");
+  EXPECT_EQ(db.rows("SELECT name, type, pk FROM pragma_table_info('ships')"),
+            "id|INTEGER|1\nx|REAL|0\nvx|REAL|0\nname|TEXT|0");
+}
+
+TEST_F(TableScan, FunctionsGetTheTablesNumber) {
+  EXPECT_EQ(db.rows("SELECT typeof(ships), ships > 0 FROM main.ships WHERE ships MATCH 'foresee-handle'"),
+            "integer|1");
+  EXPECT_EQ(
+      db.rows("SELECT ships FROM ships WHERE ships MATCH 'storm'"),
+      "error: ships MATCH: a table of moving objects has no text to search; ask predictive_join or another of"
+      " foresee's functions");
+}
+
+// --- writes beneath a scan ---------------------------------------------------------------------------------
+
+/// Steps `select` (first column: an id) and runs `write` with that id for each row, then says how many there
+/// were.
+struct TableScanWrites : TableScan {
+  int loop(const std::string& select, const std::function<std::string(std::int64_t)>& write) {
+    sqlite3_stmt* statement = nullptr;
+    EXPECT_EQ(sqlite3_prepare_v2(db.handle(), select.c_str(), -1, &statement, nullptr), SQLITE_OK);
+    int rows = 0;
+    int rc;
+    while ((rc = sqlite3_step(statement)) == SQLITE_ROW && rows < 10000) {
+      ++rows;
+      EXPECT_EQ(sqlite3_column_double(statement, 1),
+                0.5 * static_cast<double>(sqlite3_column_int64(statement, 0)));
+      db.exec(write(sqlite3_column_int64(statement, 0)));
+    }
+    EXPECT_EQ(rc, SQLITE_DONE) << sqlite3_errmsg(db.handle());
+    sqlite3_finalize(statement);
+    return rows;
+  }
+};
+
+TEST_F(TableScanWrites, ALoopMayUpdateTheTableThatItReads) {
+  EXPECT_EQ(
+      loop("SELECT id, x FROM ships",
+           [](auto id) { return "UPDATE ships SET vx = 2, name = 'new' WHERE id = " + std::to_string(id); }),
+      500);
+  EXPECT_EQ(db.rows("SELECT count(*), sum(vx), min(name), sum(x) FROM ships"), "500|1000.0|new|62625.0");
+}
+
+TEST_F(TableScanWrites, InsideATransactionToo) {
+  db.exec("BEGIN");
+  EXPECT_EQ(loop("SELECT id, x FROM ships",
+                 [](auto id) { return "UPDATE ships SET vx = 2 WHERE id = " + std::to_string(id); }),
+            500);
+  db.exec("COMMIT");
+  EXPECT_EQ(db.rows("SELECT sum(vx) FROM ships"), "1000.0");
+}
+
+TEST_F(TableScanWrites, DeletedObjectsArePassedOver) {
+  EXPECT_EQ(loop("SELECT id, x FROM ships",
+                 [](auto id) {
+                   return "DELETE FROM ships WHERE id IN (" + std::to_string(id) + ", 501 - " +
+                          std::to_string(id) + ")";
+                 }),
+            250);
+  EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "0");
+}
+
+TEST_F(TableScanWrites, NewObjectsAreNotVisited) {
+  EXPECT_EQ(
+      loop("SELECT id, x FROM ships", [](auto) { return std::string("INSERT INTO ships(x) VALUES(1)"); }),
+      500);
+  EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "1000");
+}
+
+TEST_F(TableScanWrites, ObjectsThatChangeTheirIdAreNotVisitedTwice) {
+  EXPECT_EQ(loop("SELECT id, x FROM ships",
+                 [](auto id) { return "UPDATE ships SET id = id + 1000 WHERE id = " + std::to_string(id); }),
+            500);
+  EXPECT_EQ(db.rows("SELECT min(id), max(id), count(*) FROM ships"), "1001|1500|500");
+}
+
+TEST_F(TableScanWrites, RefusedWritesLeaveTheScanAlone) {
+  EXPECT_EQ(loop("SELECT id, x FROM ships",
+                 [&](auto) {
+                   EXPECT_NE(db.error_of("INSERT INTO ships(id, x) VALUES(3, 3)"), "");
+                   return std::string();
+                 }),
+            500);
+}
+
+TEST_F(TableScanWrites, ARollbackBeneathAScanEndsIt) {
+  db.exec("BEGIN; UPDATE ships SET x = x + 1");
+  sqlite3_stmt* statement = nullptr;
+  sqlite3_prepare_v2(db.handle(), "SELECT id FROM ships", -1, &statement, nullptr);
+  EXPECT_EQ(sqlite3_step(statement), SQLITE_ROW);
+  db.exec("ROLLBACK");
+  EXPECT_EQ(sqlite3_step(statement) & 0xff, SQLITE_ABORT);
+  sqlite3_finalize(statement);
+  EXPECT_EQ(db.rows("SELECT sum(x) FROM ships"), "62625.0");
+}
+
+TEST_F(TableScanWrites, StatementsThatReadAndWriteTheTable) {
+  db.exec("UPDATE ships SET x = x + 1");
+  EXPECT_EQ(db.rows("SELECT count(*), sum(x) FROM ships"), "500|63125.0");
+  db.exec("DELETE FROM ships WHERE id IN (SELECT id FROM ships WHERE id % 2)");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "250");
+  db.exec("UPDATE ships SET x = (SELECT max(s.x) FROM ships s) WHERE id < 10");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM ships WHERE x = 251"), "5");
+  db.exec("DELETE FROM ships");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "0");
+}
+
+}  // namespace
+}  // namespace foresee::testing

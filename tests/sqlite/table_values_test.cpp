@@ -1,0 +1,170 @@
+// Which values does a moving_objects table store, and what are the others told?
+#include <cmath>
+
+#include "database.h"
+
+namespace foresee::testing {
+namespace {
+
+struct TableValues : ::testing::Test {
+  TableValues() {
+    db.exec(
+        "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, r, until);"
+        "CREATE VIRTUAL TABLE rockets USING moving_objects(id, x, vx, fx, m);"
+        "CREATE VIRTUAL TABLE crates USING moving_objects(id, x, y, ax, ay, hx, hy);"
+        "CREATE VIRTUAL TABLE guests USING moving_objects(id, x, until)");
+  }
+
+  /// What column `column` of a ship reads as after being given as `value`, or the error.
+  std::string ship(const std::string& column, const std::string& value) {
+    db.exec("DELETE FROM ships; INSERT INTO ships(id, t, x, y) VALUES(7, 0, 1, 2)");
+    const std::string error = db.error_of("UPDATE ships SET " + column + " = " + value + " WHERE id = 7");
+    if (!error.empty()) {
+      EXPECT_EQ(db.rows("SELECT * FROM ships"), "7|0.0|1.0|2.0|0.0|0.0|0.0|NULL")
+          << "a refused value changed it";
+      return error;
+    }
+    return db.rows("SELECT " + column + " FROM ships");
+  }
+
+  Database db;
+};
+
+TEST_F(TableValues, IntegersAndNumericTextConvert) {
+  EXPECT_EQ(ship("x", "5"), "5.0");
+  EXPECT_EQ(ship("x", "'5'"), "5.0");
+  EXPECT_EQ(ship("x", "' -2.5e3 '"), "-2500.0");
+  EXPECT_EQ(ship("x", "9007199254740992"), "9007199254740992.0");
+  EXPECT_EQ(ship("x", "-9223372036854775808"), ship("x", "-9223372036854775808.0"));
+  EXPECT_EQ(ship("vx", "'0.1'"), "0.1");
+  EXPECT_EQ(ship("until", "'12'"), "12.0");
+}
+
+TEST_F(TableValues, EveryBitComesBack) {
+  for (const char* number :
+       {"-0.0", "4.9406564584124654e-324", "-2.2250738585072009e-308", "1.7976931348623157e308", "0.1",
+        "3.141592653589793", "1e22", "123456789.12345678"}) {
+    EXPECT_EQ(ship("x", number), db.rows(std::string("SELECT ") + number)) << number;
+    EXPECT_EQ(ship("vy", number), db.rows(std::string("SELECT ") + number)) << number;
+  }
+}
+
+TEST_F(TableValues, NullAndEmptyTextAreZeroOrForEver) {
+  for (const char* null : {"NULL", "''"}) {
+    EXPECT_EQ(ship("vx", null), "0.0");
+    EXPECT_EQ(ship("r", null), "0.0");
+    EXPECT_EQ(ship("until", null), "NULL");
+  }
+  db.exec(
+      "INSERT INTO crates VALUES(1, 0, 0, NULL, '', NULL, ''); INSERT INTO rockets VALUES(1, 0, NULL, NULL, "
+      "2)");
+  EXPECT_EQ(db.rows("SELECT * FROM crates"), "1|0.0|0.0|0.0|0.0|0.0|0.0");
+  EXPECT_EQ(db.rows("SELECT * FROM rockets"), "1|0.0|0.0|0.0|2.0");
+}
+
+TEST_F(TableValues, NanIsNull) {
+  sqlite3_stmt* insert = nullptr;
+  sqlite3_prepare_v2(db.handle(), "INSERT INTO ships(id, t, x, y, vx) VALUES(1, 0, ?1, 0, ?2)", -1, &insert,
+                     nullptr);
+  sqlite3_bind_double(insert, 1, 1);
+  sqlite3_bind_double(insert, 2, std::nan(""));
+  EXPECT_EQ(sqlite3_step(insert), SQLITE_DONE);
+  sqlite3_reset(insert);
+  sqlite3_bind_double(insert, 1, std::nan(""));
+  EXPECT_EQ(sqlite3_step(insert), SQLITE_CONSTRAINT);
+  EXPECT_STREQ(sqlite3_errmsg(db.handle()),
+               "ships.x of row 1 is NULL: a position is needed; write a finite number");
+  sqlite3_finalize(insert);
+  EXPECT_EQ(db.rows("SELECT vx FROM ships"), "0.0");
+}
+
+TEST_F(TableValues, APositionAndAReferenceTimeAreNeeded) {
+  EXPECT_EQ(ship("x", "NULL"), "ships.x of row 7 is NULL: a position is needed; write a finite number");
+  EXPECT_EQ(ship("y", "''"), "ships.y of row 7 is '': a position is needed; write a finite number");
+  EXPECT_EQ(ship("t", "NULL"),
+            "ships.t of row 7 is NULL: a declared reference time is needed; write the moment at which the "
+            "position holds");
+  EXPECT_EQ(db.error_of("INSERT INTO ships(id, x, y) VALUES(1, 1, 2)"),
+            "ships.t of row 1 is NULL: a declared reference time is needed; write the moment at which the "
+            "position holds");
+}
+
+TEST_F(TableValues, WhatIsNoNumberIsRefused) {
+  for (const char* column : {"t", "x", "vx", "r", "until"}) {
+    const std::string what = std::string("ships.") + column + " of row 7 is ";
+    EXPECT_EQ(ship(column, "'abc'"), what + "'abc': not a number; write a finite number");
+    EXPECT_EQ(ship(column, "'12abc'"), what + "'12abc': not a number; write a finite number");
+    EXPECT_EQ(ship(column, "'inf'"), what + "'inf': not a number; write a finite number");
+    EXPECT_EQ(ship(column, "' '"), what + "' ': not a number; write a finite number");
+    EXPECT_EQ(ship(column, "'0x10'"), what + "'0x10': not a number; write a finite number");
+    EXPECT_EQ(ship(column, "x'3132'"), what + "a blob of 2 bytes: not a number; write a finite number");
+  }
+  EXPECT_EQ(ship("x", "'" + std::string(39, 'a') + "\xc3\xa9zz'"),
+            "ships.x of row 7 is '" + std::string(39, 'a') + "...': not a number; write a finite number");
+}
+
+TEST_F(TableValues, InfinitiesAreRefused) {
+  for (const char* column : {"t", "x", "vx", "r"})
+    EXPECT_EQ(ship(column, "1e999"),
+              std::string("ships.") + column + " of row 7 is inf: not a finite number; write a finite one");
+  EXPECT_EQ(ship("x", "-1e999"), "ships.x of row 7 is -inf: not a finite number; write a finite one");
+  EXPECT_EQ(ship("until", "9e999"), "ships.until of row 7 is inf: not a finite number; write NULL for ever");
+  EXPECT_EQ(ship("x", "'1e999'").substr(0, 18), "ships.x of row 7 i");
+  EXPECT_NE(ship("x", "'1e999'").find("not a finite number"), std::string::npos);
+}
+
+TEST_F(TableValues, AnIntegerThatNoDoubleHoldsIsRefused) {
+  EXPECT_EQ(ship("x", "9007199254740993"),
+            "ships.x of row 7 is 9007199254740993: no double holds this integer;"
+            " write 9007199254740992.0 for the nearest that one does");
+  EXPECT_NE(ship("x", "9223372036854775807").find("no double holds this integer"), std::string::npos);
+  EXPECT_NE(ship("t", "'9007199254740993'").find("no double holds this integer"), std::string::npos);
+  EXPECT_EQ(ship("x", "9223372036854774784"), ship("x", "9223372036854774784.0"));
+}
+
+TEST_F(TableValues, ExtentsAreNeverNegative) {
+  EXPECT_EQ(ship("r", "-1"), "ships.r of row 7 is -1: a radius is never negative; write 0 or more");
+  EXPECT_EQ(ship("r", "'-0.5'").substr(0, 21), "ships.r of row 7 is -");
+  EXPECT_EQ(ship("r", "-0.0"), "-0.0");
+  EXPECT_EQ(db.error_of("INSERT INTO crates VALUES(3, 0, 0, 0, 0, 1, -1e-300)"),
+            "crates.hy of row 3 is -1e-300: a half extent is never negative; write 0 or more");
+}
+
+TEST_F(TableValues, AMassIsPositive) {
+  EXPECT_EQ(db.error_of("INSERT INTO rockets VALUES(1, 0, 0, 5, 0)"),
+            "rockets.m of row 1 is 0: a mass is never 0 or negative; write a number greater than 0");
+  EXPECT_EQ(db.error_of("INSERT INTO rockets VALUES(1, 0, 0, 5, -2.5)"),
+            "rockets.m of row 1 is -2.5: a mass is never 0 or negative; write a number greater than 0");
+  EXPECT_EQ(db.error_of("INSERT INTO rockets(id, x, fx) VALUES(1, 0, 5)"),
+            "rockets.m of row 1 is NULL: a force needs a mass; write a number greater than 0");
+}
+
+TEST_F(TableValues, TheQuotientOfForceAndMassIsFinite) {
+  EXPECT_EQ(db.error_of("INSERT INTO rockets VALUES(1, 0, 0, 1e300, 1e-300)"),
+            "rockets.fx of row 1 is 1e+300: no double holds its quotient by the mass 1e-300;"
+            " write a smaller force or a greater mass");
+  db.exec("INSERT INTO rockets VALUES(1, 0, 0, 1e-300, 1e300)");
+  EXPECT_EQ(db.rows("SELECT fx, m FROM rockets"), "1e-300|1e+300");
+}
+
+TEST_F(TableValues, AMotionDoesNotEndBeforeItsReferenceTime) {
+  db.exec("INSERT INTO ships(id, t, x, y, until) VALUES(1, 10, 0, 0, 10)");
+  EXPECT_EQ(
+      db.error_of("INSERT INTO ships(id, t, x, y, until) VALUES(2, 10, 0, 0, 9.5)"),
+      "ships.until of row 2 is 9.5: before the reference time 10.0; write that or more, or NULL for ever");
+  EXPECT_EQ(
+      db.error_of("UPDATE ships SET t = 11 WHERE id = 1"),
+      "ships.until of row 1 is 10.0: before the reference time 11.0; write that or more, or NULL for ever");
+  EXPECT_EQ(
+      db.error_of("INSERT INTO guests VALUES(1, 0, -1)"),
+      "guests.until of row 1 is -1.0: before the reference time 0.0; write that or more, or NULL for ever");
+}
+
+TEST_F(TableValues, AWrongRowAmongManyChangesNothing) {
+  EXPECT_EQ(db.error_of("INSERT INTO guests(id, x) VALUES(1, 0), (2, 0), (3, 'abc')"),
+            "guests.x of row 3 is 'abc': not a number; write a finite number");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM guests"), "0");
+}
+
+}  // namespace
+}  // namespace foresee::testing
