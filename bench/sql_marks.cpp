@@ -1,0 +1,138 @@
+// The speed marks through SQL: foresee against base table + R*Tree + exact test as an SQL function, in one
+// process.
+//
+//   bench_sql_marks [--quick]
+//
+//   join  S-100000: SELECT a, b, t FROM predictive_join(3), all rows stepped, warm; both tables stand ready.
+//   load  S-1000000: as many prepared single-row INSERTs in one transaction, in memory and into a file.
+//
+// Processor time, medians; a ratio is the rival's time over ours in the same repetition. Fails if the two
+// joins differ in a pair or a time.
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "measure.h"
+#include "sql_rival.h"
+#include "sqlite/foresee.h"
+
+namespace foresee::bench {
+namespace {
+
+struct Row {
+  std::int64_t a, b;
+  double t;
+
+  friend auto operator<=>(const Row&, const Row&) = default;
+};
+
+std::vector<Row> rows_of(Statement& statement) {
+  std::vector<Row> rows;
+  while (statement.step()) rows.push_back({statement.integer(0), statement.integer(1), statement.number(2)});
+  return rows;
+}
+
+void create_ours(Database& db) {
+  db.check(sqlite3_foresee_init(db.handle(), nullptr, nullptr));
+  db.run("CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y, vx, vy, ax, ay, hx, hy)");
+}
+
+void load_ours(Database& db, const Workload& w) {
+  Statement insert(db, "INSERT INTO ships VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  db.run("BEGIN");
+  for (std::size_t i = 0; i < w.count; ++i) {
+    const double* row = w.bodies().row(i);
+    insert.bind(1, static_cast<std::int64_t>(i + 1));
+    for (int k = 0; k < 8; ++k) insert.bind(2 + k, row[k]);
+    insert.step();
+  }
+  db.run("COMMIT");
+}
+
+/// Medians of both times and of their ratio, one repetition after another.
+struct Comparison {
+  std::vector<double> ours, rivals, ratios;
+
+  void add(double our_seconds, double rival_seconds) {
+    ours.push_back(our_seconds);
+    rivals.push_back(rival_seconds);
+    ratios.push_back(rival_seconds / our_seconds);
+  }
+  void print(const char* what, std::size_t count, double mark) const {
+    const double per_object = 1e9 / static_cast<double>(count);
+    std::printf("%-24s foresee %7.0f   rival %7.0f ns an object   %6.2fx (mark: %gx)\n", what,
+                median(ours) * per_object, median(rivals) * per_object, median(ratios), mark);
+    std::fflush(stdout);
+  }
+};
+
+/// False if the two answers differ.
+bool compare_joins(std::size_t count, int repetitions) {
+  const Workload w = make_workload("S-" + std::to_string(count));
+  Database db(":memory:");
+  create_ours(db);
+  load_ours(db, w);
+  Rival rival(db, w);
+  rival.load();
+  Statement our_join(db, "SELECT a, b, t FROM predictive_join(3)");
+  Statement rival_join(db, Rival::join_sql());
+  std::vector<Row> our_rows = rows_of(our_join), rival_rows = rows_of(rival_join);  // also warms up
+  std::sort(our_rows.begin(), our_rows.end());
+  std::sort(rival_rows.begin(), rival_rows.end());
+  if (our_rows != rival_rows) return false;
+
+  auto step_all = [](Statement& statement) {
+    while (statement.step()) {
+    }
+  };
+  Comparison comparison;
+  for (int i = 0; i < repetitions; ++i) {
+    const double ours = seconds_of([&] { step_all(our_join); });
+    comparison.add(ours, seconds_of([&] { step_all(rival_join); }));
+  }
+  comparison.print(("join " + w.name).c_str(), count, 8);
+  std::printf("  %zu rows, equal\n", our_rows.size());
+  return true;
+}
+
+void compare_loads(std::size_t count, int repetitions, bool into_file) {
+  const Workload w = make_workload("S-" + std::to_string(count));
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  Comparison comparison;
+  for (int i = 0; i < repetitions; ++i) {
+    const std::string ours = into_file ? folder / "foresee-bench-ours.db" : ":memory:";
+    const std::string theirs = into_file ? folder / "foresee-bench-rival.db" : ":memory:";
+    for (const std::string& path : {ours, theirs})
+      if (into_file) std::filesystem::remove(path);
+    Database our_db(ours), rival_db(theirs);
+    create_ours(our_db);
+    Rival rival(rival_db, w);
+    const double our_seconds = seconds_of([&] { load_ours(our_db, w); });
+    comparison.add(our_seconds, seconds_of([&] { rival.load(); }));
+    for (const std::string& path : {ours, theirs})
+      if (into_file) std::filesystem::remove(path);
+  }
+  comparison.print(("load " + w.name + (into_file ? ", file" : ", memory")).c_str(), count, 3);
+}
+
+int main_of(bool quick) {
+  if (!compare_joins(100000, quick ? 5 : 15)) {
+    std::fprintf(stderr, "the two joins differ\n");
+    return 1;
+  }
+  compare_loads(1000000, quick ? 1 : 3, false);
+  compare_loads(1000000, quick ? 1 : 3, true);
+  return 0;
+}
+
+}  // namespace
+}  // namespace foresee::bench
+
+int main(int count, char** arguments) {
+  try {
+    return foresee::bench::main_of(count > 1 && std::strcmp(arguments[1], "--quick") == 0);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}

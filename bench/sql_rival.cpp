@@ -1,0 +1,63 @@
+#include "sql_rival.h"
+
+#include "motion/swept_box.h"
+
+namespace foresee::bench {
+
+Rival::Rival(Database& db, const Workload& workload) : db_(db), workload_(workload) {
+  NeverInterrupt never;
+  const Horizon horizon{0, workload.h};
+  boxes_ = swept_boxes<2>(workload.bodies(), horizon, Vec<2>::Zero(), never);
+  pair_rows_.resize(2 * static_cast<std::size_t>(workload.bodies().at.size));
+  const Bodies pair(workload.layout, pair_rows_.data(), 2);
+  contact_ = make_contact(pair, pair, {.horizon = horizon}, "base", "base");
+  db.run("CREATE TABLE base(id INTEGER PRIMARY KEY, x, y, vx, vy, ax, ay, hx, hy)");
+  db.run("CREATE VIRTUAL TABLE boxes USING rtree(id, x0, x1, y0, y1)");
+  db.check(sqlite3_create_function(db.handle(), "first_contact", 16, SQLITE_UTF8 | SQLITE_DETERMINISTIC, this,
+                                   first_contact, nullptr, nullptr));
+}
+
+void Rival::load() {
+  Statement object(db_, "INSERT INTO base VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement box(db_, "INSERT INTO boxes VALUES(?, ?, ?, ?, ?)");
+  db_.run("BEGIN");
+  for (std::size_t i = 0; i < workload_.count; ++i) {
+    const auto id = static_cast<std::int64_t>(i + 1);
+    const double* row = workload_.bodies().row(i);
+    object.bind(1, id);
+    for (int k = 0; k < 8; ++k) object.bind(2 + k, row[k]);
+    object.step();
+    box.bind(1, id);
+    for (int axis = 0; axis < 2; ++axis) {
+      box.bind(2 + 2 * axis, boxes_[i].lower[axis]);
+      box.bind(3 + 2 * axis, boxes_[i].upper[axis]);
+    }
+    box.step();
+  }
+  db_.run("COMMIT");
+}
+
+// LIMIT -1 keeps SQLite from flattening the subquery, which would call the function twice for every hit.
+const char* Rival::join_sql() {
+  return "SELECT a, b, t FROM (SELECT p.id AS a, q.id AS b,"
+         "  first_contact(p.x, p.y, p.vx, p.vy, p.ax, p.ay, p.hx, p.hy,"
+         "                q.x, q.y, q.vx, q.vy, q.ax, q.ay, q.hx, q.hy) AS t"
+         "  FROM boxes i CROSS JOIN boxes j CROSS JOIN base p CROSS JOIN base q"
+         "  WHERE j.x0 <= i.x1 AND j.x1 >= i.x0 AND j.y0 <= i.y1 AND j.y1 >= i.y0 AND i.id < j.id"
+         "    AND p.id = i.id AND q.id = j.id LIMIT -1) WHERE t IS NOT NULL";
+}
+
+void Rival::first_contact(sqlite3_context* context, int count, sqlite3_value** values) {
+  auto* rival = static_cast<Rival*>(sqlite3_user_data(context));
+  for (int i = 0; i < count; ++i)
+    rival->pair_rows_[static_cast<std::size_t>(i)] = sqlite3_value_double(values[i]);
+  const Pair pair{0, 1};
+  std::vector<Pair> hits;
+  rival->contact_->decide({&pair, 1}, hits);
+  if (hits.empty()) return;
+  ContactTimes times;
+  rival->contact_->times(hits, {&times, 1});
+  sqlite3_result_double(context, times.t);
+}
+
+}  // namespace foresee::bench

@@ -1,0 +1,38 @@
+// The plain-SQL answer that a user would write without foresee: a base table, SQLite's own R*Tree of swept
+// boxes beside it, and the exact test as an SQL function.
+//
+// The exact test is foresee's own contact, so that both give the same rows and only the way there differs.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "contact/contact.h"
+#include "sql.h"
+#include "workloads.h"
+
+namespace foresee::bench {
+
+/// Objects of two axes: box, velocity and acceleration (the workloads S, K and M).
+class Rival {
+ public:
+  /// Makes the two tables in `db` and the function first_contact().
+  Rival(Database& db, const Workload& workload);
+
+  /// Single-row INSERTs into both tables, in one transaction. The swept boxes are ready.
+  void load();
+
+  /// Rows (a, b, t) of the self-join over the workload's horizon.
+  static const char* join_sql();
+
+ private:
+  static void first_contact(sqlite3_context* context, int count, sqlite3_value** values);
+
+  Database& db_;
+  const Workload& workload_;
+  std::vector<Box<2>> boxes_;
+  std::vector<double> pair_rows_;  // the two objects that first_contact() looks at
+  std::unique_ptr<Contact> contact_;
+};
+
+}  // namespace foresee::bench

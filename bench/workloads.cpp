@@ -1,0 +1,173 @@
+#include "workloads.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "motion/error.h"
+#include "scenes.h"
+
+namespace foresee::bench {
+namespace {
+
+using testing::Random;
+
+/// The name's last part as a number.
+double number_at_end(const std::string& name) {
+  const double number = std::strtod(name.c_str() + name.rfind('-') + 1, nullptr);
+  if (!(number >= 1)) throw Error("workload '" + name + "' needs a number at its end");
+  return number;
+}
+
+struct Writer {
+  Workload& workload;
+  Offsets at = row_offsets(workload.layout);
+
+  double* add() {
+    workload.rows.resize(workload.rows.size() + static_cast<std::size_t>(at.size));
+    ++workload.count;
+    return workload.rows.data() + workload.rows.size() - at.size;
+  }
+};
+
+Workload plane(const std::string& name, std::size_t count, Law law, double h) {
+  Workload w{name, {2, law, Shape::box}, {}, 0, h};
+  Writer writer{w};
+  Random random(count);
+  const double side = std::sqrt(14 * static_cast<double>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    double* row = writer.add();
+    for (int axis = 0; axis < 2; ++axis) {
+      row[writer.at.x + axis] = random.in(0, side);
+      row[writer.at.v + axis] = random.in(-3, 3);
+      if (law == Law::accelerated) row[writer.at.a + axis] = random.in(-0.5, 0.5);
+      row[writer.at.half + axis] = 0.5;
+    }
+  }
+  return w;
+}
+
+/// Every hundredth object 1000 times faster, every thousandth 1000 times larger.
+void mix(Workload& w) {
+  const Offsets at = w.bodies().at;
+  for (std::size_t i = 0; i < w.count; ++i) {
+    double* row = w.rows.data() + i * static_cast<std::size_t>(at.size);
+    for (int axis = 0; axis < 2; ++axis) {
+      if (i % 100 == 7) row[at.v + axis] *= 1000;
+      if (i % 1000 == 11) row[at.half + axis] *= 1000;
+    }
+  }
+}
+
+std::uint64_t morton(double x, double y) {
+  const auto a = static_cast<std::uint32_t>(x * 16), b = static_cast<std::uint32_t>(y * 16);
+  std::uint64_t code = 0;
+  for (int bit = 0; bit < 32; ++bit)
+    code |= std::uint64_t{a >> bit & 1} << (2 * bit) | std::uint64_t{b >> bit & 1} << (2 * bit + 1);
+  return code;
+}
+
+void cluster(Workload& w) {
+  const auto size = static_cast<std::size_t>(w.bodies().at.size);
+  const auto x = static_cast<std::size_t>(w.bodies().at.x);
+  std::vector<std::pair<std::uint64_t, std::size_t>> order;
+  for (std::size_t i = 0; i < w.count; ++i)
+    order.push_back({morton(w.rows[i * size + x], w.rows[i * size + x + 1]), i});
+  std::sort(order.begin(), order.end());
+  std::vector<double> rows;
+  for (const auto& [code, i] : order)
+    rows.insert(rows.end(), w.rows.begin() + static_cast<std::ptrdiff_t>(i * size),
+                w.rows.begin() + static_cast<std::ptrdiff_t>((i + 1) * size));
+  w.rows = std::move(rows);
+}
+
+enum class Spread { uniform, zipf, city };
+
+/// Draws centres on one axis of [0, 10000].
+class Centres {
+ public:
+  Centres(Spread spread, Random& random) : spread_(spread), random_(random) {
+    double sum = 0;
+    for (int k = 1; k <= 1000; ++k) cumulative_.push_back(sum += std::pow(k, -0.8));
+    for (double& city : cities_) city = random_.in(0, 10000);
+  }
+
+  void draw(double* x) {
+    const std::uint64_t city = random_.below(50);
+    for (int axis = 0; axis < 2; ++axis) {
+      if (spread_ == Spread::uniform) x[axis] = random_.in(0, 10000);
+      if (spread_ == Spread::zipf) {
+        const auto bin =
+            std::lower_bound(cumulative_.begin(), cumulative_.end(), random_.in(0, cumulative_.back()));
+        x[axis] = (static_cast<double>(bin - cumulative_.begin()) + random_.unit()) * 10;
+      }
+      if (spread_ == Spread::city)
+        x[axis] = cities_[city * 2 + static_cast<std::uint64_t>(axis)] + 150 * normal();
+    }
+  }
+
+ private:
+  /// Standard normal, by Box and Muller.
+  double normal() {
+    return std::sqrt(-2 * std::log(1 - random_.unit())) * std::cos(6.283185307179586 * random_.unit());
+  }
+
+  Spread spread_;
+  Random& random_;
+  std::vector<double> cumulative_;
+  double cities_[100];
+};
+
+Workload paper(const std::string& name, std::size_t count, Spread spread) {
+  Workload w{name, {3, Law::accelerated, Shape::box}, {}, 0, 3};
+  Writer writer{w};
+  Random random(count);
+  Centres centres(spread, random);
+  for (std::size_t i = 0; i < count; ++i) {
+    double* row = writer.add();
+    centres.draw(row + writer.at.x);
+    row[writer.at.x + 2] = random.in(0, 50);
+    for (int axis = 0; axis < 3; ++axis) {
+      row[writer.at.v + axis] = random.in(-3, 3) * (axis == 2 ? 0.1 : 1);
+      row[writer.at.a + axis] = axis == 2 ? 0 : random.in(-0.5, 0.5);
+      row[writer.at.half + axis] = 2.5;
+    }
+  }
+  return w;
+}
+
+Workload cube(const std::string& name, std::size_t count) {
+  Workload w{name, {3, Law::accelerated, Shape::box}, {}, 0, 3};
+  Writer writer{w};
+  Random random(count);
+  const double side = std::cbrt(40 * static_cast<double>(count));
+  for (std::size_t i = 0; i < count; ++i) {
+    double* row = writer.add();
+    for (int axis = 0; axis < 3; ++axis) {
+      row[writer.at.x + axis] = random.in(0, side);
+      row[writer.at.v + axis] = random.in(-3, 3);
+      row[writer.at.a + axis] = random.in(-0.5, 0.5);
+      row[writer.at.half + axis] = 0.5;
+    }
+  }
+  return w;
+}
+
+}  // namespace
+
+Workload make_workload(const std::string& name) {
+  const double number = number_at_end(name);
+  const auto count = static_cast<std::size_t>(number);
+  if (name.starts_with("S-")) return plane(name, count, Law::accelerated, 3);
+  if (name.starts_with("L-")) return plane(name, 100000, Law::uniform, number);
+  if (name.starts_with("P-uniform-")) return paper(name, count, Spread::uniform);
+  if (name.starts_with("P-zipf-")) return paper(name, count, Spread::zipf);
+  if (name.starts_with("P-city-")) return paper(name, count, Spread::city);
+  if (name.starts_with("P-cube-")) return cube(name, count);
+  if (!name.starts_with("K-") && !name.starts_with("M-")) throw Error("unknown workload '" + name + "'");
+  Workload w = plane(name, count, Law::accelerated, 3);
+  name.starts_with("K-") ? cluster(w) : mix(w);
+  return w;
+}
+
+}  // namespace foresee::bench
