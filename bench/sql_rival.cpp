@@ -1,7 +1,5 @@
 #include "sql_rival.h"
 
-#include "motion/swept_box.h"
-
 namespace foresee::bench {
 
 Rival::Rival(Database& db, const Workload& workload) : db_(db), workload_(workload) {

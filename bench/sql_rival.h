@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "contact/contact.h"
+#include "motion/swept_box.h"
 #include "sql.h"
 #include "workloads.h"
 

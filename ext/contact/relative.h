@@ -41,7 +41,7 @@ Relative<D> relative_of(const Setup& setup, const double* row_a, const double* r
     if constexpr (Degree < 2) a.a = b.a = 0;
     const double x = b.x - a.x, v = b.v - a.v, acceleration = b.a - a.a;
     r.a[j] = 0.5 * acceleration;
-    r.ea[j] = u * std::abs(r.a[j]) + 0x1p-1074;
+    r.ea[j] = acceleration == 0 ? 0 : u * std::abs(r.a[j]) + 0x1p-1022;
     if (!rebase) {
       r.x[j] = x, r.v[j] = v;
       r.ex[j] = u * std::abs(x) + r.underflow, r.ev[j] = u * std::abs(v) + r.underflow;
