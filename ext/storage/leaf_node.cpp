@@ -5,43 +5,67 @@
 namespace foresee {
 namespace {
 
-bool is_finite(double value) {
-  constexpr std::uint64_t infinity_without_sign = 0x7ff0000000000000ull << 1;
-  return std::bit_cast<std::uint64_t>(value) << 1 < infinity_without_sign;
+// Records are judged where they lie: SQLite's blobs are not aligned.
+double number_at(const std::byte* record, int place) {
+  return load_number<double>(record + static_cast<std::size_t>(place) * sizeof(double));
 }
 
-const char* extent_fault(const NodeFormat& format, const double* record) {
+bool all_finite(const std::byte* numbers, std::size_t count) {
+  constexpr std::uint64_t exponent = 0x7ff0000000000000;
+  std::uint64_t found = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto bits = load_number<std::uint64_t>(numbers + i * sizeof(std::uint64_t));
+    found |= static_cast<std::uint64_t>((bits & exponent) == exponent);
+  }
+  return found == 0;
+}
+
+const char* extent_fault(const NodeFormat& format, const std::byte* record) {
   const Offsets& at = format.at;
   if (at.half != Offsets::absent)
     for (int axis = 0; axis < format.layout.axes; ++axis)
-      if (record[at.half + axis] < 0) return "a half extent is negative";
-  if (at.r != Offsets::absent && record[at.r] < 0) return "a radius is negative";
-  if (at.hz != Offsets::absent && record[at.hz] < 0) return "a half extent is negative";
+      if (number_at(record, at.half + axis) < 0) return "a half extent is negative";
+  if (at.r != Offsets::absent && number_at(record, at.r) < 0) return "a radius is negative";
+  if (at.hz != Offsets::absent && number_at(record, at.hz) < 0) return "a half extent is negative";
   return nullptr;
 }
 
-const char* force_fault(const NodeFormat& format, const double* record) {
-  const Offsets& at = format.at;
-  if (!(record[at.mass] > 0)) return "a mass is not positive";
+const char* force_fault(const NodeFormat& format, const std::byte* record) {
+  const double mass = number_at(record, format.at.mass);
+  if (!(mass > 0)) return "a mass is not positive";
   for (int axis = 0; axis < format.layout.axes; ++axis)
-    if (!is_finite(record[at.force + axis] / record[at.mass])) return "an acceleration F/m overflows";
+    if (!std::isfinite(number_at(record, format.at.force + axis) / mass))
+      return "an acceleration F/m overflows";
+  return nullptr;
+}
+
+const char* until_fault(const NodeFormat& format, const std::byte* record) {
+  const double start = format.at.t == Offsets::absent ? 0.0 : number_at(record, format.at.t);
+  return number_at(record, format.at.until) >= start ? nullptr : "an object ends before it begins";
+}
+
+const char* records_fault(const NodeFormat& format, const std::byte* records, std::size_t count) {
+  constexpr const char* not_finite = "a number is not finite";
+  const bool ends = format.layout.has_until;  // `until` comes last, and may be +infinity
+  const auto size = static_cast<std::size_t>(format.at.size);
+  if (!ends && !all_finite(records, count * size)) return not_finite;
+  const bool extended = format.layout.shape != Shape::point, forced = format.layout.law == Law::forced;
+  if (!ends && !extended && !forced) return nullptr;
+  for (const std::byte* record = records; record != records + count * format.record_size;
+       record += format.record_size) {
+    if (ends && !all_finite(record, size - 1)) return not_finite;
+    const char* fault = extended ? extent_fault(format, record) : nullptr;
+    if (!fault && ends) fault = until_fault(format, record);
+    if (!fault && forced) fault = force_fault(format, record);
+    if (fault) return fault;
+  }
   return nullptr;
 }
 
 }  // namespace
 
 const char* record_fault(const NodeFormat& format, const double* record) {
-  const Offsets& at = format.at;
-  const bool ends = at.until != Offsets::absent;  // `until` comes last, and may be +infinity
-  bool finite = true;
-  for (int i = 0; i < at.size - ends; ++i) finite &= is_finite(record[i]);
-  if (!finite) return "a number is not finite";
-  if (ends) {
-    const double start = at.t == Offsets::absent ? 0.0 : record[at.t];
-    if (!(record[at.until] >= start)) return "an object ends before it begins";
-  }
-  if (const char* fault = extent_fault(format, record)) return fault;
-  return at.mass == Offsets::absent ? nullptr : force_fault(format, record);
+  return records_fault(format, reinterpret_cast<const std::byte*>(record), 1);
 }
 
 const char* leaf_fault(const NodeFormat& format, std::span<const std::byte> blob, std::int64_t number) {
@@ -52,13 +76,7 @@ const char* leaf_fault(const NodeFormat& format, std::span<const std::byte> blob
   if (count < 1 || static_cast<std::size_t>(count) > format.leaf_capacity) return "its count is wrong";
   for (int i = 1; i < count; ++i)
     if (leaf.id(i - 1) >= leaf.id(i)) return "its ids do not ascend";
-  double record[16];
-  static_assert(sizeof record / sizeof *record >= 1 + 3 + 3 + 3 + 1 + 3 + 1, "t, x, v, F, m, half, until");
-  for (int i = 0; i < count; ++i) {
-    leaf.copy_record(i, record);
-    if (const char* fault = record_fault(format, record)) return fault;
-  }
-  return nullptr;
+  return records_fault(format, blob.data() + format.records_at, static_cast<std::size_t>(count));
 }
 
 int LeafView::lower_bound(std::int64_t id) const {

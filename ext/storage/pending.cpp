@@ -24,6 +24,7 @@ void Pending::clear() noexcept {
   leaves.clear();
   ids.clear();
   more = 0;
+  map_half_written = false;
 }
 
 std::size_t Pending::memory(const NodeFormat& format) const {

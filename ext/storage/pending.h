@@ -33,7 +33,8 @@ class Pending {
 
   std::map<std::int64_t, PendingLeaf> leaves;
   IdChanges ids;
-  std::int64_t more = 0;  ///< objects inserted less objects erased since the map was last written
+  std::int64_t more = 0;          ///< objects inserted less objects erased since the map was last written
+  bool map_half_written = false;  ///< a flush failed: some of `ids` are in the stored map already
 };
 
 }  // namespace foresee

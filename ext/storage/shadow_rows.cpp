@@ -17,6 +17,15 @@ std::string with_names(const std::string& sql, const TableName& name) {
   return result + sql.substr(done);
 }
 
+// A statement of 16 rows costs half as much a row as one of a single row; more rows gain nothing.
+constexpr std::size_t map_rows = 16;
+
+std::string write_map_sql(std::size_t rows) {
+  std::string sql = "INSERT OR REPLACE INTO {map} VALUES(?, ?)";
+  for (std::size_t i = 1; i < rows; ++i) sql += ", (?, ?)";
+  return sql;
+}
+
 std::string insert_auxiliaries_sql(int columns) {
   std::string sql = "INSERT OR REPLACE INTO {aux} VALUES(?1";
   for (int i = 0; i < columns; ++i) sql += format_sql(", ?%d", i + 2);
@@ -51,8 +60,9 @@ ShadowRows::ShadowRows(sqlite3* db, const TableName& name, int auxiliaries) {
   largest_id_ = sql("SELECT max(id) FROM {map}");
   count_ = sql("SELECT count(*) FROM {map}");
   all_ids_ = sql("SELECT id, leaf FROM {map} ORDER BY id");
-  write_leaf_of_ = sql("INSERT OR REPLACE INTO {map} VALUES(?, ?)");
-  erase_id_ = sql("DELETE FROM {map} WHERE id = ?");
+  write_map_row_ = sql(write_map_sql(1));
+  write_map_rows_ = sql(write_map_sql(map_rows));
+  erase_map_row_ = sql("DELETE FROM {map} WHERE id = ?");
   erase_map_ = sql("DELETE FROM {map}");
   stamp_ = sql("SELECT value FROM {meta} WHERE key = 'stamp'");
   write_stamp_ = sql("INSERT OR REPLACE INTO {meta} VALUES('stamp', ?)");
@@ -62,6 +72,7 @@ ShadowRows::ShadowRows(sqlite3* db, const TableName& name, int auxiliaries) {
   erase_auxiliaries_ = sql("DELETE FROM {aux} WHERE id = ?");
   auxiliary_ids_ = sql("SELECT id FROM {aux} ORDER BY id");
   erase_stray_ = sql("DELETE FROM {aux} WHERE id NOT IN (SELECT id FROM {map})");
+  insert_missing_ = sql("INSERT OR IGNORE INTO {aux}(id) SELECT id FROM {map}");
   for (int i = 0; i < auxiliaries; ++i)
     auxiliary_.push_back(sql(format_sql("SELECT a%d FROM {aux} WHERE id = ?", i)));
 }
@@ -105,17 +116,31 @@ std::int64_t ShadowRows::count() {
   return one_integer(run).value_or(0);
 }
 
-void ShadowRows::write_leaf_of(std::int64_t id, std::int64_t leaf) {
-  Statement::Run run(write_leaf_of_);
-  run.bind(1, id);
-  run.bind(2, leaf);
-  run.step();
-}
-
-void ShadowRows::erase_id(std::int64_t id) {
-  Statement::Run run(erase_id_);
-  run.bind(1, id);
-  run.step();
+void ShadowRows::write_map(std::span<const IdChange> changes) {
+  std::vector<IdChange> waiting;
+  waiting.reserve(map_rows);
+  const auto write = [&](Statement& statement, std::span<const IdChange> rows) {
+    Statement::Run run(statement);
+    int place = 0;
+    for (const IdChange& row : rows) {
+      run.bind(++place, row.id);
+      run.bind(++place, row.leaf);
+    }
+    run.step();
+  };
+  for (const IdChange& change : changes) {
+    if (change.leaf == IdChanges::erased) {
+      Statement::Run run(erase_map_row_);
+      run.bind(1, change.id);
+      run.step();
+      continue;
+    }
+    waiting.push_back(change);
+    if (waiting.size() < map_rows) continue;
+    write(write_map_rows_, waiting);
+    waiting.clear();
+  }
+  for (const IdChange& change : waiting) write(write_map_row_, {&change, 1});
 }
 
 void ShadowRows::erase_map() {
@@ -160,8 +185,9 @@ void ShadowRows::result_auxiliary(sqlite3_context* context, std::int64_t id, int
     sqlite3_result_null(context);
 }
 
-void ShadowRows::erase_stray_auxiliaries() {
+void ShadowRows::match_auxiliaries_to_map() {
   Statement::Run(erase_stray_).step();
+  Statement::Run(insert_missing_).step();
 }
 
 std::optional<std::int64_t> ShadowRows::stamp() {

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "storage/id_changes.h"
 #include "storage/shadow_schema.h"
 #include "storage/statement.h"
 
@@ -56,8 +57,8 @@ class ShadowRows {
     Statement::Run run(all_ids_);
     while (run.step()) read(run.integer(0), run.integer(1));
   }
-  void write_leaf_of(std::int64_t id, std::int64_t leaf);
-  void erase_id(std::int64_t id);
+  /// Each id's leaf, or its end. Fast if the ids ascend.
+  void write_map(std::span<const IdChange> changes);
   void erase_map();
 
   // --- _aux; requires: there are auxiliary columns
@@ -71,8 +72,8 @@ class ShadowRows {
     Statement::Run run(auxiliary_ids_);
     while (run.step()) read(run.integer(0));
   }
-  /// Auxiliary rows of objects that the map does not know.
-  void erase_stray_auxiliaries();
+  /// One row for each object of the map: strays go, missing ones come with NULLs.
+  void match_auxiliaries_to_map();
 
   // --- _meta
   /// Nothing if the stored stamp is missing or no integer.
@@ -82,8 +83,10 @@ class ShadowRows {
  private:
   Statement largest_node_, node_by_number_, nodes_after_, all_nodes_, write_node_, erase_node_,
       erase_all_nodes_;
-  Statement leaf_of_, largest_id_, count_, all_ids_, write_leaf_of_, erase_id_, erase_map_;
-  Statement insert_auxiliaries_, update_auxiliaries_, erase_auxiliaries_, auxiliary_ids_, erase_stray_;
+  Statement leaf_of_, largest_id_, count_, all_ids_, write_map_row_, write_map_rows_, erase_map_row_,
+      erase_map_;
+  Statement insert_auxiliaries_, update_auxiliaries_, erase_auxiliaries_, auxiliary_ids_, erase_stray_,
+      insert_missing_;
   std::vector<Statement> auxiliary_;
   Statement stamp_, write_stamp_;
 };

@@ -10,7 +10,7 @@ namespace foresee {
 void Store::rebuild(Interrupt& interrupt) {
   pack(interrupt);
   const OwnStatements own(*this);
-  if (has_auxiliaries()) rows().erase_stray_auxiliaries();
+  if (has_auxiliaries()) rows().match_auxiliaries_to_map();
 }
 
 void Store::optimize(Interrupt& interrupt) {
@@ -63,7 +63,7 @@ void Store::write_packed(const std::vector<std::int64_t>& ids, const std::vector
     rows_->write_node(number, leaf.sealed(number));
   }
   std::sort(map.begin(), map.end(), [](const IdChange& a, const IdChange& b) { return a.id < b.id; });
-  for (const IdChange& entry : map) rows_->write_leaf_of(entry.id, entry.leaf);
+  rows_->write_map(map);
 }
 
 }  // namespace foresee

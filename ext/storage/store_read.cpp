@@ -126,7 +126,12 @@ void Store::result_auxiliary(sqlite3_context* context, std::int64_t id, int colu
 }
 
 std::int64_t Store::count() {
-  return rows().count() + pending_.more;
+  const std::int64_t stored = rows().count();
+  if (!pending_.map_half_written) return stored + pending_.more;
+  std::int64_t more = 0;
+  for (const IdChange& change : pending_.ids.sorted())
+    more += (change.leaf != IdChanges::erased) - rows().leaf_of(change.id).has_value();
+  return stored + more;
 }
 
 std::vector<std::string> Store::check(Interrupt& interrupt) {

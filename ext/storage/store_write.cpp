@@ -8,7 +8,7 @@
 namespace foresee {
 namespace {
 
-constexpr std::size_t most_pending = 8 << 20;  // bytes; a flush of so many costs far more than starting it
+constexpr std::size_t most_pending = 16 << 20;  // bytes; a flush of so many costs far more than starting it
 
 }  // namespace
 
@@ -167,11 +167,8 @@ void Store::flush() {
       else if (pending.stored)
         rows().erase_node(number);
     }
-    for (const IdChange& change : pending_.ids.sorted())
-      if (change.leaf == IdChanges::erased)
-        rows().erase_id(change.id);
-      else
-        rows().write_leaf_of(change.id, change.leaf);
+    pending_.map_half_written = true;
+    rows().write_map(pending_.ids.sorted());
   }
   pending_.clear();
   newest_ = nullptr;

@@ -1,0 +1,150 @@
+// A write that fails changes nothing; what waits in memory survives a failed flush.
+#include "storage/database.h"
+
+namespace foresee {
+namespace {
+
+class Faults : public ::testing::Test {
+ protected:
+  Faults() : values(db, {"name", "cargo"}), store(make_store(db, named_ships())) {
+    begin(db, *store);
+    for (int id = 1; id <= 100; ++id) store->insert(id, ship(id), values);
+    commit(db, *store);
+  }
+  /// From now on that kind of write to that shadow table fails.
+  void forbid(const std::string& event, const std::string& suffix) {
+    db.run("CREATE TRIGGER forbid BEFORE " + event + " ON ships_" + suffix +
+           " BEGIN SELECT raise(ABORT, 'forbidden'); END");
+  }
+  void allow() { db.run("DROP TRIGGER forbid"); }
+  template <class Call>
+  void expect_forbidden(Call call) {
+    expect_store_error(SQLITE_CONSTRAINT, "forbidden", call);
+  }
+  std::string auxiliaries() {
+    return db.text(
+        "SELECT group_concat(id || coalesce(a0, '-') || coalesce(a1, '-')) FROM (SELECT * FROM ships_aux "
+        "ORDER BY id)");
+  }
+
+  Database db;
+  Values values;
+  std::shared_ptr<ObjectStore> store;
+};
+
+TEST_F(Faults, InsertUpdateAndEraseFailWholeWhenAuxiliariesCannotBeWritten) {
+  for (const char* event : {"INSERT", "UPDATE", "DELETE"}) {
+    const auto before = contents(*store);
+    const std::string names = auxiliaries();
+    forbid(event, "aux");
+    begin(db, *store);
+    if (event == std::string("INSERT")) expect_forbidden([&] { store->insert(101, ship(1), values); });
+    if (event == std::string("UPDATE")) expect_forbidden([&] { store->update(5, 5, ship(1), values); });
+    if (event == std::string("UPDATE")) expect_forbidden([&] { store->update(5, 6, ship(1), values); });
+    if (event == std::string("DELETE")) expect_forbidden([&] { store->erase(5); });
+    EXPECT_EQ(contents(*store), before);
+    EXPECT_EQ(store->count(), 100);
+    commit(db, *store);
+    allow();
+    EXPECT_EQ(contents(*store), before);
+    EXPECT_EQ(auxiliaries(), names);
+    EXPECT_EQ(faults(*store), std::vector<std::string>{});
+  }
+}
+
+TEST_F(Faults, AFailedFlushKeepsWhatWaits) {
+  for (const char* suffix : {"node", "map"}) {
+    begin(db, *store);
+    for (int id = 101; id <= 300; ++id) store->insert(id, ship(id), values);
+    store->erase(50);
+    const auto expected = contents(*store);
+    db.run(std::string("CREATE TRIGGER forbid BEFORE INSERT ON ships_") + suffix +
+           " WHEN new.rowid IN (4, 250) BEGIN SELECT raise(ABORT, 'forbidden'); END");
+    expect_forbidden([&] { store->savepoint(0); });
+    EXPECT_EQ(contents(*store), expected);
+    EXPECT_EQ(store->count(), 299);
+    allow();
+    store->sync();
+    EXPECT_EQ(contents(*store), expected);
+    EXPECT_EQ(faults(*store), std::vector<std::string>{});
+    roll_back(db, *store);
+    EXPECT_EQ(store->count(), 100);
+    EXPECT_EQ(faults(*store), std::vector<std::string>{});
+  }
+}
+
+TEST_F(Faults, AStampThatCannotBeWrittenStopsTheChange) {
+  forbid("INSERT", "meta");
+  begin(db, *store);
+  expect_forbidden([&] { store->erase(1); });
+  EXPECT_TRUE(store->contains(1));
+  EXPECT_EQ(store->count(), 100);
+  commit(db, *store);
+}
+
+TEST_F(Faults, AnAuthorizerThatSaysNoIsAnErrorNotACrash) {
+  // No statement of the new store is compiled yet, so each meets the authorizer.
+  store = nullptr;
+  store = ObjectStore::open(db, "main", "ships", named_ships());
+  sqlite3_set_authorizer(
+      db,
+      [](void*, int action, const char* table, const char*, const char*, const char*) {
+        const bool shadow = table && std::string(table) == "ships_map";
+        return shadow && action == SQLITE_INSERT ? SQLITE_DENY : SQLITE_OK;
+      },
+      nullptr);
+  begin(db, *store);
+  store->insert(101, ship(1), values);
+  expect_store_error(SQLITE_AUTH, "not authorized", [&] { store->sync(); });
+  roll_back(db, *store);
+  sqlite3_set_authorizer(db, nullptr, nullptr);
+  EXPECT_EQ(store->count(), 100);
+  EXPECT_EQ(faults(*store), std::vector<std::string>{});
+}
+
+TEST_F(Faults, AFullDatabaseLosesTheTransactionAndNothingElse) {
+  const auto before = contents(*store);
+  const std::int64_t pages = db.number("PRAGMA page_count");
+  for (int room = 0; room < 12; ++room) {
+    db.run("PRAGMA max_page_count = " + std::to_string(pages + room));
+    begin(db, *store);
+    try {
+      for (int id = 101; id <= 5000; ++id) store->insert(id, ship(id), values);
+      store->sync();
+      ADD_FAILURE() << "the database should be full";
+    } catch (const StoreError& error) {
+      EXPECT_EQ(error.code & 0xff, SQLITE_FULL);
+    }
+    if (!sqlite3_get_autocommit(db)) db.run("ROLLBACK");
+    store->rollback();
+    EXPECT_EQ(contents(*store), before);
+    EXPECT_EQ(faults(*store), std::vector<std::string>{});
+  }
+}
+
+TEST_F(Faults, MoreThanWaitsInMemoryIsWrittenEarlyAndStillRollsBack) {
+  begin(db, *store);
+  for (int id = 101; id <= 400'000; ++id) store->insert(id, ship(id), values);  // 25 MB
+  EXPECT_GT(db.number("SELECT count(*) FROM ships_map"), 100);
+  EXPECT_EQ(store->count(), 400'000);
+  EXPECT_EQ(store->read(200'000)->at(1), 200'000);
+  roll_back(db, *store);
+  EXPECT_EQ(store->count(), 100);
+  EXPECT_EQ(faults(*store), std::vector<std::string>{});
+}
+
+TEST_F(Faults, LoadStopsWhenAsked) {
+  struct Once : Interrupt {
+    void check() override { throw Interrupted(); }
+  } interrupt;
+  begin(db, *store);
+  for (int id = 101; id <= 5000; ++id) store->insert(id, ship(id), values);
+  commit(db, *store);
+  std::vector<std::int64_t> ids;
+  std::vector<double> rows;
+  EXPECT_THROW(store->load(ids, rows, interrupt), Interrupted);
+  db.run("VACUUM");  // nothing was left open
+}
+
+}  // namespace
+}  // namespace foresee
