@@ -54,7 +54,7 @@ class Emitter {
     hits_.clear();
     stages.decide += seconds_of([&] { contact_->decide(candidates, hits_); });
     times_.resize(hits_.size());
-    stages.times += seconds_of([&] { contact_->times(hits_, times_); });
+    stages.times += seconds_of([&] { contact_->times(hits_, times_, TimesWanted::begins); });
     for (std::size_t i = 0; i < hits_.size(); ++i) answer.add(hits_[i], times_[i].t);
     candidates.clear();
   }

@@ -54,7 +54,7 @@ void Rival::first_contact(sqlite3_context* context, int count, sqlite3_value** v
   rival->contact_->decide({&pair, 1}, hits);
   if (hits.empty()) return;
   ContactTimes times;
-  rival->contact_->times(hits, {&times, 1});
+  rival->contact_->times(hits, {&times, 1}, TimesWanted::begins);
   sqlite3_result_double(context, times.t);
 }
 

@@ -2,8 +2,9 @@
 //
 // Every primitive of contact is a polynomial p with p <= 0 meaning "inside": a slab |x| <= H (two of them), a
 // disc or ball |x|^2 <= R^2. Seen from a moment, apart(...) answers for how long the primitive is certainly
-// not met, within(...) for how long it certainly is; -1 where the sign at the moment itself is in doubt. Only
-// values at one moment and their error bounds are used: roots are never trusted, only stayed short of.
+// not met, within(...) for how long it certainly is; -1 where the sign at the moment itself is in doubt.
+// Where only that sign is asked for, now_apart(...) and now_within(...) save the square roots. Only values at
+// one moment and their error bounds are used: roots are never trusted, only stayed short of.
 //
 // Sizes (H, R, offsets) are sums of at most four non-negative doubles: within 4u of the exact sum.
 #pragma once
@@ -33,18 +34,29 @@ inline double positive_for(double p0, double p1, double p2) {
   return less * (2 * p0 / (std::sqrt(raised) - p1));
 }
 
+inline double slab_error(const AxisView& w, double half) {
+  return w.ep + 8 * unit_roundoff * (std::abs(w.p) + half);
+}
+
+inline bool slab_now_apart(const AxisView& w, double half) {
+  return std::abs(w.p) - half - slab_error(w, half) > 0;
+}
+
+inline bool slab_now_within(const AxisView& w, double half) {
+  return half - std::abs(w.p) - slab_error(w, half) > 0;
+}
+
 /// |x| > H
 inline double slab_apart(const AxisView& w, double half) {
   const double side = w.p >= 0 ? 1 : -1;
-  const double gap = std::abs(w.p) - half;
-  const double p0 = gap - (w.ep + 8 * unit_roundoff * (std::abs(w.p) + half));
+  const double p0 = std::abs(w.p) - half - slab_error(w, half);
   if (!(p0 > 0)) return not_certain;
   return positive_for(p0, side * w.q - w.eq, side * w.a - w.ea);
 }
 
 /// |x| <= H
 inline double slab_within(const AxisView& w, double half) {
-  const double error = w.ep + 8 * unit_roundoff * (std::abs(w.p) + half);
+  const double error = slab_error(w, half);
   const double below = (half - w.p) - error, above = (half + w.p) - error;
   if (!(below > 0 && above > 0)) return not_certain;
   const double until_high = positive_for(below, -w.q - w.eq, -w.a - w.ea);
@@ -122,6 +134,14 @@ double bent_positive_for(double f0, double f1, double room, Bend bend) {
     length = 4 * step;
   }
   return best;
+}
+
+inline bool ball_now_apart(const BallView& b) {
+  return b.f - b.ef > 0;
+}
+
+inline bool ball_now_within(const BallView& b) {
+  return -b.f - b.ef > 0;
 }
 
 /// |x| > R during the next `room`; the answer may exceed `room` only by being for ever.

@@ -14,6 +14,7 @@
 // and are used by one thread at a time; several may share the same bodies.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -37,6 +38,9 @@ struct ContactTimes {
   double dt, dt_end;
 };
 
+/// Which times are read; ends cost as much as begins.
+enum class TimesWanted : std::uint8_t { begins, both };
+
 /// The closest approach of the two centres while both exist in the interval; the earliest moment on ties.
 struct ClosestApproach {
   double t, dt;
@@ -50,8 +54,10 @@ class Contact {
   /// Appends to `hits` those of `pairs` that touch, in their order.
   virtual void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) = 0;
 
-  /// Times of pairs that decide() has kept; `out` has one place for each.
-  virtual void times(std::span<const Pair> hits, std::span<ContactTimes> out) = 0;
+  /// Times of pairs that decide() has kept; `out` has one place for each. Ends that are not wanted are
+  /// anything.
+  virtual void times(std::span<const Pair> hits, std::span<ContactTimes> out,
+                     TimesWanted wanted = TimesWanted::both) = 0;
 
   /// Closest approach of pairs that decide() has kept; `out` has one place for each.
   virtual void closest_approach(std::span<const Pair> hits, std::span<ClosestApproach> out) = 0;

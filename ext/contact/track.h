@@ -45,6 +45,35 @@ struct WithinVisitor {
   }
 };
 
+/// Certainly met (or missed) at this moment: 0, otherwise not_certain.
+template <int D, int Degree>
+struct NowWithinVisitor {
+  const AxisView (&view)[D];
+  double underflow, room;
+
+  double all(double a, double b) const { return a < b ? a : b; }
+  double any(double a, double b) const { return a > b ? a : b; }
+  double slab(int axis, double half) const { return slab_now_within(view[axis], half) ? 0 : not_certain; }
+  template <std::size_t N>
+  double ball(const std::array<Centre<double>, N>& centre, double radius) const {
+    return ball_now_within(ball_view<Degree>(view, centre, radius, underflow)) ? 0 : not_certain;
+  }
+};
+
+template <int D, int Degree>
+struct NowApartVisitor {
+  const AxisView (&view)[D];
+  double underflow, room;
+
+  double all(double a, double b) const { return a > b ? a : b; }
+  double any(double a, double b) const { return a < b ? a : b; }
+  double slab(int axis, double half) const { return slab_now_apart(view[axis], half) ? 0 : not_certain; }
+  template <std::size_t N>
+  double ball(const std::array<Centre<double>, N>& centre, double radius) const {
+    return ball_now_apart(ball_view<Degree>(view, centre, radius, underflow)) ? 0 : not_certain;
+  }
+};
+
 /// A crossing that is certain: apart (or within) up to `before`, the opposite at `after`. Both equal the
 /// limit where there is none.
 struct Bracket {
@@ -67,12 +96,28 @@ class Track {
     inner_end_ = moments.end_exact ? end : end * (1 - 2 * u);
   }
 
+  /// Is there a contact? Looks for any moment of it, not for its begin.
+  Verdict touches() const {
+    double tau = begin_;
+    for (int leaps = 0; leaps < most_leaps; ++leaps) {
+      const double step = ask<ApartVisitor<D, Degree>>(tau);
+      const double next = step >= 0 ? after_leap(tau, step) : tau;
+      if (next > end_) return Verdict::no;
+      const double inside = std::max(next * (1 + 0x1p-20), inner_begin_);
+      if (inside <= inner_end_ && ask<NowWithinVisitor<D, Degree>>(inside) >= 0) return Verdict::yes;
+      if (!(next > tau)) break;
+      tau = next;
+    }
+    Bracket first;
+    return first_contact(first);
+  }
+
   /// Is there a contact? If yes, `first` brackets its begin.
   Verdict first_contact(Bracket& first) const {
     const double stopped = leap<ApartVisitor<D, Degree>>(begin_, end_);
     if (stopped > end_) return Verdict::no;
     first = {stopped, stopped};
-    return witness<WithinVisitor<D, Degree>>(first, inner_begin_) ? Verdict::yes : Verdict::uncertain;
+    return witness<NowWithinVisitor<D, Degree>>(first, inner_begin_) ? Verdict::yes : Verdict::uncertain;
   }
 
   /// From a moment of certain contact: brackets its end. yes: it ends; no: it lasts to the end of the
@@ -81,13 +126,19 @@ class Track {
     const double stopped = leap<WithinVisitor<D, Degree>>(from, end_);
     if (stopped > end_) return Verdict::no;
     last = {stopped, stopped};
-    return witness<ApartVisitor<D, Degree>>(last, stopped) ? Verdict::yes : Verdict::uncertain;
+    return witness<NowApartVisitor<D, Degree>>(last, stopped) ? Verdict::yes : Verdict::uncertain;
   }
 
   const Relative<D>& relative() const { return relative_; }
   const Sizes& sizes() const { return sizes_; }
 
  private:
+  static constexpr int most_leaps = 48;
+
+  static double after_leap(double tau, double step) {
+    return (tau + step) * (1 - 4 * unit_roundoff) - 0x1p-1060;
+  }
+
   template <class Visitor>
   double ask(double tau) const {
     AxisView view[D];
@@ -99,14 +150,14 @@ class Track {
   /// [tau, limit].
   template <class Visitor>
   double leap(double tau, double limit) const {
-    constexpr int most_leaps = 48;
     for (int leaps = 0; leaps < most_leaps; ++leaps) {
       const double step = ask<Visitor>(tau);
       if (!(step >= 0)) return tau;
-      const double next = (tau + step) * (1 - 4 * unit_roundoff) - 0x1p-1060;
+      const double next = after_leap(tau, step);
       if (next > limit) return for_ever;
       if (!(next > tau)) return tau;
       tau = next;
+      if (step < 0x1p-40 * tau) return tau;  // as near to the crossing as a bracket needs to be
     }
     return tau;
   }

@@ -100,7 +100,8 @@ void Join::make_rows() {
   const Scene& b = question_.b ? *question_.b : a;
   times_.resize(hits_.size());
   approaches_.resize(hits_.size());
-  if (question_.wants.contact) contact_->times(hits_, times_);
+  if (question_.wants.contact)
+    contact_->times(hits_, times_, question_.wants.ends ? TimesWanted::both : TimesWanted::begins);
   if (question_.wants.approach) contact_->closest_approach(hits_, approaches_);
   for (std::size_t i = 0; i < hits_.size(); ++i) {
     if (question_.skip_touching && !(times_[i].dt > 0)) continue;

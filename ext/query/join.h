@@ -30,7 +30,8 @@ enum class JoinMethod : std::uint8_t { automatic, grid, scan };
 JoinMethod join_method(std::string_view name);
 
 struct JoinWants {
-  bool contact = true;   ///< t, t_end, dt, dt_end
+  bool contact = true;   ///< t, dt
+  bool ends = true;      ///< t_end, dt_end; only together with contact
   bool approach = true;  ///< t_cpa, dt_cpa, d_cpa
 };
 

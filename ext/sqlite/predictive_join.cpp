@@ -84,8 +84,8 @@ std::unique_ptr<Rows> start(const Call& call) {
   question.only_a = call.only(out_a);
   question.only_b = call.only(out_b);
   question.skip_touching = call.only_positive(out_dt);
-  question.wants.contact =
-      call.reads(out_t) || call.reads(out_t_end) || call.reads(out_dt) || call.reads(out_dt_end);
+  question.wants.ends = call.reads(out_t_end) || call.reads(out_dt_end);
+  question.wants.contact = question.wants.ends || call.reads(out_t) || call.reads(out_dt);
   question.wants.approach = call.reads(out_t_cpa) || call.reads(out_dt_cpa) || call.reads(out_d_cpa);
   return std::make_unique<JoinRows>(std::move(question), call.connection().interrupt());
 }
