@@ -12,7 +12,7 @@ constexpr std::size_t most_faults = 100;
 
 class Check {
  public:
-  Check(ShadowRows& rows, const NodeFormat& format, const TableName& name, Interrupt& interrupt)
+  Check(ShadowRows& rows, const NodeFormat& format, const QualifiedName& name, Interrupt& interrupt)
       : rows_(rows), format_(format), name_(name), interrupt_(interrupt) {}
 
   void nodes() {
@@ -83,7 +83,7 @@ class Check {
 
   ShadowRows& rows_;
   const NodeFormat& format_;
-  const TableName& name_;
+  const QualifiedName& name_;
   Interrupt& interrupt_;
   std::vector<IdChange> objects_;  // where each object is, by id
   std::vector<std::string> faults_;
@@ -92,7 +92,7 @@ class Check {
 
 }  // namespace
 
-std::vector<std::string> check_tables(ShadowRows& rows, const NodeFormat& format, const TableName& name,
+std::vector<std::string> check_tables(ShadowRows& rows, const NodeFormat& format, const QualifiedName& name,
                                       bool has_auxiliaries, Interrupt& interrupt) {
   Check check(rows, format, name, interrupt);
   check.meta();

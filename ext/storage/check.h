@@ -13,7 +13,7 @@
 namespace foresee {
 
 /// What is wrong, a sentence each, at most some hundred; empty: nothing. Requires: nothing is pending.
-std::vector<std::string> check_tables(ShadowRows& rows, const NodeFormat& format, const TableName& name,
+std::vector<std::string> check_tables(ShadowRows& rows, const NodeFormat& format, const QualifiedName& name,
                                       bool has_auxiliaries, Interrupt& interrupt);
 
 }  // namespace foresee

@@ -22,14 +22,14 @@ OpenStores& open_stores() {
 
 }  // namespace
 
-std::shared_ptr<Store> find_open_store(sqlite3* db, const TableName& name) {
+std::shared_ptr<Store> find_open_store(sqlite3* db, const QualifiedName& name) {
   OpenStores& all = open_stores();
   const std::lock_guard lock(all.mutex);
   const auto found = all.stores.find({db, name.schema, name.table});
   return found == all.stores.end() ? nullptr : found->second.lock();
 }
 
-void remember_open_store(sqlite3* db, const TableName& name, const std::shared_ptr<Store>& store) {
+void remember_open_store(sqlite3* db, const QualifiedName& name, const std::shared_ptr<Store>& store) {
   OpenStores& all = open_stores();
   const std::lock_guard lock(all.mutex);
   std::erase_if(all.stores, [](const auto& entry) { return entry.second.expired(); });

@@ -14,8 +14,8 @@ namespace foresee {
 class Store;
 
 /// Null if there is none.
-std::shared_ptr<Store> find_open_store(sqlite3* db, const TableName& name);
+std::shared_ptr<Store> find_open_store(sqlite3* db, const QualifiedName& name);
 /// Remembers a store under a name, as long as it lives.
-void remember_open_store(sqlite3* db, const TableName& name, const std::shared_ptr<Store>& store);
+void remember_open_store(sqlite3* db, const QualifiedName& name, const std::shared_ptr<Store>& store);
 
 }  // namespace foresee

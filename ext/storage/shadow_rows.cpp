@@ -4,7 +4,7 @@ namespace foresee {
 namespace {
 
 // Replaces {node}, {map}, {aux} and {meta} by the quoted names of the shadow tables.
-std::string with_names(const std::string& sql, const TableName& name) {
+std::string with_names(const std::string& sql, const QualifiedName& name) {
   std::string result;
   std::size_t done = 0;
   for (auto open = sql.find('{'); open != std::string::npos; open = sql.find('{', done)) {
@@ -47,7 +47,7 @@ std::optional<std::int64_t> one_integer(Statement::Run& run) {
 
 }  // namespace
 
-ShadowRows::ShadowRows(sqlite3* db, const TableName& name, int auxiliaries) {
+ShadowRows::ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries) {
   auto sql = [&](const std::string& text) { return Statement(db, with_names(text, name)); };
   largest_node_ = sql("SELECT max(nodeno) FROM {node}");
   node_by_number_ = sql("SELECT data FROM {node} WHERE nodeno = ?");

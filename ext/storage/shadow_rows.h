@@ -16,7 +16,7 @@ namespace foresee {
 
 class ShadowRows {
  public:
-  ShadowRows(sqlite3* db, const TableName& name, int auxiliaries);
+  ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries);
 
   // --- _node
   std::int64_t largest_node();  ///< 0: there is none

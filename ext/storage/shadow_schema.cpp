@@ -18,7 +18,7 @@ std::span<const char* const> suffixes_of(const Declaration& declaration) {
   return std::span(suffixes).first(has_aux ? 4 : 3);
 }
 
-std::string create_tables_sql(const TableName& name, const Declaration& declaration) {
+std::string create_tables_sql(const QualifiedName& name, const Declaration& declaration) {
   const char* schema = name.schema.c_str();
   const char* table = name.table.c_str();
   std::string sql =
@@ -32,7 +32,7 @@ std::string create_tables_sql(const TableName& name, const Declaration& declarat
   return sql + ");";
 }
 
-std::int64_t page_size(sqlite3* db, const TableName& name) {
+std::int64_t page_size(sqlite3* db, const QualifiedName& name) {
   Statement statement(db, format_sql("PRAGMA \"%w\".page_size", name.schema.c_str()));
   Statement::Run run(statement);
   if (!run.step()) throw StoreError(SQLITE_ERROR, "no page size of database " + name.schema);
@@ -41,7 +41,7 @@ std::int64_t page_size(sqlite3* db, const TableName& name) {
 
 class MetaWriter {
  public:
-  MetaWriter(sqlite3* db, const TableName& name)
+  MetaWriter(sqlite3* db, const QualifiedName& name)
       : insert_(db, format_sql("INSERT INTO \"%w\".\"%w_meta\" VALUES(?, ?)", name.schema.c_str(),
                                name.table.c_str())) {}
 
@@ -58,7 +58,7 @@ class MetaWriter {
 };
 
 // Every row of _meta as text.
-std::map<std::string, std::string> read_meta(sqlite3* db, const TableName& name) {
+std::map<std::string, std::string> read_meta(sqlite3* db, const QualifiedName& name) {
   Statement select(
       db, format_sql("SELECT key, value FROM \"%w\".\"%w_meta\"", name.schema.c_str(), name.table.c_str()));
   Statement::Run run(select);
@@ -67,7 +67,7 @@ std::map<std::string, std::string> read_meta(sqlite3* db, const TableName& name)
   return meta;
 }
 
-[[noreturn]] void refuse(int code, const TableName& name, const std::string& what) {
+[[noreturn]] void refuse(int code, const QualifiedName& name, const std::string& what) {
   throw StoreError(code, name.table + ": " + what);
 }
 
@@ -103,7 +103,7 @@ std::string describe_columns(const Declaration& declaration) {
   return text;
 }
 
-NodeFormat create_shadow_tables(sqlite3* db, const TableName& name, const Declaration& declaration) {
+NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration) {
   const auto page = static_cast<std::size_t>(page_size(db, name));
   const NodeFormat format(declaration.layout, NodeFormat::node_size_for(declaration.layout, page));
   execute(db, create_tables_sql(name, declaration));
@@ -119,7 +119,7 @@ NodeFormat create_shadow_tables(sqlite3* db, const TableName& name, const Declar
   return format;
 }
 
-NodeFormat read_node_format(sqlite3* db, const TableName& name, const Declaration& declaration) {
+NodeFormat read_node_format(sqlite3* db, const QualifiedName& name, const Declaration& declaration) {
   std::map<std::string, std::string> meta = read_meta(db, name);
   const std::string version = std::to_string(NodeFormat::version);
   if (meta["format"] != version)
@@ -141,14 +141,14 @@ NodeFormat read_node_format(sqlite3* db, const TableName& name, const Declaratio
   refuse(SQLITE_CORRUPT_VTAB, name, "the stored node size '" + stored + "' belongs to no page size");
 }
 
-void rename_shadow_tables(sqlite3* db, const TableName& name, const std::string& new_table,
+void rename_shadow_tables(sqlite3* db, const QualifiedName& name, const std::string& new_table,
                           const Declaration& declaration) {
   for (const char* suffix : suffixes_of(declaration))
     execute(db, format_sql("ALTER TABLE \"%w\".\"%w_%s\" RENAME TO \"%w_%s\"", name.schema.c_str(),
                            name.table.c_str(), suffix, new_table.c_str(), suffix));
 }
 
-void drop_shadow_tables(sqlite3* db, const TableName& name, const Declaration& declaration) {
+void drop_shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration) {
   for (const char* suffix : suffixes_of(declaration))
     execute(db, format_sql("DROP TABLE IF EXISTS \"%w\".\"%w_%s\"", name.schema.c_str(), name.table.c_str(),
                            suffix));

@@ -19,7 +19,7 @@
 namespace foresee {
 
 /// A table as SQL names it.
-struct TableName {
+struct QualifiedName {
   std::string schema;
   std::string table;
 };
@@ -31,16 +31,16 @@ bool is_shadow_suffix(std::string_view suffix);
 std::string describe_columns(const Declaration& declaration);
 
 /// Makes the shadow tables of a new, empty table and returns its nodes' format.
-NodeFormat create_shadow_tables(sqlite3* db, const TableName& name, const Declaration& declaration);
+NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
 
 /// The nodes' format of an existing table. Throws StoreError if the shadow tables were written for another
 /// declaration or by a version of foresee that this one does not understand.
-NodeFormat read_node_format(sqlite3* db, const TableName& name, const Declaration& declaration);
+NodeFormat read_node_format(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
 
-void rename_shadow_tables(sqlite3* db, const TableName& name, const std::string& new_table,
+void rename_shadow_tables(sqlite3* db, const QualifiedName& name, const std::string& new_table,
                           const Declaration& declaration);
 
 /// Tables that are missing are no obstacle.
-void drop_shadow_tables(sqlite3* db, const TableName& name, const Declaration& declaration);
+void drop_shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
 
 }  // namespace foresee

@@ -25,7 +25,7 @@ namespace foresee {
 
 class Store final : public ObjectStore, public std::enable_shared_from_this<Store> {
  public:
-  Store(sqlite3* db, TableName name, Declaration declaration, const NodeFormat& format, bool is_new);
+  Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format, bool is_new);
 
   const Declaration& declaration() const override { return declaration_; }
   const NodeFormat& format() const { return format_; }
@@ -93,7 +93,7 @@ class Store final : public ObjectStore, public std::enable_shared_from_this<Stor
                     const std::vector<std::uint32_t>& order);
 
   sqlite3* db_;
-  TableName name_;
+  QualifiedName name_;
   Declaration declaration_;
   NodeFormat format_;
   std::unique_ptr<ShadowRows> rows_;

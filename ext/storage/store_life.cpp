@@ -16,7 +16,7 @@ bool same_columns(const Declaration& a, const Declaration& b) {
 
 std::shared_ptr<ObjectStore> ObjectStore::create(sqlite3* db, const std::string& schema,
                                                  const std::string& table, const Declaration& declaration) {
-  const TableName name{schema, table};
+  const QualifiedName name{schema, table};
   const NodeFormat format = create_shadow_tables(db, name, declaration);
   auto store = std::make_shared<Store>(db, name, declaration, format, true);
   remember_open_store(db, name, store);
@@ -25,7 +25,7 @@ std::shared_ptr<ObjectStore> ObjectStore::create(sqlite3* db, const std::string&
 
 std::shared_ptr<ObjectStore> ObjectStore::open(sqlite3* db, const std::string& schema,
                                                const std::string& table, const Declaration& declaration) {
-  const TableName name{schema, table};
+  const QualifiedName name{schema, table};
   const NodeFormat format = read_node_format(db, name, declaration);
   if (auto live = find_open_store(db, name);
       live && same_columns(live->declaration(), declaration) && live->format().node_size == format.node_size)
@@ -36,7 +36,7 @@ std::shared_ptr<ObjectStore> ObjectStore::open(sqlite3* db, const std::string& s
 }
 
 // SQLite makes a table inside a write transaction and does not call begin() for it.
-Store::Store(sqlite3* db, TableName name, Declaration declaration, const NodeFormat& format, bool is_new)
+Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format, bool is_new)
     : db_(db),
       name_(std::move(name)),
       declaration_(std::move(declaration)),

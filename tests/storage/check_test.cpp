@@ -10,7 +10,7 @@ namespace {
 class Damage : public ::testing::Test {
  protected:
   Damage() : store(make_store(db, named_ships())) {
-    Values values(db, {"name", "cargo"});
+    SqlValues values(db, {"name", "cargo"});
     begin(db, *store);
     for (int id = 1; id <= 100; ++id) store->insert(id, ship(id), values);  // nodes 1 and 2
     commit(db, *store);
@@ -59,7 +59,7 @@ TEST_F(Damage, EveryChangedByteOfALeafIsAnErrorOnEveryPath) {
 TEST_F(Damage, WritersRefuseADamagedLeafAndChangeNothing) {
   db.run("UPDATE ships_node SET data = zeroblob(4032) WHERE nodeno = 1");
   begin(db, *store);
-  Values values(db, {"n", "c"});
+  SqlValues values(db, {"n", "c"});
   const std::string words = "ships: node 1 is damaged";
   expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { store->erase(1); });
   expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { store->update(1, 1, ship(0), values); });
@@ -165,7 +165,7 @@ TEST_F(Damage, NoNodeNumberIsLeftAfterTheLargest) {
     run.step();
   }
   begin(db, *store);
-  Values values(db, {"n", "c"});
+  SqlValues values(db, {"n", "c"});
   expect_store_error(SQLITE_CORRUPT_VTAB, "no node number left",
                      [&] { store->insert(500, ship(1), values); });
   commit(db, *store);

@@ -24,9 +24,9 @@ inline Declaration named_ships() {
 }
 
 /// SQL values that belong to nobody's row.
-class Values {
+class SqlValues {
  public:
-  Values(sqlite3* db, std::initializer_list<const char*> texts) {
+  SqlValues(sqlite3* db, std::initializer_list<const char*> texts) {
     for (const char* text : texts) {
       sqlite3_stmt* statement = nullptr;
       sqlite3_prepare_v2(db, "SELECT ?", -1, &statement, nullptr);
@@ -36,7 +36,7 @@ class Values {
       sqlite3_finalize(statement);
     }
   }
-  ~Values() {
+  ~SqlValues() {
     for (sqlite3_value* value : values_) sqlite3_value_free(value);
   }
   operator std::span<sqlite3_value*>() { return values_; }

@@ -28,7 +28,7 @@ class Faults : public ::testing::Test {
   }
 
   Database db;
-  Values values;
+  SqlValues values;
   std::shared_ptr<ObjectStore> store;
 };
 

@@ -38,7 +38,7 @@ TEST(ShadowSchema, AnyNameInAnySchemaWorks) {
       Database db;
       db.run(format_sql("ATTACH ':memory:' AS \"%w\"", "o'ther \"db\""));
       auto store = make_store(db, named_ships(), table, schema);
-      Values values(db, {"name", "cargo"});
+      SqlValues values(db, {"name", "cargo"});
       begin(db, *store);
       store->insert(1, ship(1), values);
       commit(db, *store);
@@ -115,7 +115,7 @@ TEST(ShadowSchema, DropLeavesATableAloneThatOnlyLooksLikeOurs) {
 TEST(ShadowSchema, NoStatementStaysOpenAfterAnyCall) {
   Database db;
   auto store = make_store(db, named_ships());
-  Values values(db, {"name", "cargo"});
+  SqlValues values(db, {"name", "cargo"});
   begin(db, *store);
   for (int id = 1; id <= 200; ++id) store->insert(id, ship(id), values);
   commit(db, *store);

@@ -129,7 +129,7 @@ TEST(Store, NextIdIsOneMoreThanTheLargest) {
 TEST(Store, UpdateToATakenIdReplacesThatObject) {
   Database db;
   auto store = make_store(db, named_ships());
-  Values first(db, {"first", "coal"}), second(db, {"second", "iron"});
+  SqlValues first(db, {"first", "coal"}), second(db, {"second", "iron"});
   begin(db, *store);
   store->insert(1, ship(1), first);
   store->insert(2, ship(2), second);
@@ -158,7 +158,7 @@ TEST(Store, AgreesWithAMapThroughRandomChanges) {
   auto store = make_store(db, named_ships());
   std::map<std::int64_t, double> model;
   std::mt19937_64 random(20240607);
-  Values values(db, {"name", "cargo"});
+  SqlValues values(db, {"name", "cargo"});
   for (int round = 0; round < 60; ++round) {
     begin(db, *store);
     const auto before = model;

@@ -202,7 +202,7 @@ TEST_F(ThroughSql, AttachedDatabasesDetach) {
 }
 
 TEST_F(ThroughSql, AReaderInWalModeKeepsItsSnapshotWhileAnotherWrites) {
-  const auto file = std::filesystem::temp_directory_path() / "foresee_through_sql.db";
+  const auto file = std::filesystem::path(FORESEE_BINARY_DIR) / "through_sql.db";
   const auto remove = [&] {
     for (const char* end : {"", "-wal", "-shm"}) std::filesystem::remove(file.string() + end);
   };

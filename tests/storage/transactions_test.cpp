@@ -136,9 +136,7 @@ TEST(Transactions, ASecondVirtualTableOfOneTransactionSharesTheStore) {
 
 class TwoConnections : public ::testing::Test {
  protected:
-  TwoConnections() : file_(std::filesystem::temp_directory_path() / "foresee_two_connections.db") {
-    remove();
-  }
+  TwoConnections() : file_(std::filesystem::path(FORESEE_BINARY_DIR) / "two_connections.db") { remove(); }
   ~TwoConnections() override { remove(); }
   void remove() {
     for (const char* end : {"", "-wal", "-shm", "-journal"}) std::filesystem::remove(file_.string() + end);
