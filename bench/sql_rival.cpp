@@ -40,7 +40,7 @@ const char* Rival::join_sql() {
   return "SELECT a, b, t FROM (SELECT p.id AS a, q.id AS b,"
          "  first_contact(p.x, p.y, p.vx, p.vy, p.ax, p.ay, p.hx, p.hy,"
          "                q.x, q.y, q.vx, q.vy, q.ax, q.ay, q.hx, q.hy) AS t"
-         "  FROM boxes i CROSS JOIN boxes j CROSS JOIN base p CROSS JOIN base q"
+         "  FROM boxes i CROSS JOIN base p CROSS JOIN boxes j CROSS JOIN base q"
          "  WHERE j.x0 <= i.x1 AND j.x1 >= i.x0 AND j.y0 <= i.y1 AND j.y1 >= i.y0 AND i.id < j.id"
          "    AND p.id = i.id AND q.id = j.id LIMIT -1) WHERE t IS NOT NULL";
 }

@@ -74,14 +74,9 @@ class CrossingVisitor {
  public:
   CrossingVisitor(const Relative<D>& relative, const Course<DoubleDouble, D>& course, const Bracket& bracket,
                   double now)
-      : base_(bracket.before), now_(now), underflow_(relative.underflow) {
+      : course_(course), base_(bracket.before), now_(now), underflow_(relative.underflow) {
     width_ = (bracket.after - bracket.before) * (1 + 4 * unit_roundoff);
     view_from<D, Degree>(relative, base_, view_);
-    for (int j = 0; j < D; ++j) {
-      const DoubleDouble tau{base_, 0};
-      place_[j] = Degree < 2 ? course.x[j] + tau * course.v[j]
-                             : course.x[j] + tau * (course.v[j] + tau * course.a[j]);
-    }
   }
 
   Instant all(const Instant& a, const Instant& b) const {
@@ -93,15 +88,20 @@ class CrossingVisitor {
 
   Instant slab(int axis, DoubleDouble half) const {
     const AxisView& w = view_[axis];
+    const double gap = std::abs(w.p) - half.high,
+                 moved = width_ * (std::abs(w.q) + w.eq + width_ * (std::abs(w.a) + w.ea));
+    const double certain = slab_error(w, half.high) + 2 * moved;
+    if (gap < -certain) return always_inside();
+    if (gap > certain) return always_outside();
     if (slab_within(w, half.high) > width_) return always_inside();
     if (slab_apart(w, half.high) > width_) return always_outside();
     // Only the side towards which the pair is can be crossed, unless the slab is thin: then let others
     // decide.
     const bool high_side = w.p >= 0;
     const double other = half.high + std::abs(w.p) - 2 * (w.ep + 8 * unit_roundoff * half.high);
-    if (!(other > width_ * (std::abs(w.q) + w.eq + width_ * (std::abs(w.a) + w.ea))))
-      return unknown_instant();
-    const DoubleDouble value = high_side ? place_[axis] - half : -place_[axis] - half;
+    if (!(other > moved)) return unknown_instant();
+    const DoubleDouble place = this->place(axis);
+    const DoubleDouble value = high_side ? place - half : -place - half;
     const double slope = high_side ? w.q : -w.q;
     return root_of<way>({value, fine(w.ep, w.p, half.high), slope, w.eq, std::abs(w.a) + w.ea}, now_, base_,
                         width_);
@@ -113,7 +113,7 @@ class CrossingVisitor {
     DoubleDouble value = -(radius * radius);
     for (std::size_t i = 0; i < N; ++i) {
       rough[i] = {centre[i].axis, centre[i].at.high};
-      const DoubleDouble away = place_[centre[i].axis] - centre[i].at;
+      const DoubleDouble away = place(centre[i].axis) - centre[i].at;
       value = value + away * away;
     }
     const BallView b = ball_view<Degree>(view_, rough, radius.high, underflow_);
@@ -139,8 +139,15 @@ class CrossingVisitor {
     return (rough_error + 8 * unit_roundoff * (std::abs(p) + half)) * 0x1p-44 + underflow_;
   }
 
+  /// Where the centre is at the bracket's begin.
+  DoubleDouble place(int axis) const {
+    const DoubleDouble tau{base_, 0};
+    if constexpr (Degree < 2) return course_.x[axis] + tau * course_.v[axis];
+    return course_.x[axis] + tau * (course_.v[axis] + tau * course_.a[axis]);
+  }
+
+  const Course<DoubleDouble, D>& course_;
   AxisView view_[D];
-  DoubleDouble place_[D];
   double base_, width_, now_, underflow_;
 };
 

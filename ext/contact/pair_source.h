@@ -105,7 +105,10 @@ Course<T, D> course_of(const Setup& setup, const double* row_a, const double* ro
     const T x = E::difference_of(b.x, a.x), v = E::difference_of(b.v, a.v);
     const T acceleration = E::difference_of(b.a, a.a);
     course.a[axis] = half_of(acceleration);
-    if (t_a == t_b) {
+    if (t_a == now && t_b == now) {
+      course.v[axis] = v;
+      course.x[axis] = x;
+    } else if (t_a == t_b) {
       course.v[axis] = v + s_a * acceleration;
       course.x[axis] = x + s_a * (v + s_a * course.a[axis]);
     } else {

@@ -10,6 +10,7 @@
 #include <cstdint>
 
 #include "contact/certified.h"
+#include "contact/chord.h"
 
 namespace foresee {
 
@@ -86,8 +87,10 @@ class Track {
   static constexpr int D = Kind::axes;
   using Sizes = typename Kind::template Sizes<double>;
 
-  Track(const Relative<D>& relative, const Sizes& sizes, const Moments& moments)
-      : relative_(relative), sizes_(sizes) {
+  Track(const Setup& setup, const double* row_a, const double* row_b, const Moments& moments)
+      : relative_(relative_of<D, Degree>(setup, row_a, row_b)),
+        sizes_(Kind::template sizes<double>(raw_sizes_of<double, D>(setup, row_a, row_b), setup.within,
+                                            setup.within_z)) {
     constexpr double u = unit_roundoff;
     const double begin = moments.dt_begin, end = moments.dt_end;
     begin_ = moments.begin_exact ? begin : begin * (1 - 2 * u);
@@ -98,6 +101,7 @@ class Track {
 
   /// Is there a contact? Looks for any moment of it, not for its begin.
   Verdict touches() const {
+    if (Kind::visit(sizes_, ChordVisitor<D>(relative_, begin_, end_)).none()) return Verdict::no;
     double tau = begin_;
     for (int leaps = 0; leaps < most_leaps; ++leaps) {
       const double step = ask<ApartVisitor<D, Degree>>(tau);

@@ -51,10 +51,10 @@ class TypedContact final : public Contact {
   }
 
   Track<Kind, Degree> track(const double* row_a, const double* row_b, const Moments& moments) const {
-    return {relative_of<D, Degree>(setup_, row_a, row_b), sizes<double>(row_a, row_b), moments};
+    return {setup_, row_a, row_b, moments};
   }
 
-  bool touches(const double* row_a, const double* row_b) const {
+  [[gnu::flatten]] bool touches(const double* row_a, const double* row_b) const {
     const Moments moments = moments_of(setup_, row_a, row_b);
     if (moments.none) return false;
     const Verdict verdict = track(row_a, row_b, moments).touches();
@@ -69,8 +69,8 @@ class TypedContact final : public Contact {
   }
 
   /// What double and DoubleDouble can vouch for; false where they cannot.
-  bool filtered_times(const double* row_a, const double* row_b, TimesWanted wanted, Instant& begin,
-                      Instant& end) const {
+  [[gnu::flatten]] bool filtered_times(const double* row_a, const double* row_b, TimesWanted wanted,
+                                       Instant& begin, Instant& end) const {
     const Moments moments = moments_of(setup_, row_a, row_b);
     const Instant first_moment{moments.dt_begin, moments.t_begin}, last_moment{moments.dt_end, moments.t_end};
     const auto track = this->track(row_a, row_b, moments);
@@ -95,7 +95,7 @@ class TypedContact final : public Contact {
         CrossingVisitor<way, D, Degree>(track.relative(), course, bracket, setup_.horizon.now));
   }
 
-  Formula formula(const double* row_a, const double* row_b) const {
+  [[gnu::noinline]] Formula formula(const double* row_a, const double* row_b) const {
     Formula formula;
     const auto course = course_of<Dyadic, D>(setup_, row_a, row_b);
     Kind::visit(sizes<Dyadic>(row_a, row_b), FormulaVisitor<D>(course, formula));
