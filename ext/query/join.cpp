@@ -1,24 +1,13 @@
 #include "query/join.h"
 
-#include <charconv>
-#include <cmath>
 #include <string>
 #include <utility>
 
+#include "query/checks.h"
 #include "query/join_candidates.h"
 
 namespace foresee {
 namespace {
-
-std::string written(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
-void check_not_negative(const char* name, double value) {
-  if (!(std::isfinite(value) && value >= 0))
-    throw Error(std::string(name) + " must be a finite number >= 0, not " + written(value));
-}
 
 std::string axes_of(const Scene& scene) {
   return scene.name + " has " + std::to_string(scene.layout.axes) +
@@ -29,7 +18,7 @@ JoinQuestion checked(JoinQuestion question) {
   check_not_negative("h", question.h);
   check_not_negative("within", question.within);
   if (question.within_z) check_not_negative("within_z", *question.within_z);
-  if (!std::isfinite(question.now)) throw Error("now must be a finite number, not " + written(question.now));
+  check_finite("now", question.now);
   if (question.b && question.a->layout.axes != question.b->layout.axes)
     throw Error(axes_of(*question.a) + " and " + axes_of(*question.b) +
                 ": a join takes two tables with the same number of axes");

@@ -37,16 +37,16 @@ struct JoinWants {
 
 struct JoinQuestion {
   std::shared_ptr<const Scene> a;
-  std::shared_ptr<const Scene> b;  ///< null: pairs within a, each once
+  std::shared_ptr<const Scene> b = nullptr;  ///< null: pairs within a, each once
   double now = 0;
   double h = 0;
   double within = 0;
-  std::optional<double> within_z;
+  std::optional<double> within_z = {};
   JoinMethod method = JoinMethod::automatic;
-  std::optional<std::int64_t> only_a;  ///< only pairs whose column a has this id: linear in the objects
-  std::optional<std::int64_t> only_b;
+  std::optional<std::int64_t> only_a = {};  ///< only pairs whose column a has this id: linear in the objects
+  std::optional<std::int64_t> only_b = {};
   bool skip_touching = false;  ///< leave out pairs that touch at `now` already: dt = 0
-  JoinWants wants;
+  JoinWants wants = {};
 };
 
 struct JoinRow {

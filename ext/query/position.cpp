@@ -1,9 +1,7 @@
 #include "query/position.h"
 
-#include <cmath>
-
-#include "motion/error.h"
 #include "motion/position.h"
+#include "query/checks.h"
 
 namespace foresee {
 namespace {
@@ -35,7 +33,7 @@ bool position_of(const Bodies& bodies, std::size_t i, double moment, PositionRow
 
 Positions::Positions(std::shared_ptr<const Scene> scene, double moment)
     : scene_(std::move(scene)), bodies_(scene_->bodies()), moment_(moment) {
-  if (!std::isfinite(moment)) throw Error("at must be a finite number");
+  check_finite("at", moment);
 }
 
 std::optional<PositionRow> Positions::next() {

@@ -12,7 +12,9 @@ extern "C" __attribute__((visibility("default"))) int sqlite3_foresee_init(sqlit
   (void)api;
   return foresee::guarded(message, [db] {
     const auto connection = std::make_shared<foresee::Connection>(db);
-    const int rc = foresee::register_scalars(db);
-    return rc != SQLITE_OK ? rc : foresee::register_moving_objects(db, connection);
+    int rc = foresee::register_scalars(db);
+    if (rc == SQLITE_OK) rc = foresee::register_moving_objects(db, connection);
+    if (rc == SQLITE_OK) rc = foresee::register_table_functions(db, connection);
+    return rc;
   });
 }

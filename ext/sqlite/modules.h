@@ -11,7 +11,8 @@ namespace foresee {
 int register_scalars(sqlite3* db);  // scalars.cpp
 int register_moving_objects(sqlite3* db,
                             const std::shared_ptr<Connection>& connection);  // moving_objects.cpp
-// int register_table_functions(sqlite3* db, const std::shared_ptr<Connection>&);    table_functions.cpp
+int register_table_functions(sqlite3* db,
+                             const std::shared_ptr<Connection>& connection);  // table_functions.cpp
 
 /// Registers a module that shares the connection's state through pAux and lets go of it when SQLite destroys
 /// the module.

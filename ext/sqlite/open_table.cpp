@@ -28,7 +28,7 @@ std::string list_of(const std::vector<VisibleTable>& tables) {
 }
 
 /// The one table that is meant when nobody names one.
-TableName only_table(sqlite3* db, const std::optional<std::string>& schema) {
+AskedTable only_table(sqlite3* db, const std::optional<std::string>& schema) {
   const std::vector<VisibleTable> tables = visible_tables(db);
   const VisibleTable* only = nullptr;
   for (const VisibleTable& table : tables) {
@@ -72,8 +72,8 @@ std::string quoted_schema(const std::string& schema) {
 
 }  // namespace
 
-OpenScene open_scene(Connection& connection, const TableName& asked) {
-  const TableName name = asked.table ? asked : only_table(connection.db(), asked.schema);
+OpenScene open_scene(Connection& connection, const AskedTable& asked) {
+  const AskedTable name = asked.table ? asked : only_table(connection.db(), asked.schema);
   try {
     auto scene = ask(connection, *name.table, name.schema ? quoted_schema(*name.schema) : "");
     if (scene) return *std::move(scene);

@@ -8,8 +8,10 @@
 //
 //   SELECT "ships" FROM "ships" WHERE "ships" MATCH 'foresee-handle'
 //
-// which the table answers with the number under which it announced itself. Nothing stays locked: the scene is
-// a snapshot, and the statement is closed before open_scene returns.
+// which the table answers with the number under which it announced itself. The scene is a snapshot and that
+// statement is closed before open_scene returns, so the table can be written or dropped under a running call;
+// against other connections SQLite keeps its read lock until the statement that calls ends, as for any
+// reader.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +24,7 @@
 
 namespace foresee {
 
-struct TableName {
+struct AskedTable {
   std::optional<std::string> table;
   std::optional<std::string> schema;
 };
@@ -33,6 +35,6 @@ struct OpenScene {
 };
 
 /// Throws Error where no such table is to be found or where the choice is not clear; it lists what there is.
-OpenScene open_scene(Connection& connection, const TableName& name);
+OpenScene open_scene(Connection& connection, const AskedTable& name);
 
 }  // namespace foresee

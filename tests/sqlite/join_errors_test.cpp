@@ -1,0 +1,82 @@
+// Every wrong call of predictive_join says what to write.
+#include "sqlite/harbour.h"
+
+namespace foresee::testing {
+namespace {
+
+struct JoinErrors : Harbour {
+  std::string error(const std::string& call) { return db.error_of("SELECT * FROM " + call); }
+};
+
+TEST_F(JoinErrors, NameTheMissingHorizon) {
+  const char* missing =
+      "predictive_join: h is missing: write predictive_join(h, tbl, within, other, now, method, within_z, "
+      "schema)";
+  EXPECT_EQ(error("predictive_join"), missing);
+  EXPECT_EQ(error("predictive_join(NULL, 'ships')"), missing);
+  EXPECT_EQ(error("predictive_join WHERE tbl = 'ships'"), missing);
+}
+
+TEST_F(JoinErrors, QuoteTheWrongInput) {
+  EXPECT_EQ(error("predictive_join(-3)"), "predictive_join: h must be a finite number >= 0, not -3");
+  EXPECT_EQ(error("predictive_join(9e999)"), "predictive_join: h must be a finite number >= 0, not inf");
+  EXPECT_EQ(error("predictive_join('soon')"), "predictive_join: h must be a number, not 'soon'");
+  EXPECT_EQ(error("predictive_join('ships', 600)"), "predictive_join: h must be a number, not 'ships'");
+  EXPECT_EQ(error("predictive_join(1, 'ships', -1)"),
+            "predictive_join: within must be a finite number >= 0, not -1");
+  EXPECT_EQ(error("predictive_join(1, 'ships', 'near')"),
+            "predictive_join: within must be a number, not 'near'");
+  EXPECT_EQ(error("predictive_join(1, 926)"), "predictive_join: tbl must be a name in quotes, not 926");
+  EXPECT_EQ(error("predictive_join(1) WHERE now = -9e999"),
+            "predictive_join: now must be a finite number, not -inf");
+  EXPECT_EQ(error("predictive_join(1) WHERE now = 'now'"),
+            "predictive_join: now must be a number, not 'now'");
+  EXPECT_EQ(error("predictive_join(1) WHERE method = 'quick'"),
+            "predictive_join: method must be 'auto', 'grid' or 'scan', not 'quick'");
+  EXPECT_EQ(error("predictive_join(1) WHERE method = 2"),
+            "predictive_join: method must be a name in quotes, not 2");
+  EXPECT_EQ(error("predictive_join(1) WHERE other = 2"),
+            "predictive_join: other must be a name in quotes, not 2");
+  EXPECT_EQ(error("predictive_join(1) WHERE schema = x'00'"),
+            "predictive_join: schema must be a name in quotes, not a blob");
+}
+
+TEST_F(JoinErrors, RefuseExtraInputs) {
+  EXPECT_EQ(error("predictive_join(1, 'ships', 0, NULL, 0, 'auto', 0, 'main', 9)"),
+            "too many arguments on predictive_join() - max 8");
+}
+
+TEST_F(JoinErrors, NameBothTablesOfDifferentAxes) {
+  db.exec("CREATE VIRTUAL TABLE drones USING moving_objects(id, x, y, z)");
+  EXPECT_EQ(
+      error("predictive_join(1, 'ships', 0, 'drones')"),
+      "predictive_join: ships has 2 axes and drones has 3 axes: a join takes two tables with the same number "
+      "of axes");
+}
+
+TEST_F(JoinErrors, NameBothTablesOfShapesWithoutADistance) {
+  db.exec(
+      "CREATE VIRTUAL TABLE cans USING moving_objects(id, x, y, z, r, hz);"
+      "CREATE VIRTUAL TABLE balls USING moving_objects(id, x, y, z, r);"
+      "INSERT INTO cans VALUES (1, 0, 0, 0, 1, 1); INSERT INTO balls VALUES (1, 0, 0, 0, 1)");
+  const std::string message = error("predictive_join(1, 'cans', 0, 'balls')");
+  EXPECT_TRUE(message.starts_with("predictive_join: ")) << message;
+  EXPECT_NE(message.find("cans"), std::string::npos) << message;
+  EXPECT_NE(message.find("balls"), std::string::npos) << message;
+}
+
+TEST_F(JoinErrors, RefuseWithinZWhereHeightMeansNothing) {
+  const std::string message = error("predictive_join(1, 'ships', 0, NULL, 0, 'auto', 5)");
+  EXPECT_TRUE(message.starts_with("predictive_join: ")) << message;
+  EXPECT_NE(message.find("within_z"), std::string::npos) << message;
+  EXPECT_EQ(error("predictive_join(1) WHERE within_z = -5"),
+            "predictive_join: within_z must be a finite number >= 0, not -5");
+}
+
+TEST_F(JoinErrors, StopALoopOfCallsAtTheWrongOne) {
+  EXPECT_EQ(db.rows("WITH horizons(v) AS (VALUES (20), (-1)) SELECT a FROM horizons, predictive_join(v)"),
+            "error: predictive_join: h must be a finite number >= 0, not -1");
+}
+
+}  // namespace
+}  // namespace foresee::testing

@@ -1,0 +1,75 @@
+// predictive_position in SQL.
+#include "sqlite/harbour.h"
+
+namespace foresee::testing {
+namespace {
+
+struct PositionTest : Harbour {};
+
+TEST_F(PositionTest, GivesPlaceAndVelocityWithNullForUndeclaredAxes) {
+  EXPECT_EQ(db.rows("SELECT * FROM predictive_position(2) ORDER BY id"),
+            "1|2.0|0.0|NULL|1.0|0.0|NULL\n2|8.0|0.0|NULL|-1.0|0.0|NULL\n3|0.0|99.0|NULL|0.0|0.0|NULL");
+  db.exec("CREATE VIRTUAL TABLE rails USING moving_objects(id, x); INSERT INTO rails VALUES (7, 1.5)");
+  EXPECT_EQ(db.rows("SELECT * FROM predictive_position(2, 'rails')"), "7|1.5|NULL|NULL|0.0|NULL|NULL");
+  db.exec(
+      "CREATE VIRTUAL TABLE drones USING moving_objects(id, x, y, z, vx, vy, vz, ax, ay, az);"
+      "INSERT INTO drones VALUES (1, 0, 0, 0, 1, 2, 3, 2, 0, -2)");
+  EXPECT_EQ(db.rows("SELECT * FROM predictive_position(3, 'drones')"), "1|12.0|6.0|0.0|7.0|2.0|-3.0");
+  db.exec(
+      "CREATE VIRTUAL TABLE carts USING moving_objects(id, x, vx, fx, m); INSERT INTO carts VALUES (1, 0, 0, "
+      "8, 4)");
+  EXPECT_EQ(db.rows("SELECT x, vx FROM predictive_position(3, 'carts')"), "9.0|6.0");
+}
+
+TEST_F(PositionTest, TakesInputsByName) {
+  EXPECT_EQ(
+      db.rows(
+          "SELECT x FROM predictive_position WHERE at = 4 AND tbl = 'ships' AND schema = 'main' AND id = 1"),
+      "4.0");
+  EXPECT_EQ(db.rows("SELECT x FROM predictive_position(4, NULL, NULL) WHERE id = 1"), "4.0");
+}
+
+TEST_F(PositionTest, LeavesOutWhatDoesNotExistThen) {
+  db.exec(
+      "CREATE VIRTUAL TABLE lives USING moving_objects(id, t, x, until);"
+      "INSERT INTO lives VALUES (1, 0, 0, 5), (2, 3, 0, NULL)");
+  EXPECT_EQ(db.rows("SELECT id FROM predictive_position(2, 'lives')"), "1");
+  EXPECT_EQ(db.rows("SELECT id FROM predictive_position(3, 'lives') ORDER BY id"), "1\n2");
+  EXPECT_EQ(db.rows("SELECT id FROM predictive_position(5, 'lives') ORDER BY id"), "1\n2");
+  EXPECT_EQ(db.rows("SELECT id FROM predictive_position(5.5, 'lives')"), "2");
+  EXPECT_EQ(db.rows("SELECT id FROM predictive_position(-1, 'lives')"), "");
+}
+
+TEST_F(PositionTest, FeedsItsOwnTableAndEnds) {
+  db.exec("INSERT INTO ships SELECT id + 10, 5, x, y, vx, vy, 0, 'copy' FROM predictive_position(5)");
+  EXPECT_EQ(db.rows("SELECT count(*), sum(x) FROM ships WHERE id > 10"), "3|10.0");
+}
+
+TEST_F(PositionTest, MovesAFleetForward) {
+  db.exec(
+      "UPDATE ships SET t = 5, x = p.x, y = p.y FROM predictive_position(5, 'ships') p WHERE p.id = "
+      "ships.id");
+  EXPECT_EQ(db.rows("SELECT id, t, x, y FROM ships ORDER BY id"),
+            "1|5.0|5.0|0.0\n2|5.0|5.0|0.0\n3|5.0|0.0|99.0");
+}
+
+TEST_F(PositionTest, DrawsATrackFromASeriesOfMoments) {
+  EXPECT_EQ(
+      db.rows("WITH moments(s) AS (VALUES (0), (1), (2)) SELECT s, x FROM moments, predictive_position(s, "
+              "'ships') WHERE id = 2"),
+      "0|10.0\n1|9.0\n2|8.0");
+}
+
+TEST_F(PositionTest, SaysWhatIsWrong) {
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_position"),
+            "predictive_position: at is missing: write predictive_position(at, tbl, schema)");
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_position('noon')"),
+            "predictive_position: at must be a number, not 'noon'");
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_position(9e999)"),
+            "predictive_position: at must be a finite number, not inf");
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_position(1, 'nowhere')"),
+            "predictive_position: no such table: nowhere (moving_objects tables here: main.ships)");
+}
+
+}  // namespace
+}  // namespace foresee::testing
