@@ -127,13 +127,14 @@ void take(Plan& plan, const FunctionTable& table, const sqlite3_index_info& info
   info.aConstraintUsage[i].omit = is_input;
 }
 
-/// A call looks at every object once whatever is asked; all pairs' rows come on top. A required input that is
-/// missing costs nothing here: to plan `a = 42 OR b = 42`, SQLite shows one side of the OR alone and adds the
-/// inputs only when it runs the plan.
+/// A call looks at every object once whatever is asked; all pairs' rows come on top. Without its first input
+/// a call fails, so any other plan is better; but to plan `a = 42 OR b = 42` SQLite shows one side of the OR
+/// alone and adds the inputs only when it runs the plan.
 void estimate(const Plan& plan, sqlite3_index_info& info) {
   double cost = 1e6, rows = 1e5;
   if (plan.equalities > 0) cost = 1e5, rows = plan.equalities > 1 ? 1 : 10;
   if (plan.inequalities > 0) rows = std::max(1.0, rows / 4);
+  if (!(plan.inputs_given & 1) && plan.equalities == 0) cost = 1e50;
   info.estimatedCost = cost;
   info.estimatedRows = static_cast<sqlite3_int64>(rows);
 }
