@@ -4,8 +4,8 @@
 //   bench_sql_marks [--quick]
 //
 //   join  S-100000: SELECT a, b, t FROM predictive_join(3), all rows stepped, warm; both tables stand ready.
-//   load  S-1000000: as many prepared single-row INSERTs in one transaction, in memory and into a file. (--quick:
-//         300,000.)
+//   load  S-1000000: as many prepared single-row INSERTs in one transaction, in memory and into a file.
+//         (--quick: 300,000.)
 //
 // Processor time, medians; a ratio is the rival's time over ours in the same repetition. Fails if the two
 // joins differ in a pair or a time.
