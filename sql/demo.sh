@@ -30,7 +30,7 @@ for step in sql/tour/*.sql; do
     echo "Left out: ../shared/data/ships_us_20220103.csv.gz is not there."
     continue
   fi
-  sqlite3 -batch :memory: <"$step" 2>&1 || true # a step that shows an error ends with that error's status
+  sqlite3 -batch -init /dev/null :memory: <"$step" 2>&1 || true # a step that shows an error ends with that error's status
 done
 
 cat <<'END'

@@ -31,7 +31,7 @@ fetch_newest_sqlite() {
   mkdir -p $newest
   (
     cd $newest
-    timeout 120 npm pack --silent better-sqlite3 >/dev/null 2>npm.log || exit 1
+    timeout 120 npm pack --silent --fetch-retries=1 --fetch-retry-mintimeout=1000 better-sqlite3 >/dev/null 2>npm.log || exit 1
     tar -xzf better-sqlite3-*.tgz --strip-components=3 package/deps/sqlite3
   )
 }

@@ -5,6 +5,8 @@ What is run:
     ```sql error      a block that must fail; the ```text block that follows holds what it must say
     ```text           after a ```sql block: what it prints, line by line, in the shell's box mode
     <!-- sql setup    until -->: run before what follows, not shown to readers
+    <!-- sql errors --> and a table: the statement in the first column of every row must fail and say what stands in
+                      the second
 
 Every block is a shell of its own: temporary tables and `.mode` end with it, the database stays.
 """
@@ -17,6 +19,7 @@ from typing import Optional
 from house import shell
 
 FENCE = re.compile(r"^```(.*)$")
+ERROR_ROW = re.compile(r"^\| `(.+)` \| (.+) \|$")
 
 
 @dataclass
@@ -47,16 +50,30 @@ def fenced_and_hidden(document):
     return found
 
 
+def error_rows(document):
+    """The rows of those tables that are marked as errors."""
+    found, marked = [], False
+    for number, line in enumerate(document.splitlines(), 1):
+        row = ERROR_ROW.match(line)
+        if line.strip() == "<!-- sql errors -->":
+            marked = True
+        elif line.strip() and not line.startswith("|"):
+            marked = False
+        elif marked and row:
+            found.append(Block("sql error", number, row.group(1) + ";", row.group(2)))
+    return found
+
+
 def examples(document):
     """The blocks to run; a `text` block has become the `expected` of the block before it."""
-    runnable, previous = [], None
+    runnable, previous = error_rows(document), None
     for block in fenced_and_hidden(document):
         if block.kind in ("sql", "sql error", "setup"):
             runnable.append(block)
         elif block.kind == "text" and previous is not None and previous.kind.startswith("sql"):
             previous.expected = block.text
         previous = block
-    return runnable
+    return sorted(runnable, key=lambda block: block.line)
 
 
 def lines(text):

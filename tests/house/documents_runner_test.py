@@ -50,6 +50,13 @@ class Runner(unittest.TestCase):
         self.finds(page(("sql error", "SELECT * FROM nowhere;"), ("text", "no such table: elsewhere")), "but says")
         self.finds(page(("sql error", "SELECT * FROM nowhere;")), "but says")
 
+    def test_every_row_of_a_table_of_errors_is_run(self):
+        table = "<!-- sql errors -->\n\n| write | says |\n|---|---|\n| `SELECT * FROM nowhere` | no such table: nowhere |\n"
+        self.assertEqual(self.finds_nothing(table), 1)
+        self.finds(table + "| `SELECT * FROM elsewhere` | no such table: nowhere |\n", "page:6")
+        self.finds(table + "| `SELECT 1` | no such table |\n", "was to fail")
+        self.assertEqual(self.finds_nothing(table + "\nWords.\n\n| `SELECT 1` | another table |\n"), 1)
+
     def test_a_block_that_never_ends_is_found(self):
         with self.assertRaisesRegex(ValueError, "line 1: the block never ends"):
             examples("```sql\nSELECT 1;\n")

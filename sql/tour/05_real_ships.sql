@@ -1,0 +1,32 @@
+.load build/release/foresee
+.mode box
+
+.print "Real ships: 25 minutes of AIS reports from US waters, as broadcast, errors included."
+.print
+.import --csv "|gzip -dc ../shared/data/ships_us_20220103.csv.gz" ais_reports
+SELECT count(*) AS reports, count(DISTINCT mmsi) AS ships, datetime(min(t), 'unixepoch') AS first,
+       datetime(max(t), 'unixepoch') AS last FROM ais_reports;
+
+.print
+.print "The Lower Mississippi, at ten past midnight:   .read sql/import_ais.sql"
+.print
+CREATE TABLE ais_parameters(name TEXT PRIMARY KEY, value REAL);
+INSERT INTO ais_parameters VALUES ('moment', unixepoch('2022-01-03 00:10:00')), ('centre_lat', 30), ('centre_lon', -90.5);
+.read sql/import_ais.sql
+SELECT count(*) AS ships, sum(vx <> 0 OR vy <> 0) AS under_way FROM ais_ships;
+
+.print
+.print "Which pairs come within half a nautical mile (926 m) of each other in the next ten minutes?"
+.print
+SELECT count(*) AS pairs, sum(dt = 0) AS close_already, sum(dt > 0) AS still_to_come
+  FROM predictive_join(600, 'ais_ships', 926, NULL, unixepoch('2022-01-03 00:10:00'));
+
+.print
+.print "The next encounters of ships that are both under way:"
+.print
+SELECT time(j.t, 'unixepoch') AS within_926_m, j.a AS mmsi, j.b AS mmsi, time(j.t_cpa, 'unixepoch') AS closest,
+       format('%.0f m', j.d_cpa) AS at
+  FROM predictive_join(600, 'ais_ships', 926, NULL, unixepoch('2022-01-03 00:10:00')) j
+  JOIN ais_ships s ON s.id = j.a JOIN ais_ships o ON o.id = j.b
+  WHERE j.dt > 0 AND (s.vx <> 0 OR s.vy <> 0) AND (o.vx <> 0 OR o.vy <> 0)
+  ORDER BY j.t LIMIT 10;
