@@ -1,5 +1,6 @@
 #include "query/join.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -50,6 +51,17 @@ Join::Join(JoinQuestion question, Interrupt& interrupt)
   if (question_.skip_touching) question_.wants.contact = true;
 }
 
+/// The exact stage may take some ten microseconds a pair, so a batch is asked in slices that can be
+/// interrupted.
+template <class Work>
+void Join::in_slices(std::size_t count, Work work) {
+  constexpr std::size_t slice = 256;
+  for (std::size_t begin = 0; begin < count; begin += slice) {
+    interrupt_.check();
+    work(begin, std::min(slice, count - begin));
+  }
+}
+
 std::span<const JoinRow> Join::next() {
   rows_.clear();
   while (rows_.empty()) {
@@ -58,7 +70,9 @@ std::span<const JoinRow> Join::next() {
     if (!candidates_->next(pairs_)) break;
     keep_asked_pairs();
     hits_.clear();
-    contact_->decide(pairs_, hits_);
+    in_slices(pairs_.size(), [this](std::size_t begin, std::size_t count) {
+      contact_->decide(std::span(pairs_).subspan(begin, count), hits_);
+    });
     make_rows();
   }
   return rows_;
@@ -89,9 +103,13 @@ void Join::make_rows() {
   const Scene& b = question_.b ? *question_.b : a;
   times_.resize(hits_.size());
   approaches_.resize(hits_.size());
-  if (question_.wants.contact)
-    contact_->times(hits_, times_, question_.wants.ends ? TimesWanted::both : TimesWanted::begins);
-  if (question_.wants.approach) contact_->closest_approach(hits_, approaches_);
+  const TimesWanted wanted = question_.wants.ends ? TimesWanted::both : TimesWanted::begins;
+  in_slices(hits_.size(), [&](std::size_t begin, std::size_t count) {
+    const auto hits = std::span(hits_).subspan(begin, count);
+    if (question_.wants.contact) contact_->times(hits, std::span(times_).subspan(begin, count), wanted);
+    if (question_.wants.approach)
+      contact_->closest_approach(hits, std::span(approaches_).subspan(begin, count));
+  });
   for (std::size_t i = 0; i < hits_.size(); ++i) {
     if (question_.skip_touching && !(times_[i].dt > 0)) continue;
     rows_.push_back({a.ids[hits_[i].a], b.ids[hits_[i].b], times_[i], approaches_[i]});

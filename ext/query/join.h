@@ -65,6 +65,8 @@ class Join {
   std::span<const JoinRow> next();
 
  private:
+  template <class Work>
+  void in_slices(std::size_t count, Work work);
   void keep_asked_pairs();
   void make_rows();
 
