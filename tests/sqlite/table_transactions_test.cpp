@@ -153,8 +153,8 @@ TEST(TableConnections, AWalReaderSeesCommitsAtItsNextStatement) {
   EXPECT_EQ(reader.rows(sum), "605.0");
   reader.exec("DELETE FROM ships WHERE id > 1");
   EXPECT_EQ(writer.rows(sum), "2.0");
-  EXPECT_EQ(writer.rows("INSERT INTO ships(x) VALUES(9) RETURNING x"), "9");
-  EXPECT_EQ(reader.rows("SELECT id, x FROM ships ORDER BY id"), "1|2.0\n2|9.0");
+  EXPECT_EQ(writer.rows("INSERT INTO ships(x) VALUES(9.5) RETURNING x"), "9.5");
+  EXPECT_EQ(reader.rows("SELECT id, x FROM ships ORDER BY id"), "1|2.0\n2|9.5");
 }
 
 TEST(TableConnections, ARollbackJournalWorksAsWell) {
@@ -196,7 +196,7 @@ TEST(TableConnections, ReopeningTheFileChangesNothing) {
   Database db(file.path());
   EXPECT_EQ(db.rows("SELECT count(*), sum(x), count(name) FROM ships"), "300|45150.0|300");
   EXPECT_EQ(db.rows("SELECT * FROM ships WHERE id = 5"), "5|5.0|-0.0|ship 5");
-  EXPECT_EQ(db.rows("INSERT INTO ships(x) VALUES(1) RETURNING x"), "1");
+  EXPECT_EQ(db.rows("INSERT INTO ships(x) VALUES(1.5) RETURNING x"), "1.5");
   EXPECT_EQ(db.rows("SELECT max(id) FROM ships"), "301");
 }
 
