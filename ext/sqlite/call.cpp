@@ -27,12 +27,11 @@ bool holds_exactly(double value, std::int64_t integer) {
 
 void Call::reject(int input, const char* kind) const {
   const auto place = static_cast<std::size_t>(input);
-  throw Error(std::string(function_.inputs[place]) + " must be " + kind + ", not " +
-              written(inputs_[place].get()));
+  throw Error(std::string(function_.inputs[place]) + " must be " + kind + ", not " + written(inputs_[place]));
 }
 
 std::optional<double> Call::number(int input) const {
-  sqlite3_value* value = inputs_[static_cast<std::size_t>(input)].get();
+  sqlite3_value* value = inputs_[static_cast<std::size_t>(input)];
   if (!value) return std::nullopt;
   const int type = sqlite3_value_numeric_type(value);
   if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) reject(input, "a number");
@@ -49,7 +48,7 @@ double Call::required_number(int input) const {
 }
 
 std::optional<std::string> Call::text(int input) const {
-  sqlite3_value* value = inputs_[static_cast<std::size_t>(input)].get();
+  sqlite3_value* value = inputs_[static_cast<std::size_t>(input)];
   if (!value) return std::nullopt;
   if (sqlite3_value_type(value) != SQLITE_TEXT) reject(input, "a name in quotes");
   const auto* text = reinterpret_cast<const char*>(sqlite3_value_text(value));

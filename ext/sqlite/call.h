@@ -35,7 +35,7 @@ struct Hint {
 
 class Call {
  public:
-  Call(const TableFunction& function, Connection& connection, std::span<const OwnedValue> inputs,
+  Call(const TableFunction& function, Connection& connection, std::span<sqlite3_value* const> inputs,
        std::vector<Hint> hints, std::uint32_t outputs_read)
       : function_(function),
         connection_(connection),
@@ -61,7 +61,7 @@ class Call {
 
   const TableFunction& function_;
   Connection& connection_;
-  std::span<const OwnedValue> inputs_;  ///< one per input, null where it was left out
+  std::span<sqlite3_value* const> inputs_;  ///< one per input, null where it was left out
   std::vector<Hint> hints_;
   std::uint32_t outputs_read_;
 };

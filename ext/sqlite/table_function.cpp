@@ -26,7 +26,7 @@ struct FunctionTable : sqlite3_vtab {
 
 struct FunctionCursor : sqlite3_vtab_cursor {
   std::unique_ptr<Rows> rows;      ///< null at the end
-  std::vector<OwnedValue> inputs;  ///< one per input, null where it was left out
+  std::vector<OwnedValue> inputs;  ///< copies, one per input, null where it was left out
 };
 
 FunctionTable& table_of(sqlite3_vtab* table) {
@@ -167,12 +167,15 @@ void step(FunctionCursor& cursor) {
   if (!cursor.rows->next()) cursor.rows.reset();
 }
 
-/// Sorts the arguments into inputs, which the cursor keeps, and hints. False if some hint is NULL: then
-/// nothing can match.
+/// Sorts the arguments into inputs, of which the cursor keeps copies, and hints. False if some hint is NULL:
+/// then nothing can match. The call reads the originals: SQLite 3.53 crashes when a copy is asked for its
+/// numeric type.
 bool sort_arguments(FunctionCursor& cursor, const FunctionTable& table, const char* plan,
-                    std::span<sqlite3_value*> arguments, std::vector<Hint>& hints) {
+                    std::span<sqlite3_value*> arguments, std::vector<sqlite3_value*>& inputs,
+                    std::vector<Hint>& hints) {
   cursor.inputs.clear();
   cursor.inputs.resize(table.function().inputs.size());
+  inputs.resize(cursor.inputs.size());
   for (sqlite3_value* value : arguments) {
     const int column = *plan++ - 'A';
     const int op = op_of(*plan++);
@@ -185,6 +188,7 @@ bool sort_arguments(FunctionCursor& cursor, const FunctionTable& table, const ch
       OwnedValue copy(sqlite3_value_dup(value));
       if (!copy) throw std::bad_alloc();
       cursor.inputs[static_cast<std::size_t>(input)] = std::move(copy);
+      inputs[static_cast<std::size_t>(input)] = value;
     }
   }
   return true;
@@ -196,9 +200,11 @@ int function_filter(sqlite3_vtab_cursor* base, int outputs_read, const char* pla
     FunctionCursor& cursor = cursor_of(base);
     const FunctionTable& table = table_of(base->pVtab);
     cursor.rows.reset();
+    std::vector<sqlite3_value*> inputs;
     std::vector<Hint> hints;
-    if (!sort_arguments(cursor, table, plan, {arguments, static_cast<std::size_t>(count)}, hints)) return;
-    const Call call(table.function(), *table.registration->connection, cursor.inputs, std::move(hints),
+    const std::span<sqlite3_value*> given(arguments, static_cast<std::size_t>(count));
+    if (!sort_arguments(cursor, table, plan, given, inputs, hints)) return;
+    const Call call(table.function(), *table.registration->connection, inputs, std::move(hints),
                     static_cast<std::uint32_t>(outputs_read));
     cursor.rows = table.function().start(call);
     step(cursor);
