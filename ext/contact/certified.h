@@ -29,8 +29,8 @@ inline double positive_for(double p0, double p1, double p2) {
   if (raised < 0) return for_ever;
   if (!(raised < for_ever)) return 0;
   constexpr double less = 1 - 32 * unit_roundoff;
-  // With p1 > 0 (and p2 < 0) nothing cancels in either sum.
-  if (p1 > 0) return less * ((p1 + std::sqrt(square - product)) / (-2 * p2));
+  // With p1 > 0 (and p2 < 0) nothing cancels in either sum; what underflow may have added is taken off.
+  if (p1 > 0) return less * ((p1 + std::sqrt(std::max(0.0, square - product - 0x1p-1070))) / (-2 * p2));
   return less * (2 * p0 / (std::sqrt(raised) - p1));
 }
 
