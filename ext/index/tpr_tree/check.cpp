@@ -1,0 +1,117 @@
+#include <set>
+
+#include "index/tpr_tree/node.h"
+#include "index/tpr_tree/tpr_tree.h"
+
+namespace foresee {
+namespace {
+
+/// Walks the whole tree, with the entries above a node in hand.
+template <int D>
+class TreeCheck {
+ public:
+  TreeCheck(Pages& pages, Interrupt& interrupt)
+      : pages_(pages), interrupt_(interrupt), reader_(pages.layout()) {}
+
+  TreeReport run() {
+    if (pages_.root() != 0) visit(pages_.root(), 0, -1);
+    return std::move(report_);
+  }
+
+ private:
+  struct Above {
+    Entry<D> entry;
+    double epoch;
+  };
+
+  void problem(NodeNumber number, const std::string& what) {
+    if (report_.problems.size() < 100)
+      report_.problems.push_back("node " + std::to_string(number) + ": " + what);
+  }
+
+  /// `level` is what the parent demands; -1: any.
+  void visit(NodeNumber number, NodeNumber parent, int level) {
+    interrupt_.check();
+    if (!nodes_.insert(number).second) return problem(number, "is reached twice");
+    ++report_.nodes;
+    const auto node = pages_.read(number);
+    if (level >= 0 && node->level != level)
+      return problem(number, "has level " + std::to_string(node->level) + " below one that asks for " +
+                                 std::to_string(level));
+    if (node->parent != parent) problem(number, "names a parent that is not its own");
+    if (!sizes_fit(number, *node)) return;
+    if (!above_.empty()) check_newest(number, *node);
+    if (node->is_leaf()) return visit_objects(number, *node);
+    for (std::size_t slot = 0; slot < node->size(); ++slot) {
+      above_.push_back({entry_at<D>(*node, slot), node->epoch});
+      visit(node->keys[slot], number, node->level - 1);
+      above_.pop_back();
+    }
+  }
+
+  bool sizes_fit(NodeNumber number, const Node& node) {
+    const std::size_t stride = node.is_leaf() ? reader_.record_size() : entry_size(D);
+    const std::size_t size = node.size();
+    const bool too_empty = size < (node.is_leaf() ? 1 : 2);
+    const bool too_full = size > (node.is_leaf() ? pages_.leaf_capacity() : pages_.inner_capacity());
+    if (too_empty) problem(number, "is too empty");
+    if (too_full) problem(number, "is too full");
+    if (node.values.size() != size * stride) problem(number, "has numbers missing or too many");
+    return !too_empty && node.values.size() == size * stride;
+  }
+
+  void check_newest(NodeNumber number, const Node& node) {
+    double newest = -std::numeric_limits<double>::infinity();
+    for (std::size_t slot = 0; slot < node.size(); ++slot)
+      newest = std::max(newest, node.is_leaf() ? reader_.t(reader_.record(node, slot))
+                                               : times_at<D>(node, slot).t_greatest);
+    if (newest != above_.back().entry.times.t_greatest)
+      problem(number, "has another greatest t than its entry");
+  }
+
+  void visit_objects(NodeNumber number, const Node& leaf) {
+    report_.objects += leaf.size();
+    for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
+      const std::int64_t id = leaf.keys[slot];
+      if (!ids_.insert(id).second) problem(number, "holds object " + std::to_string(id) + " again");
+      if (pages_.leaf_of(id) != number)
+        problem(number, "is not where the map has object " + std::to_string(id));
+      check_bounds(number, id, Mover<D>(reader_, reader_.record(leaf, slot)));
+    }
+  }
+
+  /// Bounds that contain position, velocity and acceleration at the epoch contain the object at every moment.
+  /// What is compared is not padded, so it may be off by less than the entry's own padding.
+  void check_bounds(NodeNumber number, std::int64_t id, const Mover<D>& mover) {
+    const Motion<D>& motion = mover.motion;
+    for (const Above& above : above_) {
+      const Entry<D> own{{motion.t, motion.t, motion.until},
+                         bounds_at(motion, mover.half_extents, above.epoch, 0.0)};
+      if (!above.entry.contains(own))
+        problem(number, "holds object " + std::to_string(id) + ", which an entry above does not contain");
+    }
+  }
+
+  Pages& pages_;
+  Interrupt& interrupt_;
+  LeafReader<D> reader_;
+  TreeReport report_;
+  std::vector<Above> above_;
+  std::set<NodeNumber> nodes_;
+  std::set<std::int64_t> ids_;
+};
+
+}  // namespace
+
+TreeReport check_tree(Pages& pages, Interrupt& interrupt) {
+  switch (pages.layout().axes) {
+    case 1:
+      return TreeCheck<1>(pages, interrupt).run();
+    case 2:
+      return TreeCheck<2>(pages, interrupt).run();
+    default:
+      return TreeCheck<3>(pages, interrupt).run();
+  }
+}
+
+}  // namespace foresee

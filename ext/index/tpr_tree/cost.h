@@ -1,0 +1,52 @@
+// How often will a question visit these bounds? The measure by which the tree chooses and splits.
+//
+// A window of side `query` meets a box of widths w with probability proportional to the product of w + query;
+// the tree's look-ahead counts, so the product is integrated over [clock, clock + horizon] (Saltenis et al.
+// 2000; the query's side is TPR*'s, Tao et al. 2003, and keeps flat boxes comparable). Simpson's rule on
+// three moments is exact for uniform motion in one to three axes. Unbounded widths count as very wide; every
+// cost is a finite number.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "index/tpr_tree/bounds.h"
+
+namespace foresee {
+
+template <int D>
+class VisitCost {
+ public:
+  /// For bounds at `epoch`.
+  VisitCost(double clock, double horizon, double epoch) {
+    for (int i = 0; i < 3; ++i)
+      elapsed_[static_cast<std::size_t>(i)] =
+          std::clamp(std::abs(clock + 0.5 * i * horizon - epoch), 1e-100, 1e100);
+  }
+
+  double operator()(const Bounds<D>& bounds, double query) const {
+    const Vec<D> x = bounds.x_upper - bounds.x_lower + query, v = bounds.v_upper - bounds.v_lower,
+                 a = (bounds.a_upper - bounds.a_lower) * 0.5;
+    auto product = [&](double s) { return (x + s * (v + s * a)).min(widest).prod(); };
+    return product(elapsed_[0]) + 4 * product(elapsed_[1]) + product(elapsed_[2]);
+  }
+
+  /// The mean width over the axes, half-way through the look-ahead.
+  double mean_width(const Bounds<D>& bounds) const {
+    const double s = elapsed_[1];
+    const Vec<D> widths = (bounds.x_upper - bounds.x_lower) + s * (bounds.v_upper - bounds.v_lower) +
+                          (0.5 * s * s) * (bounds.a_upper - bounds.a_lower);
+    return widths.min(widest).sum() / D;
+  }
+
+  /// Seconds between the epoch and the middle of the look-ahead.
+  double middle() const { return elapsed_[1]; }
+
+ private:
+  static constexpr double widest = 1e100;  // its cube is a double
+
+  std::array<double, 3> elapsed_;
+};
+
+}  // namespace foresee

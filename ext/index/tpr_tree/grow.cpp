@@ -1,0 +1,187 @@
+#include "index/tpr_tree/grow.h"
+
+#include "index/tpr_tree/choose.h"
+#include "index/tpr_tree/split.h"
+
+namespace foresee {
+namespace {
+
+template <int D, class Added>
+NodeNumber choose_node(TreeState<D>& state, NodeNumber number, int level, const Added& added) {
+  auto node = state.pages.read(number);
+  if (node->level < level || (node->level > 0 && node->size() == 0))
+    throw BrokenTree("a tree's root has no place for what it should take in");
+  while (node->level > level) {
+    const Bounds<D> bounds = added.entry(node->epoch).bounds;
+    const std::size_t slot = choose_child<D>(*node, bounds, state.cost(node->epoch));
+    number = node->keys[slot];
+    node = read_below(state.pages, *node, slot);
+  }
+  return number;
+}
+
+template <int D>
+NodeNumber put_root_above(TreeState<D>& state, NodeNumber old_root) {
+  const NodeNumber number = state.pages.allocate();
+  Node& root = state.pages.modify(number);
+  Node& child = state.pages.modify(old_root);
+  root.level = child.level + 1;
+  root.epoch = state.clock.now();
+  add_entry(root, old_root, summary(child, state.reader, root.epoch));
+  child.parent = number;
+  state.pages.set_root(number);
+  return number;
+}
+
+/// Widens the parent's entry so that it contains what was added beneath the child.
+template <int D, class Added>
+void widen(TreeState<D>& state, NodeNumber parent, NodeNumber child, const Added& added) {
+  std::size_t slot;
+  Entry<D> entry, wanted;
+  {
+    const auto node = state.pages.read(parent);
+    slot = slot_of(*node, child);
+    entry = entry_at<D>(*node, slot), wanted = added.entry(node->epoch);
+  }
+  if (!entry.contains(wanted)) {
+    entry.include(wanted);
+    set_entry(state.pages.modify(parent), slot, entry);
+  }
+  freshen(state, parent, slot);
+}
+
+template <int D>
+std::vector<Bounds<D>> bounds_of_all(const TreeState<D>& state, const Node& node, double epoch) {
+  std::vector<Bounds<D>> all;
+  all.reserve(node.size());
+  for (std::size_t slot = 0; slot < node.size(); ++slot)
+    all.push_back(node.is_leaf() ? Mover<D>(state.reader, state.reader.record(node, slot)).bounds(epoch)
+                                 : carried(bounds_at<D>(node, slot), node.epoch, epoch));
+  return all;
+}
+
+/// Moves the named slots of `node` (ascending) to the empty node `to`.
+void move_slots(Node& node, std::span<const std::uint32_t> slots, Node& to, std::size_t stride) {
+  for (const std::uint32_t slot : slots) {
+    to.keys.push_back(node.keys[slot]);
+    const auto values = node.values.begin() + static_cast<std::ptrdiff_t>(slot * stride);
+    to.values.insert(to.values.end(), values, values + static_cast<std::ptrdiff_t>(stride));
+  }
+  for (auto slot = slots.rbegin(); slot != slots.rend(); ++slot) remove_slot(node, *slot, stride);
+}
+
+/// Splits an overfull node; both halves have entries in the parent afterwards, which may be overfull then.
+template <int D>
+void split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_number) {
+  const NodeNumber sibling_number = state.pages.allocate();
+  Node& node = state.pages.modify(number);
+  Node& sibling = state.pages.modify(sibling_number);
+  Node& parent = state.pages.modify(parent_number);
+  sibling.level = node.level, sibling.parent = parent_number, sibling.epoch = node.epoch;
+  const std::vector<Bounds<D>> elements = bounds_of_all(state, node, parent.epoch);
+  move_slots(node, choose_split<D>(elements, state.cost(parent.epoch)), sibling, state.stride(node.level));
+
+  if (sibling.is_leaf()) {
+    state.pages.place(sibling.keys, sibling_number);
+  } else {
+    for (const NodeNumber child : sibling.keys) state.pages.modify(child).parent = sibling_number;
+  }
+  const std::size_t slot = slot_of(parent, number);
+  const Bounds<D> before = bounds_at<D>(parent, slot);
+  auto entry_for = [&](const Node& half) {
+    Entry<D> entry = summary(half, state.reader, parent.epoch);
+    entry.bounds.narrow_to(before);
+    return entry;
+  };
+  set_entry(parent, slot, entry_for(node));
+  add_entry(parent, sibling_number, entry_for(sibling));
+}
+
+/// From a node that has just taken something in up to the root.
+template <int D, class Added>
+void make_room_upward(TreeState<D>& state, NodeNumber number, const Added& added) {
+  for (;;) {
+    NodeNumber parent;
+    bool overfull;
+    {
+      const auto node = state.pages.read(number);
+      parent = node->parent, overfull = node->size() > state.capacity(node->level);
+      if (parent != 0) read_above(state.pages, *node);
+    }
+    if (parent == 0 && !overfull) return;
+    if (parent == 0) parent = put_root_above(state, number);
+    widen(state, parent, number, added);
+    if (overfull) split_node(state, number, parent);
+    number = parent;
+  }
+}
+
+}  // namespace
+
+template <int D>
+bool freshen(TreeState<D>& state, NodeNumber inner, std::size_t slot) {
+  const double now = state.clock.now();
+  Node fresh;
+  {
+    const auto old = state.pages.read(inner);
+    const double away = std::abs(now - old->epoch);
+    const Bounds<D> bounds = bounds_at<D>(*old, slot);
+    const Vec<D> by_epoch =
+        away * ((bounds.v_upper - bounds.v_lower) + (0.5 * away) * (bounds.a_upper - bounds.a_lower));
+    if (!(away > 0.5 * state.horizon && by_epoch.sum() > 0.5 * (bounds.x_upper - bounds.x_lower).sum()))
+      return false;
+    fresh = *old;
+  }
+  for (std::size_t i = 0; i < fresh.size(); ++i) {
+    Entry<D> entry = summary(*read_below(state.pages, fresh, i), state.reader, now);
+    entry.bounds.narrow_to(carried(bounds_at<D>(fresh, i), fresh.epoch, now));
+    set_entry(fresh, i, entry);
+  }
+  fresh.epoch = now;
+  state.pages.modify(inner) = std::move(fresh);
+  return true;
+}
+
+template <int D>
+void insert_object(TreeState<D>& state, const NewObject<D>& object, NodeNumber from, NodeNumber known_leaf) {
+  if (from == 0) from = state.pages.root();
+  if (from == 0) {
+    from = state.pages.allocate();
+    state.pages.set_root(from);
+  }
+  const NodeNumber number = choose_node(state, from, 0, object);
+  Node& leaf = state.pages.modify(number);
+  leaf.keys.push_back(object.id);
+  leaf.values.insert(leaf.values.end(), object.record.begin(), object.record.end());
+  if (number != known_leaf) state.pages.place({&object.id, 1}, number);
+  make_room_upward(state, number, object);
+}
+
+template <int D>
+void settle_upward(TreeState<D>& state, NodeNumber leaf, const NewObject<D>& object) {
+  make_room_upward(state, leaf, object);
+}
+
+template <int D>
+void insert_branch(TreeState<D>& state, const Branch<D>& branch) {
+  const NodeNumber number = choose_node(state, state.pages.root(), branch.level, branch);
+  Node& node = state.pages.modify(number);
+  add_entry(node, branch.number, branch.entry(node.epoch));
+  state.pages.modify(branch.number).parent = number;
+  make_room_upward(state, number, branch);
+}
+
+template void insert_object<1>(TreeState<1>&, const NewObject<1>&, NodeNumber, NodeNumber);
+template void insert_object<2>(TreeState<2>&, const NewObject<2>&, NodeNumber, NodeNumber);
+template void insert_object<3>(TreeState<3>&, const NewObject<3>&, NodeNumber, NodeNumber);
+template void settle_upward<1>(TreeState<1>&, NodeNumber, const NewObject<1>&);
+template void settle_upward<2>(TreeState<2>&, NodeNumber, const NewObject<2>&);
+template void settle_upward<3>(TreeState<3>&, NodeNumber, const NewObject<3>&);
+template void insert_branch<1>(TreeState<1>&, const Branch<1>&);
+template void insert_branch<2>(TreeState<2>&, const Branch<2>&);
+template void insert_branch<3>(TreeState<3>&, const Branch<3>&);
+template bool freshen<1>(TreeState<1>&, NodeNumber, std::size_t);
+template bool freshen<2>(TreeState<2>&, NodeNumber, std::size_t);
+template bool freshen<3>(TreeState<3>&, NodeNumber, std::size_t);
+
+}  // namespace foresee

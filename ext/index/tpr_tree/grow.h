@@ -1,0 +1,28 @@
+// How does the tree take something in? Down by least cost, up again widening entries, splitting what is too
+// full.
+#pragma once
+
+#include "index/tpr_tree/state.h"
+
+namespace foresee {
+
+/// Adds an object beneath `from` (0: the root). `known_leaf` is where the page map has it already, or 0.
+template <int D>
+void insert_object(TreeState<D>& state, const NewObject<D>& object, NodeNumber from = 0,
+                   NodeNumber known_leaf = 0);
+
+/// Makes every entry above a leaf true for an object that has just been written into it, splitting what is
+/// overfull.
+template <int D>
+void settle_upward(TreeState<D>& state, NodeNumber leaf, const NewObject<D>& object);
+
+/// Hangs a subtree into a node of the branch's level. Requires: the root's level is at least that.
+template <int D>
+void insert_branch(TreeState<D>& state, const Branch<D>& branch);
+
+/// Computes the node's entries anew if its epoch has become a bad one for the child in `slot`: more than half
+/// a horizon away from the clock, and faces moving so fast that much of that child's width stems from it.
+template <int D>
+bool freshen(TreeState<D>& state, NodeNumber inner, std::size_t slot);
+
+}  // namespace foresee

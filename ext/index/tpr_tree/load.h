@@ -1,0 +1,18 @@
+// How is a whole tree written at once? Level by level from the leaves up, each node once, from the objects in
+// leaf order.
+#pragma once
+
+#include "index/tpr_tree/state.h"
+#include "motion/error.h"
+
+namespace foresee {
+
+/// Frees every node of the tree.
+void free_all(Pages& pages, Interrupt& interrupt);
+
+/// Requires: the tree is empty.
+template <int D>
+void load_tree(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
+               Interrupt& interrupt);
+
+}  // namespace foresee

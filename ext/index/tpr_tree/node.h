@@ -1,0 +1,175 @@
+// What does a node hold? Typed views of a decoded node's numbers: objects in a leaf, entries in an inner
+// node.
+#pragma once
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+#include "index/pages.h"
+#include "index/tpr_tree/bounds.h"
+
+namespace foresee {
+
+/// Reads objects out of leaves.
+template <int D>
+class LeafReader {
+ public:
+  explicit LeafReader(const Layout& layout) {
+    records_.layout = layout, records_.at = record_offsets(layout);
+  }
+
+  std::size_t record_size() const { return static_cast<std::size_t>(records_.at.size); }
+
+  Motion<D> motion(const double* record) const {
+    const Offsets& at = records_.at;
+    Motion<D> motion = motion_of<D>(view(record), 0);
+    if (at.force != Offsets::absent) motion.a = Eigen::Map<const Vec<D>>(record + at.force) / record[at.mass];
+    return motion;
+  }
+  Vec<D> half_extents(const double* record) const { return half_extents_of<D>(view(record), 0); }
+  double t(const double* record) const {
+    return records_.at.t == Offsets::absent ? 0 : record[records_.at.t];
+  }
+  const double* record(const Node& leaf, std::size_t slot) const {
+    return leaf.values.data() + slot * record_size();
+  }
+
+ private:
+  Bodies view(const double* record) const {
+    Bodies one = records_;
+    one.rows = record, one.count = 1;
+    return one;
+  }
+
+  Bodies records_;  ///< without rows
+};
+
+/// An object as the tree carries it about.
+template <int D>
+struct Mover {
+  Motion<D> motion;
+  Vec<D> half_extents;
+
+  Mover(const LeafReader<D>& reader, const double* record)
+      : motion(reader.motion(record)), half_extents(reader.half_extents(record)) {}
+
+  Bounds<D> bounds(double epoch) const { return bounds_at(motion, half_extents, epoch); }
+};
+
+/// When the objects beneath an entry begin and end.
+struct Times {
+  double t_least = std::numeric_limits<double>::infinity();
+  double t_greatest = -std::numeric_limits<double>::infinity();
+  double until_greatest = -std::numeric_limits<double>::infinity();
+
+  void include(const Times& other) {
+    t_least = std::min(t_least, other.t_least);
+    t_greatest = std::max(t_greatest, other.t_greatest);
+    until_greatest = std::max(until_greatest, other.until_greatest);
+  }
+  bool contains(const Times& other) const {
+    return t_least <= other.t_least && other.t_greatest <= t_greatest &&
+           other.until_greatest <= until_greatest;
+  }
+  friend bool operator==(const Times&, const Times&) = default;
+};
+
+/// What an inner node says about one child.
+template <int D>
+struct Entry {
+  Times times;
+  Bounds<D> bounds = Bounds<D>::nothing();
+
+  void include(const Entry& other) { times.include(other.times), bounds.include(other.bounds); }
+  bool contains(const Entry& other) const {
+    return times.contains(other.times) && bounds.contains(other.bounds);
+  }
+};
+
+template <int D>
+Entry<D> entry_of(const Mover<D>& mover, double epoch) {
+  return {{mover.motion.t, mover.motion.t, mover.motion.until}, mover.bounds(epoch)};
+}
+
+inline constexpr std::size_t times_size = 3;
+
+template <int D>
+Times times_at(const Node& inner, std::size_t slot) {
+  const double* from = inner.values.data() + slot * entry_size(D);
+  return {from[0], from[1], from[2]};
+}
+
+template <int D>
+Bounds<D> bounds_at(const Node& inner, std::size_t slot) {
+  const double* from = inner.values.data() + slot * entry_size(D) + times_size;
+  auto next = [&from] { return Vec<D>(Eigen::Map<const Vec<D>>(std::exchange(from, from + D))); };
+  return {next(), next(), next(), next(), next(), next()};
+}
+
+template <int D>
+Entry<D> entry_at(const Node& inner, std::size_t slot) {
+  return {times_at<D>(inner, slot), bounds_at<D>(inner, slot)};
+}
+
+template <int D>
+void set_entry(Node& inner, std::size_t slot, const Entry<D>& entry) {
+  double* to = inner.values.data() + slot * entry_size(D);
+  *to++ = entry.times.t_least, *to++ = entry.times.t_greatest, *to++ = entry.times.until_greatest;
+  for (const Vec<D>* part : {&entry.bounds.x_lower, &entry.bounds.x_upper, &entry.bounds.v_lower,
+                             &entry.bounds.v_upper, &entry.bounds.a_lower, &entry.bounds.a_upper})
+    to = std::copy_n(part->data(), D, to);
+}
+
+template <int D>
+void add_entry(Node& inner, NodeNumber child, const Entry<D>& entry) {
+  inner.keys.push_back(child);
+  inner.values.resize(inner.values.size() + entry_size(D));
+  set_entry(inner, inner.size() - 1, entry);
+}
+
+/// Where `key` is in the node. Throws BrokenTree if it is not there.
+inline std::size_t slot_of(const Node& node, std::int64_t key) {
+  const auto found = std::find(node.keys.begin(), node.keys.end(), key);
+  if (found == node.keys.end()) throw BrokenTree("a tree node lacks a key that it should hold");
+  return static_cast<std::size_t>(found - node.keys.begin());
+}
+
+/// The child in a slot, and the parent. Levels that count strictly keep every way through the tree finite.
+inline std::shared_ptr<const Node> read_below(NodeSource& source, const Node& node, std::size_t slot) {
+  auto child = source.read(node.keys[slot]);
+  if (child->level != node.level - 1 || child->size() == 0)
+    throw BrokenTree("a tree node does not fit below its parent");
+  return child;
+}
+
+inline std::shared_ptr<const Node> read_above(NodeSource& source, const Node& node) {
+  auto parent = source.read(node.parent);
+  if (parent->level != node.level + 1) throw BrokenTree("a tree node does not fit above its child");
+  return parent;
+}
+
+/// Takes a key and its `stride` values out; the last one moves into its place.
+inline void remove_slot(Node& node, std::size_t slot, std::size_t stride) {
+  node.keys[slot] = node.keys.back();
+  std::copy(node.values.end() - static_cast<std::ptrdiff_t>(stride), node.values.end(),
+            node.values.begin() + static_cast<std::ptrdiff_t>(slot * stride));
+  node.keys.pop_back();
+  node.values.resize(node.values.size() - stride);
+}
+
+/// The tightest entry for a whole node, at `epoch`, that the node's own numbers give.
+template <int D>
+Entry<D> summary(const Node& node, const LeafReader<D>& reader, double epoch) {
+  Entry<D> all;
+  for (std::size_t slot = 0; slot < node.size(); ++slot) {
+    if (node.is_leaf()) {
+      all.include(entry_of(Mover<D>(reader, reader.record(node, slot)), epoch));
+    } else {
+      all.include({times_at<D>(node, slot), carried(bounds_at<D>(node, slot), node.epoch, epoch)});
+    }
+  }
+  return all;
+}
+
+}  // namespace foresee

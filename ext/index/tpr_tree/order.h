@@ -1,0 +1,34 @@
+// In which order do objects fill the leaves of a new tree? So that a leaf's objects are near each other now
+// and stay so.
+//
+// Top down, as in OMT: the objects are halved again and again, at a boundary between nodes of the highest
+// level that has one near the middle, each time along the axis of position or velocity on which they are most
+// spread out; a second of velocity counts as half a horizon of distance. The spread is that of a sample
+// between its tenths, so that a few outliers do not decide it; objects far larger or faster than the median
+// come last, in leaves of their own.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "index/tpr_tree/state.h"
+#include "motion/error.h"
+
+namespace foresee {
+
+/// How many nodes of each level a full tree of `objects` has, leaves first, up to the root; none for none.
+std::vector<std::size_t> level_sizes(std::size_t objects, std::size_t leaf_capacity,
+                                     std::size_t inner_capacity);
+
+/// Of `children` spread evenly over `parents`: the first one of a parent.
+inline std::size_t first_child(std::size_t parent, std::size_t parents, std::size_t children) {
+  return parent / parents * children + parent % parents * children / parents;
+}
+
+/// Positions of the records in leaf order: leaf i of the tree holds places first_child(i, leaves, objects)
+/// up to that of i + 1.
+template <int D>
+std::vector<std::uint32_t> leaf_order(const TreeState<D>& state, std::span<const double> records,
+                                      const std::vector<std::size_t>& levels, Interrupt& interrupt);
+
+}  // namespace foresee

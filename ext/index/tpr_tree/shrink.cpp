@@ -1,0 +1,154 @@
+#include "index/tpr_tree/shrink.h"
+
+#include "index/tpr_tree/grow.h"
+
+namespace foresee {
+namespace {
+
+/// What dissolved nodes held.
+template <int D>
+struct Orphans {
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  std::vector<Branch<D>> branches;
+
+  void collect(const Node& node) {
+    if (node.is_leaf()) {
+      ids.insert(ids.end(), node.keys.begin(), node.keys.end());
+      records.insert(records.end(), node.values.begin(), node.values.end());
+      return;
+    }
+    for (std::size_t slot = 0; slot < node.size(); ++slot)
+      branches.push_back({node.keys[slot], node.level, entry_at<D>(node, slot), node.epoch});
+  }
+};
+
+/// Makes the parent's entry as tight as the node's numbers allow; false if it was so already.
+template <int D>
+bool tighten(TreeState<D>& state, NodeNumber number, NodeNumber parent) {
+  std::size_t slot;
+  Entry<D> tight;
+  {
+    const auto node = state.pages.read(number), above = state.pages.read(parent);
+    slot = slot_of(*above, number);
+    const Entry<D> before = entry_at<D>(*above, slot);
+    tight = summary(*node, state.reader, above->epoch);
+    tight.bounds.narrow_to(before.bounds);
+    if (tight.times == before.times && tight.bounds == before.bounds) return false;
+  }
+  set_entry(state.pages.modify(parent), slot, tight);
+  return true;
+}
+
+template <int D>
+void dissolve(TreeState<D>& state, NodeNumber number, NodeNumber parent_number, Orphans<D>& orphans) {
+  orphans.collect(*state.pages.read(number));
+  Node& parent = state.pages.modify(parent_number);
+  remove_slot(parent, slot_of(parent, number), state.stride(parent.level));
+  state.pages.free(number);
+}
+
+/// A root with one child makes room for it; one with nothing goes.
+template <int D>
+void lower_root(TreeState<D>& state) {
+  for (;;) {
+    const NodeNumber number = state.pages.root();
+    NodeNumber child = 0;
+    {
+      const auto root = state.pages.read(number);
+      if (root->size() > 1 || (root->is_leaf() && root->size() == 1)) return;
+      if (root->size() == 1) child = root->keys[0];
+    }
+    state.pages.set_root(child);
+    state.pages.free(number);
+    if (child == 0) return;
+    state.pages.modify(child).parent = 0;
+  }
+}
+
+/// From a node that has just lost something up to the root. True if that node is still there.
+template <int D>
+bool condense(TreeState<D>& state, NodeNumber first, Orphans<D>& orphans) {
+  bool first_stays = true;
+  for (NodeNumber number = first;;) {
+    NodeNumber parent;
+    bool too_empty;
+    {
+      const auto node = state.pages.read(number);
+      parent = node->parent, too_empty = node->size() < state.least_size(node->level);
+      if (parent == 0) break;
+      read_above(state.pages, *node);
+    }
+    if (too_empty) {
+      dissolve(state, number, parent, orphans);
+      if (number == first) first_stays = false;
+    } else if (!tighten(state, number, parent)) {
+      break;
+    }
+    number = parent;
+  }
+  return first_stays;
+}
+
+template <int D>
+void insert_again(TreeState<D>& state, const Orphans<D>& orphans) {
+  for (auto branch = orphans.branches.rbegin(); branch != orphans.branches.rend(); ++branch)
+    insert_branch(state, *branch);
+  const std::size_t size = state.reader.record_size();
+  for (std::size_t i = 0; i < orphans.ids.size(); ++i) {
+    const std::span<const double> record(orphans.records.data() + i * size, size);
+    insert_object(state, NewObject<D>{orphans.ids[i], record, Mover<D>(state.reader, record.data())});
+  }
+}
+
+}  // namespace
+
+template <int D>
+bool take_out(TreeState<D>& state, NodeNumber leaf, std::size_t slot) {
+  remove_slot(state.pages.modify(leaf), slot, state.reader.record_size());
+  Orphans<D> orphans;
+  const bool leaf_stays = condense(state, leaf, orphans);
+  lower_root(state);
+  insert_again(state, orphans);
+  return leaf_stays && state.pages.root() != 0;
+}
+
+template <int D>
+double newest_in(const Node& node, const LeafReader<D>& reader) {
+  double newest = -std::numeric_limits<double>::infinity();
+  for (std::size_t slot = 0; slot < node.size(); ++slot)
+    newest = std::max(
+        newest, node.is_leaf() ? reader.t(reader.record(node, slot)) : times_at<D>(node, slot).t_greatest);
+  return newest;
+}
+
+template <int D>
+void refresh_newest(TreeState<D>& state, NodeNumber number) {
+  for (;;) {
+    std::size_t slot;
+    Entry<D> entry;
+    {
+      const auto node = state.pages.read(number);
+      if (node->parent == 0) return;
+      const auto parent = read_above(state.pages, *node);
+      slot = slot_of(*parent, number), entry = entry_at<D>(*parent, slot);
+      const double newest = newest_in(*node, state.reader);
+      if (entry.times.t_greatest == newest) return;
+      entry.times.t_greatest = newest;
+      number = node->parent;
+    }
+    set_entry(state.pages.modify(number), slot, entry);
+  }
+}
+
+template bool take_out<1>(TreeState<1>&, NodeNumber, std::size_t);
+template bool take_out<2>(TreeState<2>&, NodeNumber, std::size_t);
+template bool take_out<3>(TreeState<3>&, NodeNumber, std::size_t);
+template void refresh_newest<1>(TreeState<1>&, NodeNumber);
+template void refresh_newest<2>(TreeState<2>&, NodeNumber);
+template void refresh_newest<3>(TreeState<3>&, NodeNumber);
+template double newest_in<1>(const Node&, const LeafReader<1>&);
+template double newest_in<2>(const Node&, const LeafReader<2>&);
+template double newest_in<3>(const Node&, const LeafReader<3>&);
+
+}  // namespace foresee

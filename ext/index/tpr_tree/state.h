@@ -1,0 +1,50 @@
+// What the parts of the tree share: its pages, how to read a record, the clock. Nothing about nodes.
+#pragma once
+
+#include "index/tpr_tree/clock.h"
+#include "index/tpr_tree/cost.h"
+#include "index/tpr_tree/node.h"
+
+namespace foresee {
+
+template <int D>
+struct TreeState {
+  TreeState(Pages& pages, double horizon) : pages(pages), reader(pages.layout()), horizon(horizon) {}
+
+  Pages& pages;
+  LeafReader<D> reader;
+  double horizon;
+  WriteClock clock;
+
+  VisitCost<D> cost(double epoch) const { return {clock.now(), horizon, epoch}; }
+  std::size_t stride(int level) const {
+    return level == 0 ? reader.record_size() : static_cast<std::size_t>(entry_size(D));
+  }
+  std::size_t capacity(int level) const {
+    return level == 0 ? pages.leaf_capacity() : pages.inner_capacity();
+  }
+  /// A node with fewer keys is dissolved, the root excepted. At most the smaller half of any split.
+  std::size_t least_size(int level) const { return std::max<std::size_t>(2, capacity(level) / 4); }
+};
+
+/// Something that gets a place in the tree: an object in a leaf, or a branch in an inner node.
+template <int D>
+struct NewObject {
+  std::int64_t id;
+  std::span<const double> record;
+  Mover<D> mover;
+
+  Entry<D> entry(double epoch) const { return entry_of(mover, epoch); }
+};
+
+template <int D>
+struct Branch {
+  NodeNumber number;
+  int level;  ///< of the node it goes into
+  Entry<D> known;
+  double epoch;
+
+  Entry<D> entry(double at) const { return {known.times, carried(known.bounds, epoch, at)}; }
+};
+
+}  // namespace foresee

@@ -1,0 +1,151 @@
+#include "index/tpr_tree/tpr_tree.h"
+
+#include "index/tpr_tree/grow.h"
+#include "index/tpr_tree/load.h"
+#include "index/tpr_tree/shrink.h"
+
+namespace foresee {
+namespace {
+
+template <int D>
+class Tree final : public TprTree {
+ public:
+  Tree(Pages& pages, double horizon) : state_(pages, horizon) {}
+
+  void insert(std::int64_t id, std::span<const double> record) override {
+    state_.clock.saw(state_.reader.t(record.data()));
+    insert_object(state_, NewObject<D>{id, record, Mover<D>(state_.reader, record.data())});
+  }
+
+  bool update(std::int64_t id, std::span<const double> record) override {
+    const auto leaf = state_.pages.leaf_of(id);
+    if (!leaf) return false;
+    state_.clock.saw(state_.reader.t(record.data()));
+    const NewObject<D> object{id, record, Mover<D>(state_.reader, record.data())};
+    freshen_above(*leaf);
+    const std::size_t slot = slot_in(*leaf, id);
+    if (parent_of(*leaf) == 0 || entry_contains(*leaf, object)) {
+      overwrite(*leaf, slot, object);
+    } else {
+      const bool leaf_stays = take_out(state_, *leaf, slot);
+      insert_object(state_, object, leaf_stays ? ancestor_containing(*leaf, object) : 0,
+                    leaf_stays ? *leaf : 0);
+    }
+    return true;
+  }
+
+  bool erase(std::int64_t id) override {
+    const auto leaf = state_.pages.leaf_of(id);
+    if (!leaf) return false;
+    take_out(state_, *leaf, slot_in(*leaf, id));
+    state_.pages.forget(id);
+    return true;
+  }
+
+  void load(std::span<const std::int64_t> ids, std::span<const double> records,
+            Interrupt& interrupt) override {
+    std::vector<std::int64_t> old_ids;
+    std::vector<double> old_records;
+    collect_objects(state_.pages, old_ids, old_records, interrupt);
+    for (const std::int64_t id : old_ids) state_.pages.forget(id);
+    free_all(state_.pages, interrupt);
+    load_tree(state_, ids, records, interrupt);
+  }
+
+  void rebuild(Interrupt& interrupt) override {
+    std::vector<std::int64_t> ids;
+    std::vector<double> records;
+    collect_objects(state_.pages, ids, records, interrupt);
+    free_all(state_.pages, interrupt);
+    load_tree(state_, ids, records, interrupt);
+  }
+
+ private:
+  NodeNumber parent_of(NodeNumber number) {
+    const auto node = state_.pages.read(number);
+    if (node->parent != 0) read_above(state_.pages, *node);
+    return node->parent;
+  }
+  std::size_t slot_in(NodeNumber number, std::int64_t key) {
+    return slot_of(*state_.pages.read(number), key);
+  }
+
+  /// Would the entry of this node stay true if the object were beneath it? Greatest t apart, which is cheap
+  /// to mend.
+  bool entry_contains(NodeNumber number, const NewObject<D>& object) {
+    const auto parent = state_.pages.read(parent_of(number));
+    Entry<D> entry = entry_at<D>(*parent, slot_of(*parent, number));
+    entry.times.t_greatest = std::numeric_limits<double>::infinity();
+    return entry.contains(object.entry(parent->epoch));
+  }
+
+  NodeNumber ancestor_containing(NodeNumber number, const NewObject<D>& object) {
+    number = parent_of(number);
+    while (number != 0 && parent_of(number) != 0 && !entry_contains(number, object))
+      number = parent_of(number);
+    return number;
+  }
+
+  void freshen_above(NodeNumber number) {
+    for (NodeNumber parent = parent_of(number); parent != 0; number = parent, parent = parent_of(number))
+      if (!freshen(state_, parent, slot_in(parent, number))) return;
+  }
+
+  /// Entries farther up contain the leaf's objects, not all that its own entry allows: they are looked at
+  /// too.
+  void overwrite(NodeNumber leaf, std::size_t slot, const NewObject<D>& object) {
+    Node& node = state_.pages.modify(leaf);
+    double* place = node.values.data() + slot * object.record.size();
+    const double t_before = state_.reader.t(place);
+    std::copy(object.record.begin(), object.record.end(), place);
+    if (object.mover.motion.t != t_before) refresh_newest(state_, leaf);
+    settle_upward(state_, leaf, object);
+  }
+
+  TreeState<D> state_;
+};
+
+}  // namespace
+
+std::unique_ptr<TprTree> make_tpr_tree(Pages& pages, double horizon) {
+  switch (pages.layout().axes) {
+    case 1:
+      return std::make_unique<Tree<1>>(pages, horizon);
+    case 2:
+      return std::make_unique<Tree<2>>(pages, horizon);
+    default:
+      return std::make_unique<Tree<3>>(pages, horizon);
+  }
+}
+
+double newest_t(NodeSource& source) {
+  if (source.root() == 0) return 0;
+  const auto root = source.read(source.root());
+  switch (source.layout().axes) {
+    case 1:
+      return newest_in(*root, LeafReader<1>(source.layout()));
+    case 2:
+      return newest_in(*root, LeafReader<2>(source.layout()));
+    default:
+      return newest_in(*root, LeafReader<3>(source.layout()));
+  }
+}
+
+void collect_objects(NodeSource& source, std::vector<std::int64_t>& ids, std::vector<double>& records,
+                     Interrupt& interrupt) {
+  std::vector<std::shared_ptr<const Node>> open;
+  if (source.root() != 0) open.push_back(source.read(source.root()));
+  while (!open.empty()) {
+    interrupt.check();
+    const auto node = std::move(open.back());
+    open.pop_back();
+    if (node->is_leaf()) {
+      ids.insert(ids.end(), node->keys.begin(), node->keys.end());
+      records.insert(records.end(), node->values.begin(), node->values.end());
+    }
+    for (std::size_t slot = node->is_leaf() ? 0 : node->size(); slot-- > 0;)
+      open.push_back(read_below(source, *node, slot));
+  }
+}
+
+}  // namespace foresee

@@ -1,0 +1,69 @@
+// The tree is the table: a TPR-style R-tree over pages, its leaves the objects themselves (Saltenis et al.,
+// "Indexing the Positions of Continuously Moving Objects", SIGMOD 2000).
+//
+//   MemoryPages pages({.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true});
+//   auto tree = make_tpr_tree(pages, 60);
+//   tree->insert(42, record);                          // record_offsets(layout).size doubles
+//   auto walk = …;                                     // see window_walk.h, nearest_walk.h, tree_join.h
+//
+// Guarantee: every object is in exactly one leaf, and the bounds of every entry above it contain its motion,
+// whatever the numbers. The tree is tuned for questions that look up to `horizon` seconds ahead of the times
+// that are being written; others are answered too. Bounds follow the clock: a node whose epoch lies far
+// behind (or ahead) has its entries computed anew when something beneath it is written.
+//
+// Cost: insert and erase touch one path of nodes; an update that leaves its leaf's entry true and is not the
+// newest object touches the leaf alone; load is O(n log n) and fills the leaves.
+//
+// The tree keeps nothing about its nodes in memory, so pages may be changed behind it by a rollback. An
+// exception that leaves a call leaves the pages half changed: the caller rolls them back.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "index/pages.h"
+#include "motion/error.h"
+
+namespace foresee {
+
+/// What check() found: sentences about what is wrong, and how much there is.
+struct TreeReport {
+  std::vector<std::string> problems;
+  std::size_t objects = 0, nodes = 0;
+};
+
+class TprTree {
+ public:
+  virtual ~TprTree() = default;
+
+  /// Requires: no object has this id; the record is valid as DESIGN.md section 2 says.
+  virtual void insert(std::int64_t id, std::span<const double> record) = 0;
+  /// False if there is no such object.
+  virtual bool update(std::int64_t id, std::span<const double> record) = 0;
+  virtual bool erase(std::int64_t id) = 0;
+
+  /// Replaces everything by these objects, neighbours in space and velocity together, in full leaves with
+  /// consecutive numbers. Ids are unique.
+  virtual void load(std::span<const std::int64_t> ids, std::span<const double> records,
+                    Interrupt& interrupt) = 0;
+  /// load() with the objects that the tree has.
+  virtual void rebuild(Interrupt& interrupt) = 0;
+};
+
+/// `pages` must outlive the tree. Requires: horizon finite and >= 0.
+std::unique_ptr<TprTree> make_tpr_tree(Pages& pages, double horizon);
+
+/// The greatest t stored, read off the root; 0 without objects or without t.
+double newest_t(NodeSource& source);
+
+/// Every object's id and record, leaf by leaf, appended.
+void collect_objects(NodeSource& source, std::vector<std::int64_t>& ids, std::vector<double>& records,
+                     Interrupt& interrupt);
+
+/// Proves the invariants: levels, parents, counts, every id once and where leaf_of() says, times, bounds.
+TreeReport check_tree(Pages& pages, Interrupt& interrupt);
+
+}  // namespace foresee

@@ -1,0 +1,106 @@
+// Exact rationals judge that bounds round outward.
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include "index/tpr_tree/bounds.h"
+#include "index/tpr_tree/moving_box.h"
+#include "tests/scenes.h"
+
+namespace foresee {
+namespace {
+
+using Exact = boost::multiprecision::cpp_rational;
+using testing::Random;
+
+bool at_most(double bound, const Exact& value) {
+  return bound == -std::numeric_limits<double>::infinity() || (std::isfinite(bound) && Exact(bound) <= value);
+}
+
+bool at_least(double bound, const Exact& value) {
+  return bound == std::numeric_limits<double>::infinity() || (std::isfinite(bound) && Exact(bound) >= value);
+}
+
+struct Case {
+  Motion<1> motion;
+  Vec<1> half;
+  double epoch, later, now;
+
+  Exact velocity(double moment) const { return Exact(motion.v[0]) + motion.a[0] * elapsed(moment); }
+  Exact centre(const Exact& s) const {
+    return Exact(motion.x[0]) + motion.v[0] * s + Exact(motion.a[0]) * s * s / 2;
+  }
+  Exact elapsed(double moment) const { return Exact(moment) - Exact(motion.t); }
+};
+
+Case random_case(Random& random) {
+  const double sizes[] = {0, 5e-324, 1e-310, 1e-20, 1, 3, 1e9, 1e15, 1e100, 1.7e308};
+  const bool tame = random.below(2) != 0;
+  auto any = [&] { return tame ? random.in(-1e9, 1e9) : random.in(-1, 1) * sizes[random.below(10)]; };
+  Case c{};
+  c.motion.t = any(), c.motion.x[0] = any(), c.motion.v[0] = any(), c.motion.a[0] = any();
+  c.motion.until = std::numeric_limits<double>::infinity();
+  c.half[0] = std::abs(any()), c.epoch = any(), c.later = any(), c.now = any();
+  return c;
+}
+
+void expect_outside(const Bounds<1>& bounds, const Case& c, double epoch) {
+  const Exact centre = c.centre(c.elapsed(epoch)), velocity = c.velocity(epoch);
+  EXPECT_TRUE(at_most(bounds.x_lower[0], centre - Exact(c.half[0])));
+  EXPECT_TRUE(at_least(bounds.x_upper[0], centre + Exact(c.half[0])));
+  EXPECT_TRUE(at_most(bounds.v_lower[0], velocity) && at_least(bounds.v_upper[0], velocity));
+  EXPECT_TRUE(at_most(bounds.a_lower[0], c.motion.a[0]) && at_least(bounds.a_upper[0], c.motion.a[0]));
+}
+
+TEST(TreeBounds, LieOutsideTheExactMotionAtEveryEpoch) {
+  Random random(1);
+  for (int i = 0; i < 500; ++i) {
+    const Case c = random_case(random);
+    const Bounds<1> bounds = bounds_at(c.motion, c.half, c.epoch);
+    expect_outside(bounds, c, c.epoch);
+    expect_outside(carried(bounds, c.epoch, c.later), c, c.later);
+  }
+}
+
+TEST(TreeBounds, MovingBoxesLieOutsideTheExactMotion) {
+  Random random(2);
+  for (int i = 0; i < 500; ++i) {
+    const Case c = random_case(random);
+    const double h = std::abs(random.in(0, 1) * (random.below(2) ? 1e3 : 1e-300));
+    const Bounds<1> at_now = carried(bounds_at(c.motion, c.half, c.epoch), c.epoch, c.now);
+    const MovingBox<1> box = moving_box<1>(at_now, {0, h}, Vec<1>::Constant(1));
+    for (double part : {0.0, 0.25, 0.5, 1.0}) {
+      const Exact tau = Exact(h) * part, centre = c.centre(c.elapsed(c.now) + tau),
+                  reach = Exact(c.half[0]) + 1;
+      EXPECT_TRUE(std::isinf(box.lower[0]) ||
+                  Exact(box.lower[0]) + Exact(box.v_lower[0]) * tau <= centre - reach);
+      EXPECT_TRUE(std::isinf(box.upper[0]) ||
+                  Exact(box.upper[0]) + Exact(box.v_upper[0]) * tau >= centre + reach);
+    }
+  }
+}
+
+TEST(TreeBounds, AreTightForEverydayNumbers) {
+  const Motion<1> motion{0, Vec<1>::Constant(100), Vec<1>::Constant(2), Vec<1>::Constant(0.5), 1e9};
+  const Bounds<1> bounds = bounds_at(motion, Vec<1>(Vec<1>::Constant(1)), 10);
+  EXPECT_NEAR(bounds.x_lower[0], 100 + 20 + 25 - 1, 1e-11);
+  EXPECT_NEAR(bounds.v_upper[0], 7, 1e-12);
+}
+
+TEST(TreeBounds, SpansOfTheHorizonAreNeverTooShort) {
+  Random random(3);
+  for (int i = 0; i < 2000; ++i) {
+    const Case c = random_case(random);
+    const Horizon horizon{c.now, 1e12};
+    const TimeSpan span = span_between(std::min(c.epoch, c.later), std::max(c.epoch, c.later), horizon);
+    const Exact first = Exact(std::min(c.epoch, c.later)) - Exact(c.now),
+                last = Exact(std::max(c.epoch, c.later)) - Exact(c.now);
+    if (first > Exact(horizon.h) || last < 0) continue;
+    EXPECT_TRUE(span.begin == 0 || Exact(span.begin) <= first);
+    EXPECT_TRUE(span.end == horizon.h || Exact(span.end) >= last);
+    EXPECT_FALSE(span.is_empty());
+  }
+}
+
+}  // namespace
+}  // namespace foresee

@@ -1,0 +1,156 @@
+#include "index/tpr_tree/tpr_tree.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/index/tree_model.h"
+
+namespace foresee {
+namespace {
+
+using testing::all_layouts;
+using testing::all_scene_kinds;
+using testing::name_of;
+using testing::Random;
+using testing::random_scene;
+using testing::RandomScene;
+using testing::TreeModel;
+
+constexpr Layout boats{.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true};
+
+TEST(TprTree, KeepsItsInvariantsInEveryLayout) {
+  for (const Layout& layout : all_layouts()) {
+    SCOPED_TRACE(name_of(layout));
+    const RandomScene scene = random_scene({.layout = layout, .count = 60, .seed = 3});
+    TreeModel model(layout, 3);
+    Random random(9);
+    double clock = 0;
+    model.churn(scene, 150, random, clock);
+    model.expect_sound();
+    model.load(scene);
+    model.expect_sound();
+    model.churn(scene, 100, random, clock);
+    model.expect_sound();
+  }
+}
+
+TEST(TprTree, KeepsItsInvariantsInEveryKindOfScene) {
+  for (auto kind : all_scene_kinds) {
+    SCOPED_TRACE(name_of(kind));
+    const RandomScene scene = random_scene({.layout = boats, .kind = kind, .count = 400, .seed = 5});
+    TreeModel model(boats, 60, 10);
+    Random random(2);
+    double clock = 0;
+    for (int round = 0; round < 4; ++round, clock += 500) {
+      model.churn(scene, 1000, random, clock);
+      model.expect_sound();
+    }
+  }
+}
+
+TEST(TprTree, HoldsMotionsAtTheEdgesOfDouble) {
+  Random random(4);
+  const double sizes[] = {0, 5e-324, 1e-300, 1, 1e15, 1e154, 1e300, 1.7e308};
+  Layout layout{.axes = 2, .law = Law::accelerated, .shape = Shape::box, .has_t = true, .has_until = true};
+  for (double horizon : {0.0, 60.0, 1e300}) {
+    TreeModel model(layout, horizon);
+    auto any = [&] { return (random.below(2) ? 1 : -1) * sizes[random.below(8)]; };
+    for (int step = 0; step < 1500; ++step) {
+      const auto id = static_cast<std::int64_t>(random.below(200));
+      const double t = any();
+      std::vector<double> record{t};
+      for (int i = 0; i < 6; ++i) record.push_back(any());
+      for (int i = 0; i < 2; ++i) record.push_back(std::abs(any()));
+      record.push_back(random.below(2) ? std::numeric_limits<double>::infinity() : std::max(t, any()));
+      if (model.objects.contains(id))
+        random.below(2) ? model.update(id, record) : model.erase(id);
+      else
+        model.insert(id, record);
+    }
+    model.expect_sound();
+  }
+}
+
+TEST(TprTree, IsEmptyAfterEverythingHasGone) {
+  const RandomScene scene = random_scene({.layout = boats, .count = 300});
+  TreeModel model(boats, 60);
+  model.load(scene);
+  for (const std::int64_t id : scene.ids) model.erase(id);
+  model.expect_sound();
+  EXPECT_EQ(model.pages.root(), 0);
+  EXPECT_EQ(model.pages.node_count(), 0u);
+  EXPECT_FALSE(model.tree->erase(1));
+  EXPECT_FALSE(model.tree->update(1, std::vector<double>(6)));
+}
+
+TEST(TprTree, LoadFillsLeavesAndRebuildKeepsObjects) {
+  const RandomScene scene = random_scene({.layout = boats, .count = 1000});
+  TreeModel model(boats, 60, 10);
+  model.load(scene);
+  EXPECT_EQ(model.pages.node_count(), 100u + 10 + 1);
+  Random random(1);
+  double clock = 1;
+  model.churn(scene, 2000, random, clock);
+  model.tree->rebuild(model.never);
+  model.expect_sound();
+  const std::size_t leaves = (model.objects.size() + 9) / 10;
+  EXPECT_LE(model.pages.node_count(), leaves + leaves / 9 + 4);
+}
+
+/// Counts the nodes that the tree announces a change of.
+class CountingPages final : public Pages {
+ public:
+  explicit CountingPages(Pages& pages) : pages_(pages) {}
+  const Layout& layout() const override { return pages_.layout(); }
+  NodeNumber root() override { return pages_.root(); }
+  std::shared_ptr<const Node> read(NodeNumber number) override { return pages_.read(number); }
+  std::size_t leaf_capacity() const override { return pages_.leaf_capacity(); }
+  std::size_t inner_capacity() const override { return pages_.inner_capacity(); }
+  Node& modify(NodeNumber number) override { return ++changes, pages_.modify(number); }
+  NodeNumber allocate() override { return ++changes, pages_.allocate(); }
+  void put(NodeNumber number, Node node) override { ++changes, pages_.put(number, std::move(node)); }
+  void free(NodeNumber number) override { ++changes, pages_.free(number); }
+  void set_root(NodeNumber number) override { pages_.set_root(number); }
+  std::optional<NodeNumber> leaf_of(std::int64_t id) override { return pages_.leaf_of(id); }
+  void place(std::span<const std::int64_t> ids, NodeNumber leaf) override {
+    ++moves, pages_.place(ids, leaf);
+  }
+  void forget(std::int64_t id) override { pages_.forget(id); }
+
+  int changes = 0, moves = 0;
+
+ private:
+  Pages& pages_;
+};
+
+TEST(TprTree, AnUpdateWithinTheLeafsBoundsTouchesTheLeafAlone) {
+  const RandomScene scene = random_scene({.layout = boats, .count = 1000});
+  TreeModel model(boats, 60, 10);
+  model.load(scene);
+  CountingPages counting(model.pages);
+  const auto tree = make_tpr_tree(counting, 60);
+  for (const auto& [id, record] : model.objects) {
+    if (record[0] == newest_t(counting)) continue;
+    counting.changes = counting.moves = 0;
+    EXPECT_TRUE(tree->update(id, record));
+    EXPECT_EQ(counting.changes, 1);
+    EXPECT_EQ(counting.moves, 0);
+  }
+}
+
+TEST(TprTree, NodesThatContradictOneAnotherAreAnError) {
+  const RandomScene scene = random_scene({.layout = boats, .count = 300});
+  for (int damage = 0; damage < 4; ++damage) {
+    TreeModel model(boats, 60);
+    model.load(scene);
+    const NodeNumber leaf = *model.pages.leaf_of(7), parent = model.pages.read(leaf)->parent;
+    if (damage == 0) model.pages.modify(leaf).level = 1;
+    if (damage == 1) model.pages.modify(parent).keys.assign(model.pages.read(parent)->size(), parent);
+    if (damage == 2) model.pages.modify(leaf).parent = leaf;
+    if (damage == 3) model.pages.modify(leaf).keys.assign(model.pages.read(leaf)->size(), 8);
+    EXPECT_FALSE(check_tree(model.pages, model.never).problems.empty());
+    EXPECT_THROW(model.tree->erase(7), BrokenTree);
+  }
+}
+
+}  // namespace
+}  // namespace foresee

@@ -1,0 +1,108 @@
+// A tree beside a plain map of what it should hold, and where objects really are.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <vector>
+
+#include "index/memory_pages.h"
+#include "index/tpr_tree/tpr_tree.h"
+#include "tests/scenes.h"
+
+namespace foresee::testing {
+
+struct TreeModel {
+  TreeModel(const Layout& layout, double horizon, std::size_t capacity = 6)
+      : pages(layout, capacity, capacity), tree(make_tpr_tree(pages, horizon)) {}
+
+  void insert(std::int64_t id, std::vector<double> record) {
+    tree->insert(id, record);
+    objects[id] = std::move(record);
+  }
+  void update(std::int64_t id, std::vector<double> record) {
+    EXPECT_TRUE(tree->update(id, record));
+    objects[id] = std::move(record);
+  }
+  void erase(std::int64_t id) {
+    EXPECT_TRUE(tree->erase(id));
+    objects.erase(id);
+  }
+  void load(const RandomScene& scene) {
+    const std::size_t size = scene.records.size() / scene.size();
+    objects.clear();
+    for (std::size_t i = 0; i < scene.size(); ++i)
+      objects[scene.ids[i]].assign(scene.records.begin() + static_cast<std::ptrdiff_t>(i * size),
+                                   scene.records.begin() + static_cast<std::ptrdiff_t>((i + 1) * size));
+    tree->load(scene.ids, scene.records, never);
+  }
+
+  /// Inserts, updates and erases at random with records of `scene`, whose t advance with `clock`.
+  void churn(const RandomScene& scene, int steps, Random& random, double& clock) {
+    const std::size_t size = scene.records.size() / scene.size();
+    const Offsets at = record_offsets(scene.layout);
+    for (int step = 0; step < steps; ++step, clock += 0.01) {
+      const auto from = static_cast<std::ptrdiff_t>(random.below(scene.size()) * size);
+      std::vector<double> record(scene.records.begin() + from,
+                                 scene.records.begin() + from + static_cast<std::ptrdiff_t>(size));
+      const double t_before = at.t == Offsets::absent ? 0 : record[static_cast<std::size_t>(at.t)];
+      if (at.t != Offsets::absent) record[static_cast<std::size_t>(at.t)] = clock + random.in(-0.1, 0.1);
+      if (at.until != Offsets::absent && at.t != Offsets::absent)
+        record[static_cast<std::size_t>(at.until)] += record[static_cast<std::size_t>(at.t)] - t_before;
+      const auto id = static_cast<std::int64_t>(1 + random.below(2 * scene.size()));
+      if (!objects.contains(id))
+        insert(id, record);
+      else if (random.below(3) == 0)
+        erase(id);
+      else
+        update(id, record);
+    }
+  }
+
+  /// The tree's invariants hold and it holds the model's objects, bit for bit.
+  void expect_sound() {
+    const TreeReport report = check_tree(pages, never);
+    EXPECT_TRUE(report.problems.empty()) << report.problems.front();
+    ASSERT_EQ(report.objects, objects.size());
+    EXPECT_EQ(pages.object_count(), objects.size());
+    EXPECT_EQ(pages.node_count(), report.nodes);
+    std::vector<std::int64_t> ids;
+    std::vector<double> records;
+    collect_objects(pages, ids, records, never);
+    const std::size_t size = ids.empty() ? 0 : records.size() / ids.size();
+    for (std::size_t i = 0; i < ids.size(); ++i) {
+      ASSERT_TRUE(objects.contains(ids[i]));
+      ASSERT_TRUE(std::equal(objects[ids[i]].begin(), objects[ids[i]].end(), records.data() + i * size));
+    }
+    double newest = objects.empty() ? 0 : -std::numeric_limits<double>::infinity();
+    const Offsets at = record_offsets(pages.layout());
+    for (const auto& [id, record] : objects)
+      newest = std::max(newest, at.t == Offsets::absent ? 0 : record[static_cast<std::size_t>(at.t)]);
+    EXPECT_EQ(newest_t(pages), newest);
+  }
+
+  NeverInterrupt never;
+  MemoryPages pages;
+  std::unique_ptr<TprTree> tree;
+  std::map<std::int64_t, std::vector<double>> objects;
+};
+
+/// Where an object is at a moment, by long doubles and nothing of the tree's own; false: not there then.
+template <int D>
+bool box_at(const Layout& layout, const std::vector<double>& record, long double moment,
+            long double (&lower)[D], long double (&upper)[D]) {
+  std::vector<double> row(static_cast<std::size_t>(row_offsets(layout).size));
+  row_from_record(layout, record.data(), row.data());
+  const Bodies body(layout, row.data(), 1);
+  const Motion<D> motion = motion_of<D>(body, 0);
+  const Vec<D> half = half_extents_of<D>(body, 0);
+  if (moment < motion.t || moment > motion.until) return false;
+  const long double s = moment - motion.t;
+  for (int axis = 0; axis < D; ++axis) {
+    const long double centre = motion.x[axis] + motion.v[axis] * s + motion.a[axis] * s * s / 2;
+    lower[axis] = centre - half[axis], upper[axis] = centre + half[axis];
+  }
+  return true;
+}
+
+}  // namespace foresee::testing
