@@ -1,0 +1,139 @@
+#include "index/tpr_tree/nearest_walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foresee {
+namespace {
+
+/// The gap between two boxes along each axis at one moment, and how fast it grows; 0 where they overlap.
+template <int D>
+struct Gap {
+  Vec<D> width, speed;
+
+  Gap(const MovingBox<D>& a, const MovingBox<D>& b, double tau) {
+    const Vec<D> left_speed = a.v_lower - b.v_upper, right_speed = b.v_lower - a.v_upper;
+    const Vec<D> left = a.lower - b.upper + left_speed * tau, right = b.lower - a.upper + right_speed * tau;
+    width = (left > 0).select(left, (right > 0).select(right, 0.0));
+    speed = (left > 0).select(left_speed, (right > 0).select(right_speed, 0.0));
+  }
+  double squared() const { return width.square().sum(); }
+  double growth() const { return 2 * (width * speed).sum(); }
+};
+
+/// Along each axis a gap is the greater of two straight lines and 0: least at an end, or 0 in between.
+template <int D>
+Vec<D> least_gaps(const MovingBox<D>& a, const MovingBox<D>& b, const TimeSpan& span) {
+  const Vec<D> left = a.lower - b.upper, right = b.lower - a.upper;
+  const Vec<D> left_speed = a.v_lower - b.v_upper, right_speed = b.v_lower - a.v_upper;
+  auto least = [&](const Vec<D>& gap, const Vec<D>& speed) -> Vec<D> {
+    const Vec<D> first = gap + speed * span.begin, last = gap + speed * span.end;
+    return (first > 0 && last > 0).select(first.min(last), 0.0);
+  };
+  return least(left, left_speed).max(least(right, right_speed));
+}
+
+inline constexpr double shrink = 1 - 0x1p-44;  // more than the rounding of what it is applied to
+
+/// The squared distance is a convex function of time: it lies above its tangents. Halve the span towards the
+/// minimum some times; where the tangents at both ends cross is a lower bound.
+template <int D>
+double tangent_bound(const MovingBox<D>& a, const MovingBox<D>& b, TimeSpan span) {
+  constexpr int halvings = 5;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = 0.5 * (span.begin + span.end);
+    (Gap<D>(a, b, middle).growth() > 0 ? span.end : span.begin) = middle;
+  }
+  const Gap<D> first(a, b, span.begin), last(a, b, span.end);
+  const double f = first.squared(), down = first.growth(), g = last.squared(), up = last.growth();
+  if (down >= 0) return f * shrink;
+  if (up <= 0) return g * shrink;
+  const double tau = (g - f - up * (span.end - span.begin)) / (down - up);
+  return f + down * tau - (f + g - down * tau + up * (span.end - span.begin)) * 0x1p-44;
+}
+
+}  // namespace
+
+template <int D>
+double least_distance(const MovingBox<D>& a, const MovingBox<D>& b, const TimeSpan& span) {
+  const Vec<D> gaps = least_gaps(a, b, span);
+  const double by_axis = gaps.square().sum(), widest = gaps.maxCoeff();
+  double squared = by_axis * shrink;
+  if (D > 1 && span.begin < span.end) {
+    const double by_tangents = tangent_bound(a, b, span);
+    if (by_tangents > squared) squared = by_tangents;
+  }
+  // Squares that leave the range of doubles say nothing; the widest gap always does.
+  return squared > 1e-280 && squared < 1e280 ? std::sqrt(squared) * shrink : widest * shrink;
+}
+
+template <int D>
+NearestWalk<D>::NearestWalk(NodeSource& source, const Vec<D>& point, const Vec<D>& velocity,
+                            const Horizon& horizon, Interrupt& interrupt)
+    : source_(source),
+      interrupt_(interrupt),
+      reader_(source.layout()),
+      horizon_(horizon),
+      question_(moving_window<D>(point, point, velocity, horizon)) {
+  if (source.root() != 0) open_.push_back({0, source.root(), -1});
+}
+
+template <int D>
+bool NearestWalk<D>::next(double reach, LeafHits& hits) {
+  hits.slots.clear();
+  while (!open_.empty() && open_.front().distance <= reach) {
+    interrupt_.check();
+    std::pop_heap(open_.begin(), open_.end());
+    const Open open = open_.back();
+    open_.pop_back();
+    auto node = source_.read(open.number);
+    if (open.level >= 0 && node->level != open.level)
+      throw BrokenTree("a tree node does not fit below its parent");
+    if (!node->is_leaf()) {
+      open_children(*node, reach);
+      continue;
+    }
+    find_in_leaf(*node, reach, hits.slots);
+    if (!hits.slots.empty()) {
+      hits.leaf = std::move(node);
+      return true;
+    }
+  }
+  hits.leaf = nullptr;
+  return false;
+}
+
+template <int D>
+void NearestWalk<D>::open_children(const Node& inner, double reach) {
+  for (std::size_t slot = 0; slot < inner.size(); ++slot) {
+    const MovingBox<D> box = child_box<D>(inner, slot, horizon_);
+    if (box.span.is_empty()) continue;
+    const double distance = least_distance(box, question_, box.span);
+    if (distance > reach) continue;
+    open_.push_back({distance, inner.keys[slot], inner.level - 1});
+    std::push_heap(open_.begin(), open_.end());
+  }
+}
+
+template <int D>
+void NearestWalk<D>::find_in_leaf(const Node& leaf, double reach, std::vector<std::uint32_t>& slots) {
+  near_.clear();
+  for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
+    const Motion<D> motion = reader_.motion(reader_.record(leaf, slot));
+    const MovingBox<D> box = moving_box<D>(motion, Vec<D>::Zero(), horizon_, Vec<D>::Zero());
+    if (box.span.is_empty()) continue;
+    const double distance = least_distance(box, question_, box.span);
+    if (distance <= reach) near_.emplace_back(distance, static_cast<std::uint32_t>(slot));
+  }
+  std::sort(near_.begin(), near_.end());
+  for (const auto& [distance, slot] : near_) slots.push_back(slot);
+}
+
+template double least_distance<1>(const MovingBox<1>&, const MovingBox<1>&, const TimeSpan&);
+template double least_distance<2>(const MovingBox<2>&, const MovingBox<2>&, const TimeSpan&);
+template double least_distance<3>(const MovingBox<3>&, const MovingBox<3>&, const TimeSpan&);
+template class NearestWalk<1>;
+template class NearestWalk<2>;
+template class NearestWalk<3>;
+
+}  // namespace foresee

@@ -1,0 +1,54 @@
+// Who may come nearest to a moving point? Leaves in the order of their least possible distance (best first,
+// Hjaltason and Samet 1999, with bounds that move).
+//
+//   NearestWalk<2> walk(source, point, velocity, horizon, interrupt);
+//   double reach = infinity;                               // distance of the k-th best so far
+//   for (LeafHits hits; walk.next(reach, hits);) …         // measure exactly, shrink reach
+//
+// Guarantee: once next() returns false, every object that has not come has its centre farther than `reach`
+// from the point at every moment of the horizon at which it exists. Objects of one leaf come by least
+// possible distance, which is never above the real one.
+#pragma once
+
+#include "index/tpr_tree/leaf_view.h"
+#include "motion/error.h"
+
+namespace foresee {
+
+/// A lower bound of the distance between two boxes during `span`. Requires: the span is not empty.
+template <int D>
+double least_distance(const MovingBox<D>& a, const MovingBox<D>& b, const TimeSpan& span);
+
+template <int D>
+class NearestWalk {
+ public:
+  /// The point is at `point` at `now` and moves with `velocity` from then on.
+  NearestWalk(NodeSource& source, const Vec<D>& point, const Vec<D>& velocity, const Horizon& horizon,
+              Interrupt& interrupt);
+
+  /// The next leaf with objects that may come within `reach`, at least one; false once there is none.
+  /// Requires: `reach` does not grow from call to call.
+  bool next(double reach, LeafHits& hits);
+
+ private:
+  struct Open {
+    double distance;
+    NodeNumber number;
+    int level;
+
+    friend bool operator<(const Open& a, const Open& b) { return a.distance > b.distance; }  // least on top
+  };
+
+  void open_children(const Node& inner, double reach);
+  void find_in_leaf(const Node& leaf, double reach, std::vector<std::uint32_t>& slots);
+
+  NodeSource& source_;
+  Interrupt& interrupt_;
+  LeafReader<D> reader_;
+  Horizon horizon_;
+  MovingBox<D> question_;
+  std::vector<Open> open_;  ///< a heap
+  std::vector<std::pair<double, std::uint32_t>> near_;
+};
+
+}  // namespace foresee

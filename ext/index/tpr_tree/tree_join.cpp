@@ -1,0 +1,156 @@
+#include "index/tpr_tree/tree_join.h"
+
+#include "index/tpr_tree/join_side.h"
+
+namespace foresee {
+namespace {
+
+constexpr std::size_t batch_size = 4096;
+
+template <int D>
+class TreeJoin final : public Candidates {
+ public:
+  /// `b` null: pairs within a.
+  TreeJoin(std::unique_ptr<JoinSide<D>> a, std::unique_ptr<JoinSide<D>> b, Interrupt& interrupt)
+      : own_a_(std::move(a)),
+        own_b_(std::move(b)),
+        a_(*own_a_),
+        b_(own_b_ ? *own_b_ : *own_a_),
+        self_(!own_b_),
+        interrupt_(interrupt) {
+    if (a_.levels() > 0 && b_.levels() > 0)
+      open_if_meeting(a_.levels() - 1, 0, b_.levels() - 1, 0, everything());
+  }
+
+  bool next(std::vector<Pair>& out) override {
+    const std::size_t before = out.size();
+    while (!open_.empty() && out.size() - before < batch_size) {
+      if (++steps_ % 64 == 0) interrupt_.check();
+      const NodePair pair = open_.back();
+      open_.pop_back();
+      if (pair.level_a == 0 && pair.level_b == 0)
+        join_leaves(pair, out);
+      else
+        open_children(pair);
+    }
+    return out.size() > before || !open_.empty();
+  }
+
+ private:
+  /// Two nodes, and when their boxes can meet.
+  struct NodePair {
+    std::size_t level_a, level_b;
+    std::uint32_t a, b;
+    TimeSpan span;
+  };
+
+  static TimeSpan everything() { return {0, std::numeric_limits<double>::infinity()}; }
+
+  /// The part of `span` during which two boxes can meet; false if there is none.
+  static bool meet(const MovingBox<D>& a, const MovingBox<D>& b, TimeSpan& span) {
+    span.begin = std::max({span.begin, a.span.begin, b.span.begin});
+    span.end = std::min({span.end, a.span.end, b.span.end});
+    return !span.is_empty() && narrow_to_contact(a, b, span);
+  }
+
+  void open_if_meeting(std::size_t level_a, std::uint32_t a, std::size_t level_b, std::uint32_t b,
+                       TimeSpan span) {
+    if (meet(a_.node(level_a, a), b_.node(level_b, b), span)) open_.push_back({level_a, level_b, a, b, span});
+  }
+
+  /// Opens the higher node of a pair, or both.
+  void open_children(const NodePair& pair) {
+    if (self_ && pair.a == pair.b && pair.level_a == pair.level_b) return open_within(pair);
+    const bool open_a = pair.level_a >= pair.level_b, open_b = pair.level_b >= pair.level_a;
+    const std::size_t level_a = pair.level_a - open_a, level_b = pair.level_b - open_b;
+    const std::uint32_t first_a = open_a ? a_.first(pair.level_a, pair.a) : pair.a,
+                        last_a = open_a ? a_.last(pair.level_a, pair.a) : pair.a + 1,
+                        first_b = open_b ? b_.first(pair.level_b, pair.b) : pair.b,
+                        last_b = open_b ? b_.last(pair.level_b, pair.b) : pair.b + 1;
+    for (std::uint32_t a = first_a; a < last_a; ++a) {
+      TimeSpan span = pair.span;
+      if (!meet(a_.node(level_a, a), b_.node(pair.level_b, pair.b), span)) continue;
+      for (std::uint32_t b = first_b; b < last_b; ++b) open_if_meeting(level_a, a, level_b, b, span);
+    }
+  }
+
+  void open_within(const NodePair& pair) {
+    const std::size_t level = pair.level_a - 1;
+    const std::uint32_t first = a_.first(pair.level_a, pair.a), last = a_.last(pair.level_a, pair.a);
+    for (std::uint32_t a = first; a < last; ++a) {
+      const TimeSpan span = a_.node(level, a).span;
+      if (!span.is_empty()) open_.push_back({level, level, a, a, span});
+      for (std::uint32_t b = a + 1; b < last; ++b) open_if_meeting(level, a, level, b, pair.span);
+    }
+  }
+
+  void join_leaves(const NodePair& pair, std::vector<Pair>& out) {
+    const bool within = self_ && pair.a == pair.b;
+    near(a_, pair.a, b_.node(0, pair.b), pair.span, near_a_);
+    if (!within) near(b_, pair.b, a_.node(0, pair.a), pair.span, near_b_);
+    for (std::size_t i = 0; i < near_a_.size(); ++i) {
+      const std::uint32_t a = near_a_[i];
+      for (std::size_t j = within ? i + 1 : 0; j < (within ? near_a_ : near_b_).size(); ++j) {
+        const std::uint32_t b = (within ? near_a_ : near_b_)[j];
+        TimeSpan span = pair.span;
+        if (meet(a_.object(a), b_.object(b), span)) out.push_back({a, b});
+      }
+    }
+  }
+
+  /// The objects of a leaf that can meet the other leaf's box.
+  void near(const JoinSide<D>& side, std::uint32_t leaf, const MovingBox<D>& other, const TimeSpan& when,
+            std::vector<std::uint32_t>& rows) const {
+    rows.clear();
+    for (std::uint32_t row = side.first(0, leaf); row < side.last(0, leaf); ++row) {
+      TimeSpan span = when;
+      if (meet(side.object(row), other, span)) rows.push_back(row);
+    }
+  }
+
+  std::unique_ptr<JoinSide<D>> own_a_, own_b_;
+  const JoinSide<D>&a_, &b_;
+  bool self_;
+  Interrupt& interrupt_;
+  std::size_t steps_ = 0;
+  std::vector<NodePair> open_;
+  std::vector<std::uint32_t> near_a_, near_b_;
+};
+
+}  // namespace
+
+template <int D>
+std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies, const TreeOutline& outline,
+                                           const Horizon& horizon, const Vec<D>& margin,
+                                           Interrupt& interrupt) {
+  return std::make_unique<TreeJoin<D>>(
+      std::make_unique<JoinSide<D>>(bodies, outline, horizon, margin, interrupt), nullptr, interrupt);
+}
+
+template <int D>
+std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies_a, const TreeOutline& outline_a,
+                                           const Bodies& bodies_b, const TreeOutline& outline_b,
+                                           const Horizon& horizon, const Vec<D>& margin,
+                                           Interrupt& interrupt) {
+  return std::make_unique<TreeJoin<D>>(
+      std::make_unique<JoinSide<D>>(bodies_a, outline_a, horizon, margin, interrupt),
+      std::make_unique<JoinSide<D>>(bodies_b, outline_b, horizon, margin, interrupt), interrupt);
+}
+
+template std::unique_ptr<Candidates> make_tree_join<1>(const Bodies&, const TreeOutline&, const Horizon&,
+                                                       const Vec<1>&, Interrupt&);
+template std::unique_ptr<Candidates> make_tree_join<2>(const Bodies&, const TreeOutline&, const Horizon&,
+                                                       const Vec<2>&, Interrupt&);
+template std::unique_ptr<Candidates> make_tree_join<3>(const Bodies&, const TreeOutline&, const Horizon&,
+                                                       const Vec<3>&, Interrupt&);
+template std::unique_ptr<Candidates> make_tree_join<1>(const Bodies&, const TreeOutline&, const Bodies&,
+                                                       const TreeOutline&, const Horizon&, const Vec<1>&,
+                                                       Interrupt&);
+template std::unique_ptr<Candidates> make_tree_join<2>(const Bodies&, const TreeOutline&, const Bodies&,
+                                                       const TreeOutline&, const Horizon&, const Vec<2>&,
+                                                       Interrupt&);
+template std::unique_ptr<Candidates> make_tree_join<3>(const Bodies&, const TreeOutline&, const Bodies&,
+                                                       const TreeOutline&, const Horizon&, const Vec<3>&,
+                                                       Interrupt&);
+
+}  // namespace foresee

@@ -1,0 +1,67 @@
+#include "index/tpr_tree/window_walk.h"
+
+namespace foresee {
+
+template <int D>
+WindowWalk<D>::WindowWalk(NodeSource& source, const MovingBox<D>& question, const Horizon& horizon,
+                          const Vec<D>& margin, Interrupt& interrupt)
+    : source_(source),
+      interrupt_(interrupt),
+      reader_(source.layout()),
+      horizon_(horizon),
+      question_(question) {
+  question_.lower = lower_end<D>(question.lower - margin, (question.lower.abs() + margin) * rounding_pad);
+  question_.upper = upper_end<D>(question.upper + margin, (question.upper.abs() + margin) * rounding_pad);
+  if (source.root() != 0) open_.push_back({source.root(), -1});
+}
+
+template <int D>
+bool WindowWalk<D>::next(LeafHits& hits) {
+  hits.slots.clear();
+  while (!open_.empty()) {
+    interrupt_.check();
+    const Open open = open_.back();
+    open_.pop_back();
+    auto node = source_.read(open.number);
+    if (open.level >= 0 && node->level != open.level)
+      throw BrokenTree("a tree node does not fit below its parent");
+    if (!node->is_leaf()) {
+      open_children(*node);
+      continue;
+    }
+    find_in_leaf(*node, hits.slots);
+    if (!hits.slots.empty()) {
+      hits.leaf = std::move(node);
+      return true;
+    }
+  }
+  hits.leaf = nullptr;
+  return false;
+}
+
+template <int D>
+void WindowWalk<D>::open_children(const Node& inner) {
+  for (std::size_t slot = 0; slot < inner.size(); ++slot) {
+    const MovingBox<D> box = child_box<D>(inner, slot, horizon_);
+    TimeSpan span = shared_span(box, question_);
+    if (!span.is_empty() && narrow_to_contact(box, question_, span))
+      open_.push_back({inner.keys[slot], inner.level - 1});
+  }
+}
+
+template <int D>
+void WindowWalk<D>::find_in_leaf(const Node& leaf, std::vector<std::uint32_t>& slots) const {
+  for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
+    const Mover<D> mover(reader_, reader_.record(leaf, slot));
+    const MovingBox<D> box = moving_box<D>(mover.motion, mover.half_extents, horizon_, Vec<D>::Zero());
+    TimeSpan span = shared_span(box, question_);
+    if (!span.is_empty() && narrow_to_contact(box, question_, span))
+      slots.push_back(static_cast<std::uint32_t>(slot));
+  }
+}
+
+template class WindowWalk<1>;
+template class WindowWalk<2>;
+template class WindowWalk<3>;
+
+}  // namespace foresee
