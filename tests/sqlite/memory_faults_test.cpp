@@ -1,0 +1,158 @@
+// Memory runs out at every allocation in turn, once or for good: SQLite's and ours. Nothing crashes, the
+// statement fails with SQLITE_NOMEM or does its work, and the table is what it was before the statement or
+// after it.
+#include <cstdlib>
+#include <new>
+
+#include "database.h"
+
+namespace {
+
+/// Counts down the allocations of the statement under test; at 0 they fail.
+struct Faults {
+  bool armed = false;
+  bool for_good = false;
+  long left = 0;
+  bool fired = false;
+
+  bool fails() {
+    if (!armed || left-- > 0) return false;
+    fired = true;
+    if (!for_good) armed = false;
+    return true;
+  }
+} faults;
+
+}  // namespace
+
+// GCC takes free() of what our own operator new has given for a mismatch.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wpragmas"
+#pragma GCC diagnostic ignored "-Wunknown-warning-option"
+#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
+void* operator new(std::size_t size) {
+  if (!faults.fails())
+    if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  throw std::bad_alloc();
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return faults.fails() ? nullptr : std::malloc(size == 0 ? 1 : size);
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}
+#pragma GCC diagnostic pop
+
+namespace foresee::testing {
+namespace {
+
+sqlite3_mem_methods ordinary;
+
+void* faulty_malloc(int size) {
+  return faults.fails() ? nullptr : ordinary.xMalloc(size);
+}
+void* faulty_realloc(void* memory, int size) {
+  return faults.fails() ? nullptr : ordinary.xRealloc(memory, size);
+}
+
+/// SQLite allocates through the counter while a fixture lives; no database is open before or after.
+struct MemoryFaults : ::testing::Test {
+  MemoryFaults() {
+    sqlite3_shutdown();
+    sqlite3_config(SQLITE_CONFIG_GETMALLOC, &ordinary);
+    sqlite3_mem_methods faulty = ordinary;
+    faulty.xMalloc = faulty_malloc;
+    faulty.xRealloc = faulty_realloc;
+    sqlite3_config(SQLITE_CONFIG_MALLOC, &faulty);
+    sqlite3_initialize();
+  }
+  ~MemoryFaults() override {
+    sqlite3_shutdown();
+    sqlite3_config(SQLITE_CONFIG_MALLOC, &ordinary);
+    sqlite3_initialize();
+  }
+
+  static std::string contents(Database& db, const std::string& table) {
+    return db.rows("SELECT * FROM " + table + " ORDER BY id");
+  }
+
+  /// Runs `sql` with the nth allocation failing, for n = 0, 1, … until it does its work undisturbed. `table`
+  /// holds the rows to compare.
+  static void run(const std::string& sql, const std::string& table = "ships") {
+    for (const bool for_good : {false, true}) {
+      long n = 0;
+      for (bool fired = true; fired && !HasFailure(); n += n < 150 ? 1 : 1 + n / 40)
+        fired = run_once(sql, table, n, for_good);
+      EXPECT_GT(n, 2) << "no allocation failed: " << sql;
+    }
+  }
+
+  static bool run_once(const std::string& sql, const std::string& table, long n, bool for_good) {
+    Database db;
+    db.exec(
+        "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, +name);"
+        "INSERT INTO ships VALUES(1, 0, 1, 1, 0, 0, 'a'), (2, 0, 2, 2, 0, 0, 'b'), (3, 0, 3, 3, 0, 0, NULL)");
+    const std::string before = contents(db, table);
+    faults = {.armed = true, .for_good = for_good, .left = n, .fired = false};
+    const int rc = sqlite3_exec(db.handle(), sql.c_str(), nullptr, nullptr, nullptr);
+    const bool fired = faults.fired;
+    faults = {};
+    EXPECT_TRUE(rc == SQLITE_OK || (fired && rc == SQLITE_NOMEM))
+        << rc << " at allocation " << n << " of " << sql;
+    if (sqlite3_get_autocommit(db.handle()) == 0) db.exec("ROLLBACK");  // a script that stopped half-way
+    const std::string after = contents(db, table);
+    if (rc == SQLITE_OK) {
+      EXPECT_EQ(db.error_of("INSERT INTO " + table + "(" + table + ") VALUES('integrity-check')"), "");
+    } else {
+      EXPECT_EQ(after, before) << "at allocation " << n << " of " << sql;
+      db.exec(sql);
+    }
+    return fired;
+  }
+};
+
+TEST_F(MemoryFaults, Insert) {
+  run("INSERT INTO ships VALUES(7, 0, 1, 1, 0, 0, 'new'), (8, 0, 2, 2, 0, 0, x'00')");
+  run("INSERT OR REPLACE INTO ships(id, t, x, y) VALUES(2, 0, 9, 9)");
+}
+
+TEST_F(MemoryFaults, Update) {
+  run("UPDATE ships SET x = x + 1, name = id");
+  run("UPDATE ships SET id = id + 10 WHERE id = 2");
+}
+
+TEST_F(MemoryFaults, Delete) {
+  run("DELETE FROM ships WHERE id > 1");
+}
+
+TEST_F(MemoryFaults, Scan) {
+  run("SELECT * FROM ships WHERE x > 1 ORDER BY y");
+  run("SELECT name FROM ships WHERE id = 2");
+}
+
+TEST_F(MemoryFaults, Transaction) {
+  run("SAVEPOINT a; UPDATE ships SET x = 0; SAVEPOINT b; DELETE FROM ships; ROLLBACK TO b; ROLLBACK TO a; "
+      "RELEASE a");
+}
+
+TEST_F(MemoryFaults, Commands) {
+  run("INSERT INTO ships(ships) VALUES('rebuild')");
+  run("INSERT INTO ships(ships) VALUES('optimize')");
+  run("INSERT INTO ships(ships) VALUES('integrity-check')");
+}
+
+TEST_F(MemoryFaults, CreateAndDrop) {
+  run("CREATE VIRTUAL TABLE boats USING moving_objects(id, x, vx, +n TEXT, horizon = 5)");
+  run("CREATE VIRTUAL TABLE IF NOT EXISTS boats USING moving_objects(id, x); DROP TABLE boats");
+}
+
+TEST_F(MemoryFaults, Join) {
+  run("SELECT * FROM predictive_join(10, 'ships', 5)");
+  run("SELECT * FROM predictive_position(10)");
+}
+
+}  // namespace
+}  // namespace foresee::testing
