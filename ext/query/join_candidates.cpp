@@ -10,9 +10,9 @@
 namespace foresee {
 namespace {
 
-/// Up to so many pairs, looking at all of them is faster than setting up a grid (measured; see
-/// tests/query/join_method_test.cpp for the proof that only speed depends on it).
-constexpr double scan_pairs = 2000;
+/// Up to so many pairs, looking at all of them is faster than setting up a grid: on one to three axes the two
+/// cross between 120 and 280 pairs, at 5 to 10 microseconds.
+constexpr double scan_pairs = 200;
 
 /// A question about one id: that row with all rows of the other side; an unknown id has no pairs.
 std::unique_ptr<Candidates> one_row(const Scene& scene, std::int64_t id, Side side, std::size_t others,
