@@ -5,6 +5,7 @@
 #include "contact/closest_approach.h"
 #include "contact/crossing.h"
 #include "contact/exact_contact.h"
+#include "motion/float_environment.h"
 
 namespace foresee {
 
@@ -18,6 +19,7 @@ class TypedContact final : public Contact {
   Reach reach() const override { return {setup_.within, setup_.within_z}; }
 
   void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) override {
+    const FloatEnvironment environment;
     for (std::size_t i = 0; i < pairs.size(); ++i) {
       fetch_ahead(pairs, i);
       if (touches(setup_.a.row(pairs[i].a), setup_.b.row(pairs[i].b))) hits.push_back(pairs[i]);
@@ -25,6 +27,7 @@ class TypedContact final : public Contact {
   }
 
   void times(std::span<const Pair> hits, std::span<ContactTimes> out, TimesWanted wanted) override {
+    const FloatEnvironment environment;
     for (std::size_t i = 0; i < hits.size(); ++i) {
       fetch_ahead(hits, i);
       out[i] = times_of(setup_.a.row(hits[i].a), setup_.b.row(hits[i].b), wanted);
@@ -32,6 +35,7 @@ class TypedContact final : public Contact {
   }
 
   void closest_approach(std::span<const Pair> hits, std::span<ClosestApproach> out) override {
+    const FloatEnvironment environment;
     for (std::size_t i = 0; i < hits.size(); ++i)
       out[i] = closest_approach_of<D>(setup_, setup_.a.row(hits[i].a), setup_.b.row(hits[i].b));
   }

@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "motion/float_environment.h"
+
 namespace foresee {
 namespace {
 
@@ -98,6 +100,7 @@ Box<D> swept_box(const Bodies& bodies, std::size_t i, const Horizon& horizon, co
 template <int D>
 std::vector<Box<D>> swept_boxes(const Bodies& bodies, const Horizon& horizon, const Vec<D>& margin,
                                 Interrupt& interrupt) {
+  const FloatEnvironment environment;
   std::vector<Box<D>> boxes;
   boxes.reserve(bodies.count);
   for (std::size_t i = 0; i < bodies.count; ++i) {
