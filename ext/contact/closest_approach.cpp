@@ -159,32 +159,39 @@ class Approach {
     return count;
   }
 
-  /// Where the slope goes through zero from below: bisection in double, then Newton in DoubleDouble.
-  DoubleDouble bottom(double low, double high) const {
-    for (int i = 0; i < 200; ++i) {
-      const double middle = low + 0.5 * (high - low);
-      if (!(low < middle && middle < high)) break;
-      const double step = -slope({middle, 0}).high / slope_of_slope(middle);
-      const double guess = middle + step;
-      if (slope({middle, 0}).high < 0)
-        low = middle;
-      else
-        high = middle;
-      if (low < guess && guess < high && std::abs(step) < 1e-3 * (high - low)) {
-        low = std::max(low, guess - 4 * std::abs(step));
-        high = std::min(high, guess + 4 * std::abs(step));
-        if (!(slope({low, 0}).high < 0 && slope({high, 0}).high > 0)) return polished(guess);
-      }
+  double rough_slope(double tau) const {
+    double sum = 0;
+    for (int j = 0; j < D; ++j) {
+      const double a = course_.a[j].high, v = course_.v[j].high;
+      sum += (course_.x[j].high + tau * (v + tau * a)) * (v + 2 * tau * a);
     }
-    return polished(low);
+    return sum;
+  }
+
+  /// Where the slope goes through zero from below: Newton in double, kept between the ends by bisection, then
+  /// Newton in DoubleDouble.
+  DoubleDouble bottom(double low, double high) const {
+    double tau = low + 0.5 * (high - low);
+    for (int i = 0; i < 100; ++i) {
+      const double slope = rough_slope(tau);
+      (slope < 0 ? low : high) = tau;
+      double next = tau - slope / slope_of_slope(tau);
+      if (!(low < next && next < high)) next = low + 0.5 * (high - low);
+      const bool settled = std::abs(next - tau) <= 1e-11 * next;
+      tau = next;
+      if (settled) break;
+    }
+    return polished(tau);
   }
 
   DoubleDouble polished(double tau) const {
     DoubleDouble moment{tau, 0};
     for (int i = 0; i < 3; ++i) {
       const double step = -slope(moment).high / slope_of_slope(moment.high);
-      if (!std::isfinite(step)) break;
+      // A flat bottom: there the distance hardly depends on the moment, and a step is not to be trusted.
+      if (!(std::abs(step) <= 1e-6 * tau)) break;
       moment = moment + DoubleDouble{step, 0};
+      if (std::abs(step) < 0x1p-80 * tau) break;
     }
     return moment;
   }
