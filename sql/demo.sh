@@ -25,12 +25,13 @@ if ! build >"$log" 2>&1; then
 fi
 
 for step in sql/tour/*.sql; do
-  printf '\n\033[1m=== %s ===\033[0m\n' "$step"
+  printf '\n=== %s ===\n' "$step"
   if [ "$step" = sql/tour/05_real_ships.sql ] && [ ! -f ../shared/data/ships_us_20220103.csv.gz ]; then
     echo "Left out: ../shared/data/ships_us_20220103.csv.gz is not there."
     continue
   fi
-  sqlite3 -batch -init /dev/null :memory: <"$step" 2>&1 || true # a step that shows an error ends with that error's status
+  # The step that shows mistakes ends with the status of an error; no other one may.
+  sqlite3 -batch -init /dev/null :memory: <"$step" 2>&1 || [ "$step" = sql/tour/04_mistakes.sql ]
 done
 
 cat <<'END'
