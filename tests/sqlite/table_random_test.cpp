@@ -112,7 +112,8 @@ class Twins {
     std::istringstream words(shape_.columns);
     for (std::string word; static_cast<int>(result.size()) < shape_.motion && words >> word;)
       if (word != ",") result.push_back(word);
-    for (int i = 0; i < shape_.auxiliaries; ++i) result.push_back(std::string("n") + static_cast<char>('0' + i));
+    for (int i = 0; i < shape_.auxiliaries; ++i)
+      result.push_back(std::string("n") + static_cast<char>('0' + i));
     return result;
   }
   std::string columns() const {
