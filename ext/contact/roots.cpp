@@ -16,6 +16,22 @@ Dyadic between(const Dyadic& low, const Dyadic& high, int round) {
   return half_of(low + high);
 }
 
+/// The dyadic with the fewest bits strictly between: roots of numbers that people write are often such.
+/// Requires: 0 <= low < high.
+Dyadic simplest_between(const Dyadic& low, const Dyadic& high) {
+  const int unit = (high - low).magnitude() - 2;
+  const auto whole = [unit](const Dyadic& x) {
+    const int shift = x.exponent() - unit;
+    return Integer(shift >= 0 ? Integer(x.mantissa() << shift) : Integer(x.mantissa() >> -shift));
+  };
+  // The greatest multiple of a power of two in (below, last]: where their leading bits part.
+  const Integer below = whole(low);
+  Integer last = whole(high);
+  if (Dyadic(last, unit) == high) --last;
+  const auto part = msb(Integer(below ^ last));
+  return {Integer((last >> part) << part), unit};
+}
+
 /// |a| / |b| as a double that need not be accurate. Requires: both not zero.
 double rough_ratio(const Dyadic& a, const Dyadic& b) {
   auto leading = [](const Dyadic& d) {
@@ -97,6 +113,13 @@ void Root::refine() {
   if (!caught && !exact() && digits <= 2) look_at(half_of(low_ + high_));
 }
 
+void Root::narrow(int round) {
+  if (round == 1 || round == 3)
+    look_at(simplest_between(low_, high_));
+  else
+    refine();
+}
+
 int Root::sign_of(const Polynomial& q) {
   if (q.degree < 0) return 0;
   for (int round = 0;; ++round) {
@@ -109,12 +132,12 @@ int Root::sign_of(const Polynomial& q) {
       const Polynomial common = common_divisor(*p_, q);
       if (common.degree > 0 && descartes(common, low_, high_).variations == 1) return 0;
     }
-    refine();
+    narrow(round);
   }
 }
 
 double Root::rounded_with(const Dyadic& offset) {
-  for (;;) {
+  for (int round = 0;; ++round) {
     const double least = rounded(low_ + offset), most = rounded(high_ + offset);
     if (least == most) return least;
     if (std::nextafter(least, most) == most) {
@@ -127,7 +150,7 @@ double Root::rounded_with(const Dyadic& offset) {
       if (exact()) return rounded(tie);
       return low_ == place ? most : least;
     }
-    refine();
+    narrow(round);
   }
 }
 

@@ -30,6 +30,9 @@ class Root {
   /// refinement).
   void refine();
 
+  /// refine(), but early on a look at the simplest number inside, which may well be the root.
+  void narrow(int round);
+
   const Polynomial* p_;  ///< owned by whoever made the roots
   Dyadic low_, high_;
   int sign_low_;    ///< sign just after low
