@@ -1,0 +1,156 @@
+#include "accuracy/engine.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "contact/ball_ball.h"
+#include "contact/box_box.h"
+#include "contact/crossing.h"
+#include "contact/exact_contact.h"
+#include "contact/oracle.h"
+
+namespace foresee::bench {
+namespace {
+
+Setup setup_of(const Family& family) {
+  return {family.a(), family.b(), family.horizon, 0, 0};
+}
+
+/// One pair in the typed code of the contact room, stage by stage.
+template <class Kind>
+class Stages {
+ public:
+  explicit Stages(const Family& family) : setup_(setup_of(family)) {}
+
+  Formula formula(std::size_t i) const {
+    Formula formula;
+    const auto course = course_of<Dyadic, 3>(setup_, a(i), b(i));
+    Kind::visit(sizes<Dyadic>(i), FormulaVisitor<3>(course, formula));
+    return formula;
+  }
+
+  std::optional<ContactTimes> exact(std::size_t i) const {
+    const Formula formula = this->formula(i);
+    const ExactMoments moments = exact_moments_of(setup_, a(i), b(i));
+    if (!exact_touches(formula, moments)) return std::nullopt;
+    return exact_times(formula, moments);
+  }
+
+  void count(std::size_t i, StageShares& shares) const {
+    const Moments moments = moments_of(setup_, a(i), b(i));
+    const Track<Kind, 2> track(setup_, a(i), b(i), moments);
+    const ChordVisitor<3> chord(track.relative(), moments.dt_begin, moments.dt_end);
+    const Verdict verdict = track.touches();
+    ++(Kind::visit(track.sizes(), chord).none() ? shares.chord
+       : verdict != Verdict::uncertain          ? shares.certified
+                                                : shares.exact);
+    const bool hit = verdict == Verdict::uncertain
+                         ? exact_touches(formula(i), exact_moments_of(setup_, a(i), b(i)))
+                         : verdict == Verdict::yes;
+    if (hit) ++shares.hits, ++time_stage(i, track, moments, shares);
+  }
+
+ private:
+  /// As TypedContact times a begin.
+  std::size_t& time_stage(std::size_t i, const Track<Kind, 2>& track, const Moments& moments,
+                          StageShares& shares) const {
+    Bracket first;
+    if (track.first_contact(first) != Verdict::yes) return shares.exact_time;
+    if (!(first.after > moments.dt_begin)) return shares.at_once;
+    const auto course = course_of<DoubleDouble, 3>(setup_, a(i), b(i));
+    const CrossingVisitor<Way::in, 3, 2> visitor(track.relative(), course, first, setup_.horizon.now);
+    return Kind::visit(sizes<DoubleDouble>(i), visitor).known() ? shares.double_double : shares.exact_time;
+  }
+
+  template <class T>
+  auto sizes(std::size_t i) const {
+    return Kind::template sizes<T>(raw_sizes_of<T, 3>(setup_, a(i), b(i)), T{}, T{});
+  }
+  const double* a(std::size_t i) const { return setup_.a.row(i); }
+  const double* b(std::size_t i) const { return setup_.b.row(i); }
+
+  Setup setup_;
+};
+
+std::optional<ContactTimes> exact_answer(const Family& family, std::size_t i) {
+  return family.balls() ? Stages<BallBall<3>>(family).exact(i) : Stages<BoxBox<3>>(family).exact(i);
+}
+
+Answer answer_of(const std::optional<ContactTimes>& times) {
+  return times ? Answer{true, times->dt} : Answer{};
+}
+
+testing_pairs::Object object_of(const Bodies& bodies, std::size_t i) {
+  testing_pairs::Object object;
+  object.layout = bodies.layout;
+  const double* row = bodies.row(i);
+  const Offsets& at = bodies.at;
+  object.t = row[at.t];
+  for (int j = 0; j < 3; ++j) {
+    object.x[j] = row[at.x + j], object.v[j] = row[at.v + j], object.a[j] = row[at.a + j];
+    if (at.half != Offsets::absent) object.half[j] = row[at.half + j];
+  }
+  if (at.r != Offsets::absent) object.r = row[at.r];
+  return object;
+}
+
+bool objects_to(const Family& family, std::size_t i, const std::optional<ContactTimes>& answer) {
+  const testing_pairs::Object a = object_of(family.a(), i), b = object_of(family.b(), i);
+  std::vector<oracle::Coefficients> axes;
+  std::vector<oracle::Rational> half;
+  for (int j = 0; j < 3; ++j) {
+    axes.push_back(oracle::relative_axis(a, b, j, family.horizon.now));
+    half.push_back(oracle::Rational(a.half[j]) + oracle::Rational(b.half[j]));
+  }
+  const std::vector<int> round = family.balls() ? std::vector<int>{0, 1, 2} : std::vector<int>{};
+  const oracle::Rational radius = oracle::Rational(a.r) + oracle::Rational(b.r);
+  const oracle::Rule rule = oracle::distance_rule(axes, half, round, radius);
+  return !oracle::judge(rule, a, b, family.horizon, answer).empty();
+}
+
+}  // namespace
+
+Method filtered_engine(const Family& family) {
+  const std::shared_ptr<Contact> contact =
+      make_contact(family.a(), family.b(), {.horizon = family.horizon}, "a", "b");
+  return {"filtered", "",
+          [contact, pairs = std::vector<Pair>(), hits = std::vector<Pair>(),
+           times = std::vector<ContactTimes>()](std::size_t first, std::size_t count, Answer* out) mutable {
+            pairs.clear(), hits.clear();
+            for (std::size_t i = first; i < first + count; ++i)
+              pairs.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i)});
+            contact->decide(pairs, hits);
+            times.resize(hits.size());
+            contact->times(hits, times, TimesWanted::begins);
+            std::fill_n(out, count, Answer{});
+            for (std::size_t k = 0; k < hits.size(); ++k) out[hits[k].a - first] = {true, times[k].dt};
+          }};
+}
+
+Method exact_stage(const Family& family) {
+  return one_by_one("exact-only", "",
+                    [&family](std::size_t i) { return answer_of(exact_answer(family, i)); });
+}
+
+StageShares stage_shares(const Family& family) {
+  StageShares shares;
+  const Stages<BallBall<3>> balls(family);
+  const Stages<BoxBox<3>> boxes(family);
+  for (std::size_t i = 0; i < family.count; ++i)
+    family.balls() ? balls.count(i, shares) : boxes.count(i, shares);
+  return shares;
+}
+
+Truth truth_of(const Family& family, std::size_t judged) {
+  Truth truth;
+  truth.judged = std::min(judged, family.count);
+  for (std::size_t i = 0; i < family.count; ++i) {
+    const std::optional<ContactTimes> answer = exact_answer(family, i);
+    truth.answers.push_back(answer_of(answer));
+    if (i < truth.judged) truth.complaints += objects_to(family, i, answer);
+  }
+  return truth;
+}
+
+}  // namespace foresee::bench
