@@ -2,8 +2,24 @@
 #include "sqlite/harbour.h"
 #include "sqlite/scene_table.h"
 
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+#include <sanitizer/lsan_interface.h>
+#define FORESEE_LEAK_CHECK 1
+#endif
+#endif
+
 namespace foresee::testing {
 namespace {
+
+/// What is allocated while this lives may leak.
+struct WithoutLeakCheck {
+#ifdef FORESEE_LEAK_CHECK
+  __lsan::ScopedDisabler disabler;
+#else
+  WithoutLeakCheck() {}  // user-provided, so that an unused one is no warning
+#endif
+};
 
 /// A statement that a test steps by hand.
 class Stepped {
@@ -83,6 +99,8 @@ TEST_F(JoinSnapshot, IsEachCursorsOwn) {
 }
 
 TEST_F(JoinSnapshot, OutlivesADropOrMakesItWait) {
+  // SQLite 3.40 leaks 40 bytes of its own for any virtual table whose DROP fails; an rtree shows the same.
+  const WithoutLeakCheck dropping;
   Stepped join(db, "SELECT a FROM predictive_join(9)");
   ASSERT_EQ(join.step(), SQLITE_ROW);
   const int rc = db.code_of("DROP TABLE ships");
