@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "motion/float_environment.h"
 #include "query/checks.h"
 #include "query/join_candidates.h"
 
@@ -63,6 +64,7 @@ void Join::in_slices(std::size_t count, Work work) {
 }
 
 std::span<const JoinRow> Join::next() {
+  const FloatEnvironment environment;
   rows_.clear();
   while (rows_.empty()) {
     interrupt_.check();

@@ -6,6 +6,7 @@
 #include "index/all_pairs.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "index/one_with_all.h"
+#include "motion/float_environment.h"
 
 namespace foresee {
 namespace {
@@ -75,6 +76,7 @@ JoinMethod chosen_method(const JoinQuestion& question) {
 
 std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, const Contact::Reach& reach,
                                             Interrupt& interrupt) {
+  const FloatEnvironment environment;
   const Scene& a = *question.a;
   const Scene& b = question.b ? *question.b : a;
   if (question.only_a) return one_row(a, *question.only_a, Side::a, b.size(), interrupt);

@@ -1,5 +1,6 @@
 #include "query/position.h"
 
+#include "motion/float_environment.h"
 #include "motion/position.h"
 #include "query/checks.h"
 
@@ -37,6 +38,7 @@ Positions::Positions(std::shared_ptr<const Scene> scene, double moment)
 }
 
 std::optional<PositionRow> Positions::next() {
+  const FloatEnvironment environment;
   while (next_ < bodies_.count) {
     const std::size_t i = next_++;
     PositionRow row{scene_->ids[i], {}, {}};

@@ -1,5 +1,7 @@
 #include "sqlite/connection.h"
 
+#include "motion/float_environment.h"
+
 namespace foresee {
 
 std::int64_t Connection::announce(ObjectStore* store, const std::string& schema, const std::string& table) {
@@ -36,6 +38,7 @@ std::shared_ptr<const Scene> Connection::scene(const OpenTable& table) {
   auto scene = std::make_shared<Scene>();
   scene->name = table.table;
   scene->layout = table.store->declaration().layout;
+  const FloatEnvironment environment;  // accelerations are computed on loading
   table.store->load(scene->ids, scene->rows, interrupt_);
   scenes_[table.store] = {version, scene};
   return scene;

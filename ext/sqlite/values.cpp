@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "motion/float_environment.h"
 #include "sqlite/callback.h"
 
 namespace foresee {
@@ -128,6 +129,7 @@ void Values::require_motion_to_last(std::int64_t id) const {
 }
 
 void Values::require_finite_acceleration(std::int64_t id) const {
+  const FloatEnvironment environment;
   const double mass = record_[static_cast<std::size_t>(at_.mass)];
   for (int axis = 0; axis < layout_.axes; ++axis) {
     const double force = record_[static_cast<std::size_t>(at_.force + axis)];
