@@ -1,28 +1,41 @@
 #include "sqlite/table.h"
 
 #include "sqlite/declare.h"
+#include "storage/shadow_schema.h"
 
 namespace foresee {
 
-Table::Table(std::shared_ptr<Connection> connection_, std::shared_ptr<ObjectStore> store_,
-             const std::string& schema, const std::string& name_)
+Table::Table(std::shared_ptr<Connection> connection_, Declaration declaration, StoreOrFault opened,
+             const std::string& schema_, const std::string& name_)
     : sqlite3_vtab{},
       connection(std::move(connection_)),
-      store(std::move(store_)),
+      schema(schema_),
       name(name_),
-      values(store->declaration(), name),
-      number(connection->announce(store.get(), schema, name)) {}
+      values(declaration, name),
+      number(0),
+      declared_(std::move(declaration)),
+      opened_(std::move(opened)) {
+  number = connection->announce(opened_.store.get(), schema, name);
+}
 
 Table::~Table() {
   connection->leave(number);
+  sqlite3_free(zErrMsg);  // what nobody asked for: SQLite 3.40 takes no message from xDestroy
 }
 
 void Table::rename(const std::string& new_name) {
   require_table_name(declaration(), new_name);
-  store->rename(new_name);
+  store().rename(new_name);
   name = new_name;
   values.rename(new_name);
   connection->rename(number, new_name);
+}
+
+void Table::drop() {
+  if (opened_.store)
+    opened_.store->drop();
+  else
+    drop_shadow_tables(connection->db(), {schema, name}, declaration());
 }
 
 }  // namespace foresee

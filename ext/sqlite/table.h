@@ -18,14 +18,29 @@ namespace foresee {
 
 class TableCursor;
 
+/// The storage of a table, or why it cannot be read: shadow tables are missing or written by a later version.
+struct StoreOrFault {
+  std::shared_ptr<ObjectStore> store;  ///< null: there is a fault
+  StoreError fault{SQLITE_OK, ""};
+};
+
 struct Table : sqlite3_vtab {
-  Table(std::shared_ptr<Connection> connection, std::shared_ptr<ObjectStore> store, const std::string& schema,
-        const std::string& name);
+  Table(std::shared_ptr<Connection> connection, Declaration declaration, StoreOrFault opened,
+        const std::string& schema, const std::string& name);
   ~Table();
   Table(const Table&) = delete;
   Table& operator=(const Table&) = delete;
 
-  const Declaration& declaration() const { return store->declaration(); }
+  const Declaration& declaration() const { return declared_; }
+  /// Throws the fault if there is one.
+  ObjectStore& store() {
+    if (!opened_.store) throw opened_.fault;
+    return *opened_.store;
+  }
+  bool has_store() const { return opened_.store != nullptr; }
+
+  /// Drops the shadow tables, as many as there are.
+  void drop();
 
   // Columns as SQL numbers them: id, motion, auxiliary, command.
   static constexpr int id_column = 0;
@@ -38,11 +53,15 @@ struct Table : sqlite3_vtab {
   void rename(const std::string& new_name);
 
   std::shared_ptr<Connection> connection;
-  std::shared_ptr<ObjectStore> store;
+  std::string schema;
   std::string name;
   Values values;
   std::int64_t number;  ///< what Connection::find knows it by
   std::vector<TableCursor*> cursors;
+
+ private:
+  Declaration declared_;
+  StoreOrFault opened_;
 };
 
 inline Table& table_of(sqlite3_vtab* base) {

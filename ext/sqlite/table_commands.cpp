@@ -8,7 +8,7 @@ namespace foresee {
 
 std::string findings_of(Table& table) {
   constexpr std::size_t most = 5;
-  const std::vector<std::string> findings = table.store->check(table.connection->interrupt());
+  const std::vector<std::string> findings = table.store().check(table.connection->interrupt());
   std::string text;
   for (std::size_t i = 0; i < findings.size() && i < most; ++i) text += (i == 0 ? "" : "; ") + findings[i];
   if (findings.size() > most) text += "; and " + std::to_string(findings.size() - most) + " more";
@@ -19,9 +19,9 @@ void run_command(Table& table, sqlite3_value* command) {
   const bool is_text = sqlite3_value_type(command) == SQLITE_TEXT;
   const std::string word = is_text ? reinterpret_cast<const char*>(sqlite3_value_text(command)) : "";
   if (word == "rebuild") {
-    table.store->rebuild(table.connection->interrupt());
+    table.store().rebuild(table.connection->interrupt());
   } else if (word == "optimize") {
-    table.store->optimize(table.connection->interrupt());
+    table.store().optimize(table.connection->interrupt());
   } else if (word == "integrity-check") {
     const std::string findings = findings_of(table);
     if (!findings.empty()) throw StoreError(SQLITE_CORRUPT_VTAB, table.name + ": " + findings);

@@ -32,6 +32,7 @@ void TableCursor::filter(TablePlan plan, sqlite3_value** arguments) {
       return seek_object(arguments[0]);
     case TablePlan::handle:
       require_handle_word(arguments[0]);
+      table_.store();  // a table that cannot be read says so here
       handle_ = true;
       ids_.push_back(0);
       return;
@@ -44,7 +45,7 @@ void TableCursor::seek_object(sqlite3_value* value) {
   if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) return;
   const std::int64_t id = sqlite3_value_int64(value);
   if (type == SQLITE_FLOAT && static_cast<double>(id) != sqlite3_value_double(value)) return;
-  if (auto record = table_.store->read(id)) {
+  if (auto record = table_.store().read(id)) {
     ids_.push_back(id);
     records_ = std::move(*record);
   }
@@ -63,7 +64,7 @@ void TableCursor::next_leaf() {
   do {
     ids_.clear();
     records_.clear();
-    leaf_ = table_.store->next_leaf(leaf_, ids_, records_);
+    leaf_ = table_.store().next_leaf(leaf_, ids_, records_);
   } while (leaf_ != 0 && ids_.empty());
   if (leaf_ == 0) {
     ids_.clear();
@@ -84,7 +85,7 @@ void TableCursor::next() {
 /// Goes on to the first id at or after the position that is still there.
 void TableCursor::read_present() {
   for (; position_ < ids_.size(); ++position_) {
-    if (auto record = table_.store->read(ids_[position_])) {
+    if (auto record = table_.store().read(ids_[position_])) {
       records_ = std::move(*record);
       return;
     }
@@ -96,7 +97,7 @@ void TableCursor::keep_ids() {
   std::vector<std::int64_t> rest(ids_.begin() + static_cast<std::ptrdiff_t>(position_), ids_.end());
   std::vector<std::int64_t> ids;
   std::vector<double> records;
-  for (std::int64_t leaf = leaf_; (leaf = table_.store->next_leaf(leaf, ids, records)) != 0;) {
+  for (std::int64_t leaf = leaf_; (leaf = table_.store().next_leaf(leaf, ids, records)) != 0;) {
     rest.insert(rest.end(), ids.begin(), ids.end());
     ids.clear();
     records.clear();
@@ -125,7 +126,7 @@ void TableCursor::column(sqlite3_context* context, int column) const {
     const double number = records_[first + static_cast<std::size_t>(motion.place)];
     if (std::isfinite(number)) sqlite3_result_double(context, number);  // an infinite until reads as NULL
   } else if (column < table_.command_column() && !sqlite3_vtab_nochange(context)) {
-    table_.store->result_auxiliary(context, rowid(), auxiliary);
+    table_.store().result_auxiliary(context, rowid(), auxiliary);
   }
 }
 

@@ -32,7 +32,7 @@ bool is_null(sqlite3_value* value) {
 
 /// Whether an object of this id is in the way and is to be replaced; refused unless the statement says so.
 bool replaces(Table& table, std::int64_t id) {
-  if (!table.store->contains(id)) return false;
+  if (!table.store().contains(id)) return false;
   if (sqlite3_vtab_on_conflict(table.connection->db()) == SQLITE_REPLACE) return true;
   throw Refusal(SQLITE_CONSTRAINT, "UNIQUE constraint failed: " + table.name + ".id");
 }
@@ -46,12 +46,12 @@ std::int64_t insert_row(Table& table, const NewRow& row) {
   std::optional<std::int64_t> id = table.values.id(row.id);
   if (!id) id = table.values.id(row.rowid);
   const bool assigned = !id;
-  if (assigned) id = table.store->next_id();
+  if (assigned) id = table.store().next_id();
   const std::span<const double> record = table.values.record(*id, row.motion);
   if (!assigned && replaces(table, *id)) {
-    table.store->update(*id, *id, record, row.auxiliaries);
+    table.store().update(*id, *id, record, row.auxiliaries);
   } else {
-    table.store->insert(*id, record, row.auxiliaries);
+    table.store().insert(*id, record, row.auxiliaries);
   }
   return *id;
 }
@@ -68,7 +68,7 @@ void update_row(Table& table, std::int64_t old_id, const NewRow& row) {
                                        " would become NULL: every object has an id; write an INTEGER");
   const std::span<const double> record = table.values.record(*id, row.motion);
   if (*id != old_id) replaces(table, *id);  // refuses, or the update replaces it
-  table.store->update(old_id, *id, record, row.auxiliaries);
+  table.store().update(old_id, *id, record, row.auxiliaries);
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ void update_row(Table& table, std::int64_t old_id, const NewRow& row) {
 void write_table(Table& table, int count, sqlite3_value** arguments, sqlite3_int64* rowid) {
   for (TableCursor* cursor : table.cursors) cursor->keep_ids();
   if (count == 1) {
-    table.store->erase(sqlite3_value_int64(arguments[0]));
+    table.store().erase(sqlite3_value_int64(arguments[0]));
   } else if (is_null(arguments[0])) {
     *rowid = insert_row(table, NewRow(table, arguments));
   } else {

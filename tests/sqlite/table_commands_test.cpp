@@ -1,4 +1,6 @@
 // INSERT INTO ships(ships) VALUES('rebuild' | 'optimize' | 'integrity-check').
+#include <memory>
+
 #include "database.h"
 
 namespace foresee::testing {
@@ -58,6 +60,56 @@ TEST_F(TableCommands, TheIntegrityCheckFindsALostRow) {
   EXPECT_EQ(command("'rebuild'"), "");
   EXPECT_EQ(command("'integrity-check'"), "");
   EXPECT_EQ(db.rows("SELECT x FROM ships WHERE id = 77"), "3.0");
+}
+
+TEST_F(TableCommands, PragmaIntegrityCheckLooksIntoTheTable) {
+  EXPECT_EQ(db.rows("PRAGMA integrity_check"), "ok");
+  db.exec("DELETE FROM ships_map WHERE rowid = 77");
+  const std::string answer = db.rows("PRAGMA integrity_check");
+  // Before 3.44 SQLite does not ask virtual tables.
+  EXPECT_EQ(answer.substr(0, answer.find(' ')), sqlite3_libversion_number() < 3044000 ? "ok" : "ships:")
+      << answer;
+}
+
+// --- tables that cannot be read
+// ------------------------------------------------------------------------------
+
+struct UnreadableTable : ::testing::Test {
+  /// A file with the table `ships`, damaged by `sql`, opened anew.
+  void damage(const std::string& sql) {
+    {
+      Database before(file.path());
+      before.exec("CREATE VIRTUAL TABLE ships USING moving_objects(id, x, +name)");
+      before.exec("INSERT INTO ships VALUES(1, 2, 'a'); " + sql);
+    }
+    db = std::make_unique<Database>(file.path());
+  }
+  void expect_droppable() {
+    EXPECT_NE(db->error_of("INSERT INTO ships(x) VALUES(1)"), "");
+    db->exec("BEGIN; DROP TABLE ships; COMMIT");
+    EXPECT_EQ(db->rows("SELECT name FROM sqlite_schema"), "");
+  }
+
+  TemporaryFile file;
+  std::unique_ptr<Database> db;
+};
+
+TEST_F(UnreadableTable, WithoutAnyOneOfItsShadowTablesCanBeDropped) {
+  for (const char* suffix : {"node", "map", "aux", "meta"}) {
+    damage(std::string("DROP TABLE ships_") + suffix);
+    SCOPED_TRACE(suffix);
+    expect_droppable();
+  }
+}
+
+TEST_F(UnreadableTable, OfALaterFormatSaysSoAndCanBeDropped) {
+  damage("UPDATE ships_meta SET value = 99 WHERE key = 'format'");
+  for (const char* sql :
+       {"SELECT * FROM ships", "SELECT * FROM ships WHERE id = 1", "INSERT INTO ships(x) VALUES(1)",
+        "UPDATE ships SET x = 1", "DELETE FROM ships", "ALTER TABLE ships RENAME TO fleet",
+        "INSERT INTO ships(ships) VALUES('integrity-check')", "SELECT * FROM predictive_position(1)"})
+    EXPECT_NE(db->error_of(sql).find("stored in format '99'"), std::string::npos) << sql;
+  expect_droppable();
 }
 
 }  // namespace
