@@ -9,7 +9,7 @@
 //   SELECT "ships" FROM "ships" WHERE "ships" MATCH 'foresee-handle'
 //
 // which the table answers with the number under which it announced itself. The scene is a snapshot and that
-// statement is closed before open_scene returns, so the table can be written or dropped under a running call;
+// statement is closed before open_scene returns, so the table can be written under a running call;
 // against other connections SQLite keeps its read lock until the statement that calls ends, as for any
 // reader.
 #pragma once
