@@ -21,6 +21,12 @@ struct Distance {
     const DoubleDouble rest = square - product(root, root);
     return (root + rest.high / (2 * root)) * scale;
   }
+
+  /// The same with a scale that is at least as large; what becomes 0 is too small to matter beside it.
+  Distance scaled_to(double larger) const {
+    const double share = scale / larger, squared = share * share;
+    return {{square.high * squared, square.low * squared}, larger, error * squared};
+  }
 };
 
 template <int D>
@@ -33,14 +39,6 @@ class Approach {
     end_ = moments.ends_with_horizon ? DoubleDouble{moments.dt_end, 0}
                                      : difference(moments.t_end, setup.horizon.now);
     for (int j = 0; j < D; ++j) bent_ = bent_ || course_.a[j].high != 0;
-    double size = 0;
-    const double tau = end_.high;
-    for (int j = 0; j < D; ++j)
-      size = std::max(size, std::abs(course_.x[j].high) +
-                                tau * (std::abs(course_.v[j].high) + tau * std::abs(course_.a[j].high)));
-    // The exponent of the largest coordinate that can occur; what is far smaller than it cannot matter.
-    scale_ = size > 0 && std::isfinite(size) ? std::ldexp(1.0, std::clamp(std::ilogb(size), -1000, 1000)) : 1;
-    size_ = size / scale_;
   }
 
   struct Nearest {
@@ -54,13 +52,13 @@ class Approach {
     DoubleDouble best_tau = moments[0];
     Distance best = distance_at(best_tau);
     for (int i = 1; i < count; ++i) {
-      const Distance other = distance_at(moments[i]);
+      const Distance found = distance_at(moments[i]);
+      const double larger = std::max(best.scale, found.scale);
+      const Distance other = found.scaled_to(larger), nearest = best.scaled_to(larger);
       // Not nearer by more than the error: a tie, and the earlier moment stays.
-      if (!(other.square.high < best.square.high - (best.error + other.error) * 2)) {
-        const DoubleDouble gap = best.square - other.square;
-        if (!(gap.high > best.error + other.error)) continue;
-      }
-      best = other;
+      const DoubleDouble gap = nearest.square - other.square;
+      if (!(gap.high > nearest.error + other.error)) continue;
+      best = found;
       best_tau = moments[i];
     }
     return {best_tau, best.value()};
@@ -79,19 +77,23 @@ class Approach {
   Distance distance_at(const DoubleDouble& tau) const {
     Distance d{{0, 0}, 1, 0};
     DoubleDouble away[D];
-    double largest = 0;
+    double largest = 0, size = 0;
+    const double t = std::abs(tau.high);
     for (int j = 0; j < D; ++j) {
       away[j] = place(j, tau);
       largest = std::max(largest, std::abs(away[j].high));
+      size = std::max(size, std::abs(course_.x[j].high) +
+                                t * (std::abs(course_.v[j].high) + t * std::abs(course_.a[j].high)));
     }
-    d.scale = scale_;
-    const double inverse = 1 / scale_;
+    // The exponent of the largest term at this moment: what a far end of the horizon brings does not blur it.
+    if (size > 0 && std::isfinite(size)) d.scale = std::ldexp(1.0, std::clamp(std::ilogb(size), -1000, 1000));
+    const double inverse = 1 / d.scale;
     for (int j = 0; j < D; ++j) {
       const DoubleDouble part{away[j].high * inverse, away[j].low * inverse};
       d.square = d.square + part * part;
     }
-    // Each coordinate is within 2^-96 of the largest that can occur.
-    const double coordinate = 0x1p-96 * size_;
+    // Each coordinate is within 2^-96 of the largest term.
+    const double coordinate = 0x1p-96 * (size * inverse);
     d.error = D * coordinate * (2 * largest * inverse + coordinate) + 0x1p-98 * d.square.high;
     return d;
   }
@@ -198,7 +200,6 @@ class Approach {
 
   Course<DoubleDouble, D> course_;
   DoubleDouble begin_, end_;
-  double scale_ = 1, size_ = 0;
   bool bent_ = false;
 };
 

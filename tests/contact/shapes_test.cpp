@@ -155,6 +155,14 @@ TEST(ClosestApproach, OfStraightCourses) {
   EXPECT_EQ(approach.d, 3);
 }
 
+TEST(ClosestApproach, IsNotBlurredByAFarHorizon) {
+  // The two meet after a second; where they are at the end of 1e308 seconds must not count.
+  const Object a = at(Shape::point, {0, 0}, {1, 0}), b = at(Shape::point, {1, 0}, {0, 0});
+  const ClosestApproach approach = closest(a, b, {.horizon = {0, 1e308}});
+  EXPECT_EQ(approach.dt, 1);
+  EXPECT_EQ(approach.d, 0);
+}
+
 TEST(ClosestApproach, IsTheEarliestOnTies) {
   const Object a = at(Shape::point, {0, 3}, {1, 1}), b = at(Shape::point, {10, 0}, {1, 1});
   EXPECT_EQ(closest(a, b, {.horizon = {5, 100}}).dt, 0);
