@@ -62,21 +62,29 @@ TEST(TreeBounds, LieOutsideTheExactMotionAtEveryEpoch) {
   }
 }
 
+void expect_outside(const MovingBox<1>& box, const Case& c, const Horizon& horizon, double margin) {
+  for (double part : {0.0, 0.25, 0.5, 1.0}) {
+    const Exact tau = Exact(horizon.h) * part, centre = c.centre(c.elapsed(c.now) + tau),
+                reach = Exact(c.half[0]) + margin;
+    EXPECT_TRUE(std::isinf(box.lower[0]) ||
+                Exact(box.lower[0]) + Exact(box.v_lower[0]) * tau <= centre - reach);
+    EXPECT_TRUE(std::isinf(box.upper[0]) ||
+                Exact(box.upper[0]) + Exact(box.v_upper[0]) * tau >= centre + reach);
+  }
+}
+
 TEST(TreeBounds, MovingBoxesLieOutsideTheExactMotion) {
   Random random(2);
   for (int i = 0; i < 500; ++i) {
     const Case c = random_case(random);
     const double h = std::abs(random.in(0, 1) * (random.below(2) ? 1e3 : 1e-300));
-    const Bounds<1> at_now = carried(bounds_at(c.motion, c.half, c.epoch), c.epoch, c.now);
-    const MovingBox<1> box = moving_box<1>(at_now, {0, h}, Vec<1>::Constant(1));
-    for (double part : {0.0, 0.25, 0.5, 1.0}) {
-      const Exact tau = Exact(h) * part, centre = c.centre(c.elapsed(c.now) + tau),
-                  reach = Exact(c.half[0]) + 1;
-      EXPECT_TRUE(std::isinf(box.lower[0]) ||
-                  Exact(box.lower[0]) + Exact(box.v_lower[0]) * tau <= centre - reach);
-      EXPECT_TRUE(std::isinf(box.upper[0]) ||
-                  Exact(box.upper[0]) + Exact(box.v_upper[0]) * tau >= centre + reach);
-    }
+    const Horizon horizon{c.now, h};
+    Motion<1> motion = c.motion;
+    motion.t = std::min(motion.t, c.now);  // it exists all the time
+    const Bounds<1> at_epoch = bounds_at(motion, c.half, c.epoch);
+    const Case moved{motion, c.half, c.epoch, c.later, c.now};
+    expect_outside(moving_box<1>(at_epoch, c.epoch, {0, h}, horizon), moved, horizon, 0);
+    expect_outside(moving_box<1>(motion, c.half, horizon, Vec<1>::Constant(1)), moved, horizon, 1);
   }
 }
 

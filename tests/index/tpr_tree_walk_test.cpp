@@ -186,5 +186,36 @@ TEST(LeastDistance, IsNeverAboveWhatSamplesFind) {
   }
 }
 
+TEST(LeastDistance, OfPointsHoldsAtEverySizeOfNumbers) {
+  Random random(12);
+  for (double size : {1e-300, 1e-150, 1e-20, 1.0, 1e15, 1e150, 1e290})
+    for (double h : {0.0, 1e-9, 5.0, 1e9})
+      for (int i = 0; i < 300; ++i) {
+        const Horizon horizon{0, h};
+        const double slow = h > 0 ? size / h * random.unit() : size;
+        const Motion<2> motion{random.in(-2, 0), random_vec<2>(random, -size, size),
+                               random_vec<2>(random, -slow, slow), random_vec<2>(random, -slow, slow) * 0.1,
+                               infinity};
+        const Vec<2> point = random_vec<2>(random, -size, size), speed = random_vec<2>(random, -slow, slow);
+        const double bound =
+            least_point_distance(moving_box<2>(motion, Vec<2>::Zero(), horizon, Vec<2>::Zero()),
+                                 moving_window<2>(point, point, speed, horizon));
+        long double sampled = infinity;
+        for (int step = 0; step <= 100; ++step) {
+          const long double tau = step * 0.01L * h, s = tau - motion.t;
+          long double squared = 0;
+          for (int axis = 0; axis < 2; ++axis) {
+            const long double gap = motion.x[axis] + motion.v[axis] * s + motion.a[axis] * s * s / 2 -
+                                    point[axis] - speed[axis] * tau;
+            squared += gap * gap;
+          }
+          sampled = std::min(sampled, std::sqrt(squared));
+        }
+        ASSERT_LE(bound, sampled) << size << " " << h;
+        const bool everyday = size <= 1e15 && size >= 1e-20 && h < 1e8;
+        EXPECT_TRUE(!everyday || bound >= sampled - 2 * size);
+      }
+}
+
 }  // namespace
 }  // namespace foresee

@@ -14,14 +14,15 @@ namespace foresee {
 struct LeafHits {
   std::shared_ptr<const Node> leaf;
   std::vector<std::uint32_t> slots;
+  std::vector<double> distances;  ///< by NearestWalk only: the least possible one of each, ascending
 };
 
 /// Requires: an inner node.
 template <int D>
 MovingBox<D> child_box(const Node& inner, std::size_t slot, const Horizon& horizon) {
   const Times times = times_at<D>(inner, slot);
-  return moving_box<D>(carried(bounds_at<D>(inner, slot), inner.epoch, horizon.now),
-                       span_between(times.t_least, times.until_greatest, horizon), Vec<D>::Zero());
+  return moving_box<D>(bounds_at<D>(inner, slot), inner.epoch,
+                       span_between(times.t_least, times.until_greatest, horizon), horizon);
 }
 
 }  // namespace foresee

@@ -3,7 +3,9 @@
 //
 //   NearestWalk<2> walk(source, point, velocity, horizon, interrupt);
 //   double reach = infinity;                               // distance of the k-th best so far
-//   for (LeafHits hits; walk.next(reach, hits);) …         // measure exactly, shrink reach
+//   for (LeafHits hits; walk.next(reach, hits);)
+//     for (std::size_t i = 0; i < hits.slots.size() && hits.distances[i] <= reach; ++i)
+//       …                                                // measure exactly, shrink reach
 //
 // Guarantee: once next() returns false, every object that has not come has its centre farther than `reach`
 // from the point at every moment of the horizon at which it exists. Objects of one leaf come by least
@@ -18,6 +20,10 @@ namespace foresee {
 /// A lower bound of the distance between two boxes during `span`. Requires: the span is not empty.
 template <int D>
 double least_distance(const MovingBox<D>& a, const MovingBox<D>& b, const TimeSpan& span);
+
+/// The same for the centre of an object without extents and a moving point, during the object's span.
+template <int D>
+double least_point_distance(const MovingBox<D>& point, const MovingBox<D>& question);
 
 template <int D>
 class NearestWalk {
@@ -40,7 +46,7 @@ class NearestWalk {
   };
 
   void open_children(const Node& inner, double reach);
-  void find_in_leaf(const Node& leaf, double reach, std::vector<std::uint32_t>& slots);
+  void find_in_leaf(const Node& leaf, double reach, LeafHits& hits);
 
   NodeSource& source_;
   Interrupt& interrupt_;

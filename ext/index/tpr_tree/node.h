@@ -15,34 +15,38 @@ namespace foresee {
 template <int D>
 class LeafReader {
  public:
-  explicit LeafReader(const Layout& layout) {
-    records_.layout = layout, records_.at = record_offsets(layout);
-  }
+  explicit LeafReader(const Layout& layout) : at_(record_offsets(layout)), shape_(layout.shape) {}
 
-  std::size_t record_size() const { return static_cast<std::size_t>(records_.at.size); }
+  std::size_t record_size() const { return static_cast<std::size_t>(at_.size); }
 
   Motion<D> motion(const double* record) const {
-    const Offsets& at = records_.at;
-    Motion<D> motion = motion_of<D>(view(record), 0);
-    if (at.force != Offsets::absent) motion.a = Eigen::Map<const Vec<D>>(record + at.force) / record[at.mass];
+    Motion<D> motion{
+        t(record), vector(record, at_.x), vector(record, at_.v), vector(record, at_.a),
+        at_.until == Offsets::absent ? std::numeric_limits<double>::infinity() : record[at_.until]};
+    if (at_.force != Offsets::absent) motion.a = vector(record, at_.force) / record[at_.mass];
     return motion;
   }
-  Vec<D> half_extents(const double* record) const { return half_extents_of<D>(view(record), 0); }
-  double t(const double* record) const {
-    return records_.at.t == Offsets::absent ? 0 : record[records_.at.t];
+  /// Of the smallest axis-aligned box around the shape.
+  Vec<D> half_extents(const double* record) const {
+    if (shape_ == Shape::point) return Vec<D>::Zero();
+    if (shape_ == Shape::box) return vector(record, at_.half);
+    Vec<D> half = Vec<D>::Constant(record[at_.r]);
+    if (shape_ == Shape::cylinder) half[D - 1] = record[at_.hz];
+    return half;
   }
+  double t(const double* record) const { return at_.t == Offsets::absent ? 0 : record[at_.t]; }
   const double* record(const Node& leaf, std::size_t slot) const {
     return leaf.values.data() + slot * record_size();
   }
 
  private:
-  Bodies view(const double* record) const {
-    Bodies one = records_;
-    one.rows = record, one.count = 1;
-    return one;
+  static Vec<D> vector(const double* record, int place) {
+    if (place == Offsets::absent) return Vec<D>::Zero();
+    return Eigen::Map<const Vec<D>>(record + place);
   }
 
-  Bodies records_;  ///< without rows
+  Offsets at_;
+  Shape shape_;
 };
 
 /// An object as the tree carries it about.

@@ -3,9 +3,9 @@
 //
 // Top down, as in OMT: the objects are halved again and again, at a boundary between nodes of the highest
 // level that has one near the middle, each time along the axis of position or velocity on which they are most
-// spread out; a second of velocity counts as half a horizon of distance. The spread is that of a sample
-// between its tenths, so that a few outliers do not decide it; objects far larger or faster than the median
-// come last, in leaves of their own.
+// spread out; a velocity counts as the distance it covers in part of a horizon. The spread is that of a
+// sample between its tenths, so that a few outliers do not decide it; objects far larger or faster than the
+// median come last, in leaves of their own.
 #pragma once
 
 #include <cstdint>
