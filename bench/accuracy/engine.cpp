@@ -97,15 +97,13 @@ testing_pairs::Object object_of(const Bodies& bodies, std::size_t i) {
 
 bool objects_to(const Family& family, std::size_t i, const std::optional<ContactTimes>& answer) {
   const testing_pairs::Object a = object_of(family.a(), i), b = object_of(family.b(), i);
-  std::vector<oracle::Coefficients> axes;
-  std::vector<oracle::Rational> half;
+  oracle::Rule rule;
   for (int j = 0; j < 3; ++j) {
-    axes.push_back(oracle::relative_axis(a, b, j, family.horizon.now));
-    half.push_back(oracle::Rational(a.half[j]) + oracle::Rational(b.half[j]));
+    rule.axes.push_back(oracle::relative_axis(a, b, j, family.horizon.now));
+    rule.half.push_back(oracle::Exact(a.half[j]) + oracle::Exact(b.half[j]));
   }
-  const std::vector<int> round = family.balls() ? std::vector<int>{0, 1, 2} : std::vector<int>{};
-  const oracle::Rational radius = oracle::Rational(a.r) + oracle::Rational(b.r);
-  const oracle::Rule rule = oracle::distance_rule(axes, half, round, radius);
+  if (family.balls()) rule.round = {0, 1, 2};
+  rule.radius = oracle::Exact(a.r) + oracle::Exact(b.r);
   return !oracle::judge(rule, a, b, family.horizon, answer).empty();
 }
 

@@ -1,0 +1,109 @@
+#include "contact/hard_pairs.h"
+
+namespace foresee::testing_pairs {
+namespace {
+
+const Family families[] = {
+    {.name = "random"},
+    {.name = "random, crowded", .places = 4, .sizes = 2},
+    {.name = "random, reference times", .ages = 50},
+    {.name = "grazes and ties", .whole = true},
+    {.name = "grazes and ties, crowded", .places = 3, .speeds = 2, .turns = 1, .sizes = 2, .whole = true},
+    {.name = "almost grazes", .whole = true, .ulps = 3},
+    {.name = "almost grazes, reference times", .whole = true, .ulps = 1, .ages = 4},
+    {.name = "no extent", .places = 3, .speeds = 2, .turns = 1, .sizes = 0, .whole = true},
+    {.name = "almost parallel", .speeds = 1e-7, .turns = 1e-9, .horizon = 1e9},
+    {.name = "far from the origin", .whole = true, .ulps = 1, .offset = 1e15},
+    {.name = "far and fine", .speeds = 1e3, .sizes = 1e-3, .offset = 1e15, .horizon = 1},
+    {.name = "huge acceleration", .turns = 1e9},
+    {.name = "instant", .whole = true, .ulps = 1, .horizon = 0},
+    {.name = "same motion", .places = 3, .sizes = 1, .whole = true, .same_motion = true},
+    {.name = "mixed scales", .spread = 30},
+    {.name = "unix times", .whole = true, .ulps = 1, .now = 1.7e9, .ages = 600, .horizon = 600},
+    {.name = "unix times, microseconds",
+     .places = 1e-2,
+     .speeds = 1e4,
+     .sizes = 1e-3,
+     .now = 1.7e9,
+     .ages = 1},
+    {.name = "lives", .places = 4, .whole = true, .horizon = 6, .lives = true},
+    {.name = "lives, reference times", .places = 4, .ulps = 2, .now = 0.1, .ages = 3, .lives = true},
+};
+
+const Family extremes[] = {
+    {.name = "denormal", .whole = true, .ulps = 2, .scale = -1060},
+    {.name = "products underflow", .whole = true, .ulps = 1, .scale = -540},
+    {.name = "products overflow", .whole = true, .ulps = 1, .scale = 700},
+    {.name = "many scales", .spread = 200},
+};
+
+void describe(std::ostream& out, const Object& o) {
+  out << "  t " << o.t << " until " << o.until << " law " << static_cast<int>(o.layout.law) << " r " << o.r
+      << " hz " << o.hz;
+  for (int j = 0; j < o.layout.axes; ++j)
+    out << "\n    " << o.x[j] << ", " << o.v[j] << ", " << o.a[j] << ", half " << o.half[j];
+  out << "\n";
+}
+
+}  // namespace
+
+std::span<const Family> ordinary_families() {
+  return families;
+}
+std::span<const Family> extreme_families() {
+  return extremes;
+}
+
+oracle::Rule rule_of(const Object& a, const Object& b, const ContactQuestion& question) {
+  auto both = [&](auto of) { return oracle::Exact(of(a)) + oracle::Exact(of(b)); };
+  auto is = [&](Shape shape) { return a.layout.shape == shape || b.layout.shape == shape; };
+  const bool boxes = a.layout.shape == Shape::box && b.layout.shape == Shape::box;
+  const bool upright = is(Shape::cylinder) || question.within_z.has_value();
+  oracle::Rule rule;
+  rule.radius =
+      boxes ? 0 : oracle::Exact(question.within) + both([](const Object& o) {
+                    return o.layout.shape == Shape::ball || o.layout.shape == Shape::cylinder ? o.r : 0;
+                  });
+  for (int j = 0; j < a.layout.axes; ++j) {
+    rule.axes.push_back(oracle::relative_axis(a, b, j, question.horizon.now));
+    rule.half.push_back(both([j](const Object& o) { return o.layout.shape == Shape::box ? o.half[j] : 0; }));
+    if (boxes) {
+      rule.half.back() += question.within;
+    } else if (upright && j == 2) {
+      rule.half.back() += question.within_z.value_or(0);
+      rule.half.back() += both([](const Object& o) { return o.layout.shape == Shape::cylinder ? o.hz : 0; });
+    } else {
+      rule.round.push_back(j);
+    }
+  }
+  return rule;
+}
+
+Case make_case(Generator& generate, const Family& family, Shapes shapes, int axes) {
+  const bool box_a = shapes == Shapes::boxes || shapes == Shapes::box_and_ball ||
+                     shapes == Shapes::cylinder_and_box || shapes == Shapes::box_and_point_within;
+  const bool cylinders = shapes == Shapes::cylinders || shapes == Shapes::cylinder_and_box;
+  const bool points = shapes == Shapes::points_within || shapes == Shapes::box_and_point_within;
+  const Shape round = points ? Shape::point : cylinders ? Shape::cylinder : Shape::ball;
+  const Shape shape_a = box_a ? Shape::box : round, shape_b = shapes == Shapes::boxes ? Shape::box : round;
+  Case c{generate.object(axes, shape_a), generate.object(axes, shape_b), {}};
+  if (family.same_motion)
+    for (int j = 0; j < axes; ++j) c.b.v[j] = c.a.v[j], c.b.a[j] = c.a.a[j], c.b.layout = c.a.layout;
+  c.b.layout.shape = shape_b;
+  if (generate.chance(2)) std::swap(c.a, c.b);
+  c.question.horizon = generate.horizon();
+  if (generate.chance(2)) generate.aim(c.a, c.b, c.question.horizon);
+  if (points || generate.chance(2)) c.question.within = generate.size();
+  if (cylinders && generate.chance(2)) c.question.within_z = generate.size();
+  return c;
+}
+
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+  out.precision(17);
+  describe(out, c.a);
+  describe(out, c.b);
+  return out << "  now " << c.question.horizon.now << " h " << c.question.horizon.h << " within "
+             << c.question.within << " within_z " << c.question.within_z.value_or(-1);
+}
+
+}  // namespace foresee::testing_pairs

@@ -1,0 +1,110 @@
+// What the judges compute with: exact binary fractions, Sturm's count of roots, and moments held as brackets
+// of one root.
+//
+// Plain and unrelated to the engine: no polynomial is ever expanded around a point or turned to another
+// basis; roots are counted by Sturm's theorem, then narrowed by halving.
+#pragma once
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <vector>
+
+namespace foresee::oracle {
+
+using Whole = boost::multiprecision::number<
+    boost::multiprecision::cpp_int_backend<512, 0, boost::multiprecision::signed_magnitude,
+                                           boost::multiprecision::unchecked>,
+    boost::multiprecision::et_off>;
+
+/// n 2^e, closed under sums, differences, products and halves. A double is one.
+struct Exact {
+  Whole n = 0;
+  int e = 0;
+
+  Exact() = default;
+  Exact(double value);  // NOLINT: a double is what it says
+  Exact(Whole whole, int exponent) : n(std::move(whole)), e(exponent) {}
+
+  int sign() const { return n.sign(); }
+  Exact operator-() const { return {-n, e}; }
+  friend Exact operator+(const Exact& a, const Exact& b);
+  friend Exact operator-(const Exact& a, const Exact& b) { return a + -b; }
+  friend Exact operator*(const Exact& a, const Exact& b) { return {a.n * b.n, a.e + b.e}; }
+  Exact& operator+=(const Exact& b) { return *this = *this + b; }
+  Exact& operator-=(const Exact& b) { return *this = *this - b; }
+  friend bool operator<(const Exact& a, const Exact& b) { return (a - b).sign() < 0; }
+  friend bool operator>(const Exact& a, const Exact& b) { return b < a; }
+  friend bool operator<=(const Exact& a, const Exact& b) { return !(b < a); }
+  friend bool operator==(const Exact& a, const Exact& b) { return (a - b).sign() == 0; }
+};
+
+inline Exact half(const Exact& a) {
+  return {a.n, a.e - 1};
+}
+inline Exact middle(const Exact& a, const Exact& b) {
+  return half(a + b);
+}
+
+using Coefficients = std::vector<Exact>;  ///< of tau^0, tau^1, …
+using Integers = std::vector<Whole>;      ///< the same up to a positive factor, without leading zeros
+
+Integers integers_of(const Coefficients& p);
+Integers derivative(const Integers& p);
+Exact value_at(const Coefficients& p, const Exact& x);
+int sign_at(const Integers& p, const Exact& x);
+/// Up to a factor.
+Integers common_divisor(Integers a, Integers b);
+
+/// A polynomial and how many distinct roots it has where.
+class Sturm {
+ public:
+  explicit Sturm(Integers p);
+  const Integers& polynomial() const { return polynomial_; }
+  /// The same roots, each once; its signs may be others.
+  const Integers& square_free() const { return chain_.front(); }
+  /// Distinct roots in (low, high].
+  int count(const Exact& low, const Exact& high) const { return variations(low) - variations(high); }
+
+ private:
+  void build(Integers p);
+  int variations(const Exact& x) const;
+  Integers polynomial_;
+  std::vector<Integers> chain_;
+};
+
+/// A moment: the only root of a polynomial in (low, high].
+class Moment {
+ public:
+  Moment(const Sturm& sturm, Exact low, Exact high)
+      : low(std::move(low)), high(std::move(high)), sturm_(&sturm), sign_high_(sign_of(this->high)) {}
+
+  void halve();
+  /// -1, 0, 1: the moment is before, at, after x.
+  int compare(const Exact& x) const;
+  /// The sign of a polynomial here.
+  int sign_of(const Sturm& p);
+  /// True if both are the same moment; else narrows them until their brackets are apart.
+  friend bool same_moment(Moment& a, Moment& b);
+
+  Exact low, high;
+
+ private:
+  int sign_of(const Exact& x) const { return sign_at(sturm_->square_free(), x); }
+  const Sturm* sturm_;  ///< owned by whoever made the moment
+  int sign_high_;       ///< 0: the root is `high`
+};
+
+/// All roots in (low, high], in order.
+std::vector<Moment> moments_between(const Sturm& sturm, const Exact& low, const Exact& high);
+
+/// Is `value` the double nearest to what `compare(x)` compares with x, ties to even?
+template <class Compare>
+bool is_nearest(double value, Compare&& compare) {
+  if (!(std::abs(value) < std::numeric_limits<double>::max())) return false;
+  const double inf = std::numeric_limits<double>::infinity();
+  const int low = compare(middle(value, std::nextafter(value, -inf)));
+  const int high = compare(middle(value, std::nextafter(value, inf)));
+  const bool even = std::bit_cast<std::uint64_t>(value) % 2 == 0;
+  return (low > 0 || (low == 0 && even)) && (high < 0 || (high == 0 && even));
+}
+
+}  // namespace foresee::oracle
