@@ -1,0 +1,128 @@
+// Hostile nodes with valid checksums: some bytes of some nodes, of the map and of the table's facts are
+// changed, checksums made right again, and everything is asked and written. An error or any rows will do;
+// a crash, a hang or a leak will not.
+#include <cstring>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "program.h"
+#include "storage/node_format.h"
+
+namespace foresee::testing {
+namespace {
+
+/// A small table of three levels, one for each declaration, made once.
+const std::vector<unsigned char>& sound_database(std::size_t which) {
+  static std::vector<unsigned char> made[std::size(fuzz_tables)];
+  std::vector<unsigned char>& bytes = made[which];
+  if (!bytes.empty()) return bytes;
+  Connection db;
+  const FuzzTable& table = fuzz_tables[which];
+  db.must("PRAGMA page_size = 512");
+  db.must(std::string("CREATE VIRTUAL TABLE ships USING moving_objects(id, ") + table.columns + ")");
+  for (int id = 1; id <= 60; ++id) {
+    std::string values = std::to_string(id);
+    for (int i = 0; i < table.numbers; ++i)
+      values += ", " + std::to_string(1 + (id * (7 + i)) % (11 + 2 * i));
+    db.run("INSERT INTO ships VALUES(" + values + ")");  // until < t is refused
+  }
+  sqlite3_int64 size = 0;
+  unsigned char* image = sqlite3_serialize(db.handle(), "main", &size, 0);
+  bytes.assign(image, image + size);
+  sqlite3_free(image);
+  return bytes;
+}
+
+void load(Connection& db, const std::vector<unsigned char>& image) {
+  auto* copy = static_cast<unsigned char*>(sqlite3_malloc64(image.size()));
+  std::memcpy(copy, image.data(), image.size());
+  const auto size = static_cast<sqlite3_int64>(image.size());
+  if (sqlite3_deserialize(db.handle(), "main", copy, size, size,
+                          SQLITE_DESERIALIZE_FREEONCLOSE | SQLITE_DESERIALIZE_RESIZEABLE) != SQLITE_OK)
+    fail("deserialize");
+}
+
+/// Overwrites up to 8 bytes of one node; the places that matter most come most often.
+void change_node(Connection& db, FuzzedDataProvider& bytes) {
+  const auto number = bytes.ConsumeIntegralInRange<std::int64_t>(1, 24);
+  sqlite3_blob* blob = nullptr;
+  if (sqlite3_blob_open(db.handle(), "main", "ships_node", "data", number, 1, &blob) != SQLITE_OK) {
+    sqlite3_blob_close(blob);
+    return;
+  }
+  std::vector<std::byte> node(static_cast<std::size_t>(sqlite3_blob_bytes(blob)));
+  sqlite3_blob_read(blob, node.data(), static_cast<int>(node.size()), 0);
+  const std::size_t last = bytes.ConsumeBool() ? 40 : node.size() - 1;
+  const std::size_t at = bytes.ConsumeIntegralInRange<std::size_t>(0, std::min(last, node.size() - 1));
+  if (bytes.ConsumeBool()) {
+    const double number_there = fuzz_number(bytes);
+    std::memcpy(node.data() + at, &number_there, std::min(sizeof number_there, node.size() - at));
+  } else {
+    node[at] = static_cast<std::byte>(bytes.ConsumeIntegral<std::uint8_t>());
+  }
+  seal_node(node, number);
+  sqlite3_blob_write(blob, node.data(), static_cast<int>(node.size()), 0);
+  sqlite3_blob_close(blob);
+}
+
+void change_tables(Connection& db, FuzzedDataProvider& bytes) {
+  const std::string one = std::to_string(bytes.ConsumeIntegralInRange(-1, 30));
+  switch (bytes.ConsumeIntegralInRange(0, 5)) {
+    case 0:
+      db.run("UPDATE ships_map SET leaf = " + one + " WHERE id = " + fuzz_id(bytes));
+      return;
+    case 1:
+      db.run("DELETE FROM ships_map WHERE id = " + fuzz_id(bytes));
+      return;
+    case 2:
+      db.run("UPDATE ships_meta SET value = " + one + " WHERE key = 'root'");
+      return;
+    case 3:
+      db.run("UPDATE ships_meta SET value = " + literal(fuzz_number(bytes)) + " WHERE key = '" +
+             (bytes.ConsumeBool() ? "horizon" : "node_size") + "'");
+      return;
+    case 4:
+      db.run("DELETE FROM ships_node WHERE nodeno = " + one);
+      return;
+    default:
+      db.run("UPDATE ships_node SET nodeno = nodeno + 1 WHERE nodeno = " + one);
+      return;
+  }
+}
+
+void ask_and_write(Connection& db, FuzzedDataProvider& bytes, const FuzzTable& table) {
+  const std::string question = fuzz_question(bytes);
+  for (const char* method : fuzz_methods) db.rows(with_method(question, method));
+  db.rows("SELECT * FROM ships");
+  db.rows("SELECT * FROM ships WHERE id = " + fuzz_id(bytes));
+  db.rows("SELECT * FROM predictive_position(" + literal(fuzz_number(bytes)) + ")");
+  db.run("INSERT INTO ships(ships) VALUES('integrity-check')");
+  for (int i = 0; i < 6; ++i) {
+    db.run("INSERT OR REPLACE INTO ships VALUES(" + fuzz_id(bytes) + ", " + fuzz_values(bytes, table) + ")");
+    db.run("UPDATE ships SET x = x + 1 WHERE id = " + fuzz_id(bytes));
+    db.run("DELETE FROM ships WHERE id = " + fuzz_id(bytes));
+  }
+  db.run(bytes.ConsumeBool() ? "INSERT INTO ships(ships) VALUES('rebuild')"
+                             : "INSERT INTO ships(ships) VALUES('optimize')");
+  db.rows(with_method(question, "auto"));
+  db.run("DROP TABLE ships");
+}
+
+void run(FuzzedDataProvider& bytes) {
+  const auto which = bytes.ConsumeIntegralInRange<std::size_t>(0, std::size(fuzz_tables) - 1);
+  Connection db;
+  load(db, sound_database(which));
+  for (int changes = bytes.ConsumeIntegralInRange(1, 4); changes > 0; --changes)
+    bytes.ConsumeIntegralInRange(0, 3) > 0 ? change_node(db, bytes) : change_tables(db, bytes);
+  ask_and_write(db, bytes, fuzz_tables[which]);
+}
+
+}  // namespace
+}  // namespace foresee::testing
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  FuzzedDataProvider bytes(data, size);
+  foresee::testing::run(bytes);
+  return 0;
+}

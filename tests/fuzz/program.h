@@ -1,0 +1,140 @@
+// What the fuzzers share: a connection, and statements that are made of a fuzzer's bytes.
+//
+// A number that SQL must give back is written with all its digits. Small whole numbers are the most frequent:
+// objects that touch, tie and coincide are where errors hide.
+#pragma once
+
+#include <fuzzer/FuzzedDataProvider.h>
+#include <sqlite3.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+
+#include "sqlite/foresee.h"
+
+namespace foresee::testing {
+
+/// Ends the run: libFuzzer keeps the bytes that led here.
+[[noreturn]] inline void fail(const std::string& why) {
+  std::fprintf(stderr, "%s\n", why.c_str());
+  std::abort();
+}
+
+class Connection {
+ public:
+  Connection() {
+    if (sqlite3_open(":memory:", &db_) != SQLITE_OK) fail("no database");
+    if (sqlite3_foresee_init(db_, nullptr, nullptr) != SQLITE_OK) fail("no foresee");
+  }
+  ~Connection() {
+    if (sqlite3_close(db_) != SQLITE_OK) fail(std::string("close: ") + sqlite3_errmsg(db_));
+  }
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  sqlite3* handle() { return db_; }
+  bool in_transaction() { return sqlite3_get_autocommit(db_) == 0; }
+
+  /// The primary result code.
+  int run(const std::string& sql) { return sqlite3_exec(db_, sql.c_str(), nullptr, nullptr, nullptr) & 0xff; }
+  void must(const std::string& sql) {
+    if (run(sql) != SQLITE_OK) fail(sql + ": " + sqlite3_errmsg(db_));
+  }
+  /// All rows as text, doubles bit for bit; "error" and the message if it fails.
+  std::string rows(const std::string& sql) {
+    sqlite3_stmt* statement = nullptr;
+    if (sqlite3_prepare_v2(db_, sql.c_str(), -1, &statement, nullptr) != SQLITE_OK)
+      return std::string("error ") + sqlite3_errmsg(db_);
+    std::string text;
+    int rc;
+    while ((rc = sqlite3_step(statement)) == SQLITE_ROW) {
+      for (int i = 0; i < sqlite3_column_count(statement); ++i) {
+        char digits[40];
+        if (sqlite3_column_type(statement, i) == SQLITE_FLOAT) {
+          std::snprintf(digits, sizeof digits, "%a", sqlite3_column_double(statement, i));
+          text += digits;
+        } else if (const unsigned char* value = sqlite3_column_text(statement, i)) {
+          text += reinterpret_cast<const char*>(value);
+        }
+        text += '|';
+      }
+      text += '\n';
+    }
+    sqlite3_finalize(statement);
+    return rc == SQLITE_DONE ? text : std::string("error ") + sqlite3_errmsg(db_);
+  }
+
+ private:
+  sqlite3* db_ = nullptr;
+};
+
+struct FuzzTable {
+  const char* columns;  ///< after the id
+  int numbers;
+  int axes;
+};
+
+inline constexpr FuzzTable fuzz_tables[] = {
+    {"x", 1, 1},
+    {"x, vx, hx", 3, 1},
+    {"t, x, y, vx, vy, r", 6, 2},
+    {"x, y, hx, hy", 4, 2},
+    {"t, x, y, vx, vy, ax, ay, hx, hy, until", 10, 2},
+    {"t, x, y, z, vx, vy, vz, r, hz", 9, 3},
+    {"t, x, y, z, vx, vy, vz, fx, fy, fz, m, r, until", 13, 3},
+};
+
+inline std::string literal(double number) {
+  if (std::isnan(number)) return "NULL";
+  if (std::isinf(number)) return number > 0 ? "9e999" : "-9e999";
+  char digits[40];
+  std::snprintf(digits, sizeof digits, "%.17g", number);
+  return std::strpbrk(digits, ".e") ? digits : std::string(digits) + ".0";
+}
+
+inline double fuzz_number(FuzzedDataProvider& bytes) {
+  switch (bytes.ConsumeIntegralInRange(0, 7)) {
+    case 0: {
+      const auto bits = bytes.ConsumeIntegral<std::uint64_t>();
+      double number;
+      std::memcpy(&number, &bits, sizeof number);
+      return number;
+    }
+    case 1:
+      return std::ldexp(bytes.ConsumeIntegral<std::int8_t>(), bytes.ConsumeIntegralInRange(-80, 80));
+    case 2:
+      return bytes.ConsumeIntegral<std::int16_t>() / 16.0;
+    default:
+      return bytes.ConsumeIntegralInRange(-9, 9);
+  }
+}
+
+inline std::string fuzz_values(FuzzedDataProvider& bytes, const FuzzTable& table) {
+  std::string list;
+  for (int i = 0; i < table.numbers; ++i) list += (i ? ", " : "") + literal(fuzz_number(bytes));
+  return list;
+}
+
+inline std::string fuzz_id(FuzzedDataProvider& bytes) {
+  return std::to_string(bytes.ConsumeIntegralInRange(-4, 60));
+}
+
+/// Questions that every method must answer alike; METHOD stands for its name.
+inline std::string fuzz_question(FuzzedDataProvider& bytes) {
+  const std::string h = literal(std::fabs(fuzz_number(bytes)));
+  const std::string within = literal(std::fabs(fuzz_number(bytes)));
+  const std::string now = bytes.ConsumeBool() ? "NULL" : literal(fuzz_number(bytes));
+  return "SELECT a, b, t, t_end, dt, dt_end FROM predictive_join(" + h + ", 'ships', " + within + ", NULL, " +
+         now + ", METHOD) ORDER BY a, b";
+}
+
+inline std::string with_method(std::string question, const std::string& method) {
+  return question.replace(question.find("METHOD"), 6, "'" + method + "'");
+}
+
+inline constexpr const char* fuzz_methods[] = {"auto", "grid"};
+
+}  // namespace foresee::testing

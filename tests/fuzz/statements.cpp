@@ -1,0 +1,127 @@
+// Random statements against a model: a moving_objects table and an ordinary table with the same columns go
+// through the same transactions, savepoints, writes and commands. Their contents agree at every moment, every
+// method answers a question alike, and the integrity check finds nothing.
+#include "program.h"
+
+namespace foresee::testing {
+namespace {
+
+class Twins {
+ public:
+  Twins(FuzzedDataProvider& bytes)
+      : bytes_(bytes),
+        table_(fuzz_tables[bytes.ConsumeIntegralInRange<std::size_t>(0, std::size(fuzz_tables) - 1)]) {
+    db_.must("PRAGMA page_size = 512");  // few objects make a deep tree
+    db_.must(std::string("CREATE VIRTUAL TABLE ships USING moving_objects(id, ") + table_.columns + ")");
+    db_.must(std::string("CREATE TABLE model(id INTEGER PRIMARY KEY, ") + table_.columns + ")");
+  }
+
+  void run() {
+    for (int steps = 0; steps < 60 && bytes_.remaining_bytes() > 0; ++steps) step();
+    while (db_.in_transaction()) db_.must("COMMIT");
+    compare();
+    db_.must("INSERT INTO ships(ships) VALUES('integrity-check')");
+  }
+
+ private:
+  void step() {
+    switch (bytes_.ConsumeIntegralInRange(0, 15)) {
+      case 0:
+        return db_.must(db_.in_transaction() ? "COMMIT" : "BEGIN"), savepoints_ = 0, void();
+      case 1:
+        if (db_.in_transaction()) db_.must("ROLLBACK"), savepoints_ = 0;
+        return;
+      case 2:
+        return db_.must("SAVEPOINT s" + std::to_string(savepoints_++));
+      case 3:
+        if (savepoints_ > 0) db_.must("ROLLBACK TO s" + std::to_string(which_savepoint()));
+        return;
+      case 4:
+        if (savepoints_ > 0)
+          savepoints_ = which_savepoint(), db_.must("RELEASE s" + std::to_string(savepoints_));
+        return;
+      case 5:
+        return both("DELETE FROM TABLE WHERE id = " + fuzz_id(bytes_));
+      case 6:
+        return both("DELETE FROM TABLE WHERE id % 5 = " +
+                    std::to_string(bytes_.ConsumeIntegralInRange(0, 4)));
+      case 7:
+        return both("UPDATE TABLE SET id = " + fuzz_id(bytes_) + " WHERE id = " + fuzz_id(bytes_));
+      case 8:
+        return both("UPDATE TABLE SET (" + std::string(table_.columns) + ") = (" +
+                    fuzz_values(bytes_, table_) + ") WHERE id = " + fuzz_id(bytes_));
+      case 9:
+        return both("UPDATE TABLE SET x = x + " + literal(fuzz_number(bytes_)) + " WHERE id % 3 = 0");
+      case 10:
+        return both("INSERT OR REPLACE INTO TABLE VALUES(" + fuzz_id(bytes_) + ", " +
+                    fuzz_values(bytes_, table_) + ")");
+      case 11:
+        return insert_many();
+      case 12:
+        return db_.must(bytes_.ConsumeBool() ? "INSERT INTO ships(ships) VALUES('rebuild')"
+                                             : "INSERT INTO ships(ships) VALUES('optimize')");
+      case 13:
+        return compare();
+      case 14:
+        return ask();
+      default:
+        return both("INSERT INTO TABLE VALUES(" + fuzz_id(bytes_) + ", " + fuzz_values(bytes_, table_) + ")");
+    }
+  }
+
+  int which_savepoint() { return bytes_.ConsumeIntegralInRange(0, savepoints_ - 1); }
+
+  /// What moving_objects refuses changes nothing there, so nothing in the model either.
+  void both(const std::string& sql) {
+    const auto in = [&](const std::string& table) {
+      return std::string(sql).replace(sql.find("TABLE"), 5, table);
+    };
+    if (db_.run(in("ships")) == SQLITE_OK) db_.must(in("model"));
+  }
+
+  /// A statement of many rows: a lattice that grows from one object.
+  void insert_many() {
+    const int count = bytes_.ConsumeIntegralInRange(1, 24), from = bytes_.ConsumeIntegralInRange(-4, 60);
+    const std::string values = fuzz_values(bytes_, table_);
+    const std::size_t comma = values.find(',');
+    std::string rows;
+    for (int i = 0; i < count; ++i) {
+      const std::string step = " + " + std::to_string(i);
+      rows += (i ? "), (" : "(") + std::to_string(from + i) + ", " +
+              (comma == std::string::npos ? values + step
+                                          : values.substr(0, comma) + step + values.substr(comma));
+    }
+    both("INSERT INTO TABLE VALUES " + rows + ")");
+  }
+
+  void compare() {
+    const std::string found = db_.rows("SELECT * FROM ships ORDER BY id");
+    const std::string right = db_.rows("SELECT * FROM model ORDER BY id");
+    if (found != right) fail("contents differ:\n" + found + "model:\n" + right);
+    const std::string id = fuzz_id(bytes_);
+    if (db_.rows("SELECT * FROM ships WHERE id = " + id) != db_.rows("SELECT * FROM model WHERE id = " + id))
+      fail("object " + id + " differs");
+  }
+
+  void ask() {
+    const std::string question = fuzz_question(bytes_);
+    const std::string right = db_.rows(with_method(question, "scan"));
+    for (const char* method : fuzz_methods)
+      if (const std::string found = db_.rows(with_method(question, method)); found != right)
+        fail(question + ": " + method + "\n" + found + "scan\n" + right);
+  }
+
+  FuzzedDataProvider& bytes_;
+  FuzzTable table_;
+  Connection db_;
+  int savepoints_ = 0;
+};
+
+}  // namespace
+}  // namespace foresee::testing
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  FuzzedDataProvider bytes(data, size);
+  foresee::testing::Twins(bytes).run();
+  return 0;
+}
