@@ -11,6 +11,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "motion/swept_box.h"
@@ -25,6 +26,9 @@ class Candidates {
   /// A batch is a few thousand pairs, so that memory stays small and the first rows come early; it may be
   /// empty.
   virtual bool next(std::vector<Pair>& out) = 0;
+
+  /// What has been built to find them, for people: sizes and counts; "" where there is nothing to tell.
+  virtual std::string describe() const { return {}; }
 };
 
 }  // namespace foresee

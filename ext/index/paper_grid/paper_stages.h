@@ -1,0 +1,62 @@
+// The paper's order of tests, GPCD step 5: what is left of candidates before anybody asks for exact times.
+//
+//   auto stages = make_paper_stages<2>(ships, ships, true, horizon, margin, interrupt);
+//   stages->prune(pairs);                                 // keeps the pairs that may touch
+//   stages->counts()[static_cast<int>(PaperStage::time_interval)].after;
+//
+//   a  projection overlap       the swept boxes meet on every axis
+//   b  centre point             the centres coincide at some moment while both exist: a hit at once, which is
+//                               spared the other tests; decided exactly
+//   c  time interval            time_interval.h
+//   d  trajectory intersection  trajectory_intersection.h
+//
+// Guarantee: no pair that touches within the margins of both is lost. Hits of the centre point test count
+// as passing c and d. Times are processor time of the calling thread, taken once a stage and batch.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "motion/error.h"
+#include "motion/swept_box.h"
+
+namespace foresee {
+
+enum class PaperStage : std::uint8_t {
+  projection_overlap,
+  centre_point,
+  time_interval,
+  trajectory_intersection
+};
+inline constexpr std::size_t paper_stage_count = 4;
+
+struct StageCount {
+  std::size_t before = 0, after = 0;
+  double seconds = 0;
+};
+
+class PaperStages {
+ public:
+  virtual ~PaperStages() = default;
+
+  /// Removes pairs that cannot touch; the order of the others may change.
+  virtual void prune(std::vector<Pair>& pairs) = 0;
+
+  const std::array<StageCount, paper_stage_count>& counts() const { return counts_; }
+  /// Pairs whose centres coincide.
+  std::size_t hits_at_once() const { return hits_at_once_; }
+
+ protected:
+  std::array<StageCount, paper_stage_count> counts_;
+  std::size_t hits_at_once_ = 0;
+};
+
+/// Pairs within `a`, or with `between` of `a` and `b`. The bodies and `interrupt` must outlive the stages.
+template <int D>
+std::unique_ptr<PaperStages> make_paper_stages(const Bodies& a, const Bodies& b, bool between,
+                                               const Horizon& horizon, const Vec<D>& margin,
+                                               Interrupt& interrupt);
+
+}  // namespace foresee

@@ -1,0 +1,15 @@
+// How much processor time has this thread used? What predictive_explain measures stages with, a batch at a
+// time: one reading costs some hundred nanoseconds.
+#pragma once
+
+#include <ctime>
+
+namespace foresee {
+
+inline double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+}  // namespace foresee
