@@ -5,46 +5,35 @@
 #include <utility>
 
 #include "motion/float_environment.h"
-#include "query/checks.h"
 #include "query/join_candidates.h"
+#include "query/join_question.h"
 
 namespace foresee {
-namespace {
-
-std::string axes_of(const Scene& scene) {
-  return scene.name + " has " + std::to_string(scene.layout.axes) +
-         (scene.layout.axes == 1 ? " axis" : " axes");
-}
-
-JoinQuestion checked(JoinQuestion question) {
-  check_not_negative("h", question.h);
-  check_not_negative("within", question.within);
-  if (question.within_z) check_not_negative("within_z", *question.within_z);
-  check_finite("now", question.now);
-  if (question.b && question.a->layout.axes != question.b->layout.axes)
-    throw Error(axes_of(*question.a) + " and " + axes_of(*question.b) +
-                ": a join takes two tables with the same number of axes");
-  return question;
-}
-
-std::unique_ptr<Contact> contact_of(const JoinQuestion& question) {
-  const Scene& a = *question.a;
-  const Scene& b = question.b ? *question.b : a;
-  const ContactQuestion asked{{question.now, question.h}, question.within, question.within_z};
-  return make_contact(a.bodies(), b.bodies(), asked, a.name, b.name);
-}
-
-}  // namespace
 
 JoinMethod join_method(std::string_view name) {
   if (name == "auto") return JoinMethod::automatic;
   if (name == "grid") return JoinMethod::grid;
   if (name == "scan") return JoinMethod::scan;
-  throw Error("method must be 'auto', 'grid' or 'scan', not '" + std::string(name) + "'");
+  if (name == "gpcd") return JoinMethod::gpcd;
+  throw Error("method must be 'auto', 'grid', 'scan' or 'gpcd', not '" + std::string(name) + "'");
+}
+
+const char* name_of(JoinMethod method) {
+  switch (method) {
+    case JoinMethod::automatic:
+      return "auto";
+    case JoinMethod::grid:
+      return "grid";
+    case JoinMethod::scan:
+      return "scan";
+    case JoinMethod::gpcd:
+      return "gpcd";
+  }
+  return "";
 }
 
 Join::Join(JoinQuestion question, Interrupt& interrupt)
-    : question_(checked(std::move(question))),
+    : question_((check_question(question), std::move(question))),
       interrupt_(interrupt),
       contact_(contact_of(question_)),
       candidates_(join_candidates(question_, contact_->reach(), interrupt)) {

@@ -24,10 +24,11 @@
 
 namespace foresee {
 
-enum class JoinMethod : std::uint8_t { automatic, grid, scan };
+enum class JoinMethod : std::uint8_t { automatic, grid, scan, gpcd };
 
 /// Throws Error for an unknown name, listing the known ones.
 JoinMethod join_method(std::string_view name);
+const char* name_of(JoinMethod method);
 
 struct JoinWants {
   bool contact = true;   ///< t, dt

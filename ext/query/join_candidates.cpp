@@ -1,12 +1,13 @@
 #include "query/join_candidates.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "index/all_pairs.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "index/one_with_all.h"
+#include "index/paper_grid/paper_candidates.h"
 #include "motion/float_environment.h"
+#include "query/join_question.h"
 
 namespace foresee {
 namespace {
@@ -31,22 +32,16 @@ std::unique_ptr<Candidates> scan(const Scene& a, const Scene* b, Interrupt& inte
   return b ? make_all_pairs(a.size(), b->size(), interrupt) : make_all_pairs(a.size(), interrupt);
 }
 
-/// Each side's boxes grow by half the reach, rounded up: two grown boxes meet wherever the pair can touch.
-template <int D>
-Vec<D> margin_of(const Contact::Reach& reach) {
-  auto half = [](double whole) {
-    return whole > 0 ? std::nextafter(whole / 2, std::numeric_limits<double>::infinity()) : 0.0;
-  };
-  Vec<D> margin = Vec<D>::Constant(half(reach.within));
-  if constexpr (D == 3) margin[2] = half(reach.within_z);
-  return margin;
-}
-
 template <int D>
 std::unique_ptr<Candidates> grid(const JoinQuestion& question, const Contact::Reach& reach,
                                  Interrupt& interrupt) {
   const Horizon horizon{question.now, question.h};
   const Vec<D> margin = margin_of<D>(reach);
+  if (question.method == JoinMethod::gpcd) {
+    const Scene& b = question.b ? *question.b : *question.a;
+    return make_paper_candidates<D>(question.a->bodies(), b.bodies(), question.b != nullptr, horizon, margin,
+                                    interrupt);
+  }
   const std::vector<Box<D>> boxes_a = swept_boxes<D>(question.a->bodies(), horizon, margin, interrupt);
   if (!question.b) return make_gpcd_grid<D>(boxes_a, interrupt);
   const std::vector<Box<D>> boxes_b = swept_boxes<D>(question.b->bodies(), horizon, margin, interrupt);
@@ -65,14 +60,15 @@ std::unique_ptr<Candidates> grid_of_axes(const JoinQuestion& question, const Con
   }
 }
 
-JoinMethod chosen_method(const JoinQuestion& question) {
-  if (question.method != JoinMethod::automatic) return question.method;
+}  // namespace
+
+MethodChoice choose_method(const JoinQuestion& question) {
+  if (question.method != JoinMethod::automatic) return {question.method, "as asked"};
   const double a = static_cast<double>(question.a->size());
   const double pairs = question.b ? a * static_cast<double>(question.b->size()) : a * (a - 1) / 2;
-  return pairs <= scan_pairs ? JoinMethod::scan : JoinMethod::grid;
+  if (pairs <= scan_pairs) return {JoinMethod::scan, "a look at each of so few pairs costs less than a grid"};
+  return {JoinMethod::grid, "there are too many pairs to look at each"};
 }
-
-}  // namespace
 
 std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, const Contact::Reach& reach,
                                             Interrupt& interrupt) {
@@ -81,7 +77,7 @@ std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, const 
   const Scene& b = question.b ? *question.b : a;
   if (question.only_a) return one_row(a, *question.only_a, Side::a, b.size(), interrupt);
   if (question.only_b) return one_row(b, *question.only_b, Side::b, a.size(), interrupt);
-  if (chosen_method(question) == JoinMethod::scan) return scan(a, question.b.get(), interrupt);
+  if (choose_method(question).method == JoinMethod::scan) return scan(a, question.b.get(), interrupt);
   return grid_of_axes(question, reach, interrupt);
 }
 

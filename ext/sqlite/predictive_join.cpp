@@ -1,15 +1,11 @@
-// predictive_join(h, …) in SQL: reads the inputs, opens the tables, and hands rows on.
-#include <algorithm>
-
-#include "query/join.h"
-#include "sqlite/open_table.h"
+// predictive_join(h, …) in SQL: which outputs are read, and its rows.
+#include "sqlite/join_inputs.h"
 #include "sqlite/table_functions.h"
 
 namespace foresee {
 namespace {
 
 enum Output { out_a, out_b, out_t, out_t_end, out_dt, out_dt_end, out_t_cpa, out_dt_cpa, out_d_cpa };
-enum Input { in_h, in_tbl, in_within, in_other, in_now, in_method, in_within_z, in_schema };
 
 class JoinRows final : public Rows {
  public:
@@ -56,31 +52,8 @@ class JoinRows final : public Rows {
   std::size_t row_ = 0;
 };
 
-/// The scenes of tbl and other. The same table as `other` is the same scene: pairs in both orders.
-void open_scenes(const Call& call, JoinQuestion& question) {
-  const auto schema = call.text(in_schema);
-  const OpenScene a = open_scene(call.connection(), {call.text(in_tbl), schema});
-  question.a = a.scene;
-  if (const auto other = call.text(in_other)) {
-    const OpenScene b = open_scene(call.connection(), {other, schema});
-    question.b = b.number == a.number ? a.scene : b.scene;
-  }
-}
-
-double newest_t_of(const JoinQuestion& question) {
-  const double newest = newest_t(*question.a);
-  return question.b ? std::max(newest, newest_t(*question.b)) : newest;
-}
-
 std::unique_ptr<Rows> start(const Call& call) {
-  JoinQuestion question;
-  question.h = call.required_number(in_h);
-  question.within = call.number(in_within).value_or(0);
-  question.within_z = call.number(in_within_z);
-  if (const auto method = call.text(in_method)) question.method = join_method(*method);
-  const auto now = call.number(in_now);
-  open_scenes(call, question);
-  question.now = now ? *now : newest_t_of(question);
+  JoinQuestion question = read_join_inputs(call);
   question.only_a = call.only(out_a);
   question.only_b = call.only(out_b);
   question.skip_touching = call.only_positive(out_dt);
@@ -97,7 +70,7 @@ const TableFunction& predictive_join() {
       .name = "predictive_join",
       .outputs = {"a INTEGER", "b INTEGER", "t REAL", "t_end REAL", "dt REAL", "dt_end REAL", "t_cpa REAL",
                   "dt_cpa REAL", "d_cpa REAL"},
-      .inputs = {"h", "tbl", "within", "other", "now", "method", "within_z", "schema"},
+      .inputs = join_inputs(),
       .key = "a, b",
       .hinted = 1u << out_a | 1u << out_b | 1u << out_dt,
       .start = start};

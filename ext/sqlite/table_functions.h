@@ -6,6 +6,7 @@
 namespace foresee {
 
 const TableFunction& predictive_join();      // predictive_join.cpp
+const TableFunction& predictive_explain();   // predictive_explain.cpp
 const TableFunction& predictive_position();  // predictive_position.cpp
 
 }  // namespace foresee

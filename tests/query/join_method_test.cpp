@@ -1,4 +1,4 @@
-// Every method gives the same rows: grid = scan, and a question about one id = the filtered join.
+// Every method gives the same rows: grid = gpcd = scan, and a question about one id = the filtered join.
 #include <gtest/gtest.h>
 
 #include "query/join_cases.h"
@@ -28,23 +28,26 @@ std::vector<double> answer(JoinQuestion question, JoinMethod method) {
 
 class JoinOfEveryLayout : public ::testing::TestWithParam<Layout> {};
 
-TEST_P(JoinOfEveryLayout, GridAgreesWithScan) {
+TEST_P(JoinOfEveryLayout, GridAndGpcdAgreeWithScan) {
   std::size_t pairs = 0;
   for (SceneKind kind : all_scene_kinds) {
     const RandomScene scene = random_scene({.layout = GetParam(), .kind = kind, .count = 120, .seed = 5});
     const auto scanned = answer(question_about(scene), JoinMethod::scan);
     EXPECT_EQ(answer(question_about(scene), JoinMethod::grid), scanned) << name_of(kind);
+    EXPECT_EQ(answer(question_about(scene), JoinMethod::gpcd), scanned) << name_of(kind);
     pairs += scanned.size();
   }
   EXPECT_GT(pairs, 0u);
 }
 
-TEST_P(JoinOfEveryLayout, GridAgreesWithScanAtTheEdgesOfTime) {
+TEST_P(JoinOfEveryLayout, GridAndGpcdAgreeWithScanAtTheEdgesOfTime) {
   const RandomScene scene = random_scene({.layout = GetParam(), .count = 40, .seed = 6});
   for (double h : {0.0, 1e9, 1e100}) {
     JoinQuestion question = question_about(scene);
     question.h = h;
-    EXPECT_EQ(answer(question, JoinMethod::grid), answer(question, JoinMethod::scan)) << h;
+    const auto scanned = answer(question, JoinMethod::scan);
+    EXPECT_EQ(answer(question, JoinMethod::grid), scanned) << h;
+    EXPECT_EQ(answer(question, JoinMethod::gpcd), scanned) << h;
   }
 }
 
@@ -83,7 +86,7 @@ std::vector<std::pair<Layout, Layout>> mixed_layouts() {
   return mixed;
 }
 
-TEST(JoinOfTwoTables, GridAgreesWithScanForMixedLayouts) {
+TEST(JoinOfTwoTables, GridAndGpcdAgreeWithScanForMixedLayouts) {
   for (const auto& [a, b] : mixed_layouts()) {
     const RandomScene ships = random_scene({.layout = a, .count = 60, .seed = 8});
     const RandomScene crates = random_scene({.layout = b, .count = 40, .seed = 9});
@@ -92,6 +95,7 @@ TEST(JoinOfTwoTables, GridAgreesWithScanForMixedLayouts) {
     question.within = 0.5;
     const auto scanned = answer(question, JoinMethod::scan);
     EXPECT_EQ(answer(question, JoinMethod::grid), scanned) << name_of(a) << " and " << name_of(b);
+    EXPECT_EQ(answer(question, JoinMethod::gpcd), scanned) << name_of(a) << " and " << name_of(b);
     question.only_b = 7;
     EXPECT_LE(rows_of(question).size(), scanned.size());
   }
@@ -113,7 +117,7 @@ TEST(JoinOfTwoTables, IsTheMirrorImageOfTheOtherOrder) {
   }
 }
 
-TEST(JoinOfManyObjects, GridAgreesWithScan) {
+TEST(JoinOfManyObjects, GridAndGpcdAgreeWithScan) {
   const Layout discs{.axes = 2, .law = Law::uniform, .shape = Shape::ball};
   const SceneSpec specs[] = {
       {.layout = discs, .kind = SceneKind::uniform, .count = 5000, .seed = 10},
@@ -126,7 +130,10 @@ TEST(JoinOfManyObjects, GridAgreesWithScan) {
   for (const SceneSpec& spec : specs) {
     const RandomScene scene = random_scene(spec);
     const auto question = question_about(scene);
-    EXPECT_EQ(answer(question, JoinMethod::grid), answer(question, JoinMethod::scan))
+    const auto scanned = answer(question, JoinMethod::scan);
+    EXPECT_EQ(answer(question, JoinMethod::grid), scanned)
+        << name_of(spec.layout) << ", " << name_of(spec.kind);
+    EXPECT_EQ(answer(question, JoinMethod::gpcd), scanned)
         << name_of(spec.layout) << ", " << name_of(spec.kind);
   }
 }

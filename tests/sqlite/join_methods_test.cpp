@@ -21,6 +21,7 @@ TEST_P(JoinInSqlOfEveryLayout, GridAgreesWithScan) {
     build_table(db, "objects", scene);
     const std::string scanned = rows_by(db, "scan", scene);
     EXPECT_EQ(rows_by(db, "grid", scene), scanned) << name_of(kind);
+    EXPECT_EQ(rows_by(db, "gpcd", scene), scanned) << name_of(kind);
     EXPECT_EQ(rows_by(db, "auto", scene), scanned) << name_of(kind);
     size += scanned.size();
   }

@@ -1,0 +1,157 @@
+#include "query/explain.h"
+
+#include <algorithm>
+
+#include "index/paper_grid/paper_grid.h"
+#include "index/paper_grid/paper_stages.h"
+#include "index/paper_grid/thread_clock.h"
+#include "motion/float_environment.h"
+#include "query/join_candidates.h"
+#include "query/join_question.h"
+
+namespace foresee {
+namespace {
+
+constexpr const char* test_names[paper_stage_count] = {"projection overlap", "centre point", "time interval",
+                                                       "trajectory intersection"};
+
+std::uint64_t pairs_asked_about(const JoinQuestion& question) {
+  const std::uint64_t a = question.a->size();
+  return question.b ? a * question.b->size() : a * (a - 1) / 2;
+}
+
+/// A question's stages, and what they have counted so far.
+class Explanation {
+ public:
+  Explanation(const JoinQuestion& question, Interrupt& interrupt)
+      : question_(question),
+        a_(*question.a),
+        b_(question.b ? *question.b : a_),
+        choice_(choose_method(question)),
+        interrupt_(interrupt),
+        contact_(contact_of(question)) {
+    open_axes();
+    candidates_count_.before = pairs_asked_about(question);
+  }
+
+  void run() {
+    for (std::vector<Pair> pairs; next_candidates(pairs); pairs.clear()) {
+      stages_->prune(pairs);
+      ask_exactly(pairs);
+    }
+  }
+
+  std::vector<ExplainRow> rows() const {
+    std::vector<ExplainRow> rows{row("candidates", candidates_count_, candidates_detail())};
+    for (std::size_t stage = 0; stage < paper_stage_count; ++stage)
+      rows.push_back(
+          row(test_names[stage], stages_->counts()[stage], test_detail(static_cast<PaperStage>(stage))));
+    rows.push_back(row("exact time", exact_count_, std::to_string(touching_) + " touch at now already"));
+    return rows;
+  }
+
+ private:
+  bool to_the_letter() const { return choice_.method == JoinMethod::gpcd; }
+
+  void open_axes() {
+    switch (a_.layout.axes) {
+      case 1:
+        return open<1>();
+      case 2:
+        return open<2>();
+      default:
+        return open<3>();
+    }
+  }
+
+  template <int D>
+  void open() {
+    const Horizon horizon{question_.now, question_.h};
+    const Vec<D> margin = margin_of<D>(contact_->reach());
+    const Bodies a = a_.bodies(), b = b_.bodies();
+    const bool between = question_.b != nullptr;
+    const double begin = thread_seconds();
+    if (to_the_letter())
+      candidates_ = make_paper_grid<D>(a, b, between, horizon, margin, interrupt_);
+    else
+      candidates_ = join_candidates(question_, contact_->reach(), interrupt_);
+    candidates_count_.seconds = thread_seconds() - begin;
+    stages_ = make_paper_stages<D>(a, b, between, horizon, margin, interrupt_);
+  }
+
+  bool next_candidates(std::vector<Pair>& pairs) {
+    const double begin = thread_seconds();
+    const bool more = candidates_->next(pairs);
+    // A table joined with itself as two: no object meets itself.
+    if (question_.a == question_.b) std::erase_if(pairs, [](const Pair& pair) { return pair.a == pair.b; });
+    candidates_count_.after += pairs.size();
+    candidates_count_.seconds += thread_seconds() - begin;
+    return more;
+  }
+
+  /// In slices that can be interrupted: a pair may take some ten microseconds.
+  void ask_exactly(const std::vector<Pair>& pairs) {
+    constexpr std::size_t slice = 256;
+    const double begin = thread_seconds();
+    for (std::size_t i = 0; i < pairs.size(); i += slice) {
+      interrupt_.check();
+      hits_.clear();
+      contact_->decide(std::span(pairs).subspan(i, std::min(slice, pairs.size() - i)), hits_);
+      times_.resize(hits_.size());
+      contact_->times(hits_, times_, TimesWanted::begins);
+      exact_count_.after += hits_.size();
+      for (const ContactTimes& times : times_) touching_ += times.dt == 0;
+    }
+    exact_count_.before += pairs.size();
+    exact_count_.seconds += thread_seconds() - begin;
+  }
+
+  static ExplainRow row(const char* stage, const StageCount& count, std::string detail) {
+    return {stage, count.before, count.after, count.seconds, std::move(detail)};
+  }
+
+  std::string candidates_detail() const {
+    std::string detail = "method '" + std::string(name_of(question_.method)) + "'";
+    if (question_.method == JoinMethod::automatic)
+      detail += std::string(" takes '") + name_of(choice_.method) + "': " + choice_.why;
+    const std::string index = candidates_->describe();
+    return index.empty() ? detail : detail + "; " + index;
+  }
+
+  std::string test_detail(PaperStage stage) const {
+    std::string detail;
+    if (!to_the_letter())
+      detail = std::string("left out: '") + name_of(choice_.method) +
+               "' goes from candidates to exact time; measured here";
+    if (stage != PaperStage::centre_point) return detail;
+    return (detail.empty() ? "" : detail + "; ") + std::to_string(stages_->hits_at_once()) +
+           " hits at once, spared the next two tests";
+  }
+
+  const JoinQuestion& question_;
+  const Scene &a_, &b_;
+  MethodChoice choice_;
+  Interrupt& interrupt_;
+  std::unique_ptr<Contact> contact_;
+  std::unique_ptr<Candidates> candidates_;
+  std::unique_ptr<PaperStages> stages_;
+  StageCount candidates_count_, exact_count_;
+  std::size_t touching_ = 0;
+  std::vector<Pair> hits_;
+  std::vector<ContactTimes> times_;
+};
+
+}  // namespace
+
+std::vector<ExplainRow> explain_join(const JoinQuestion& asked, Interrupt& interrupt) {
+  const FloatEnvironment environment;
+  check_question(asked);
+  JoinQuestion question = asked;
+  question.only_a = question.only_b = {};
+  Explanation explanation(question, interrupt);
+  if (question.a->size() == 0 || (question.b && question.b->size() == 0)) return {};
+  explanation.run();
+  return explanation.rows();
+}
+
+}  // namespace foresee

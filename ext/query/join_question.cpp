@@ -1,0 +1,34 @@
+#include "query/join_question.h"
+
+#include <string>
+
+#include "query/checks.h"
+
+namespace foresee {
+namespace {
+
+std::string axes_of(const Scene& scene) {
+  return scene.name + " has " + std::to_string(scene.layout.axes) +
+         (scene.layout.axes == 1 ? " axis" : " axes");
+}
+
+}  // namespace
+
+void check_question(const JoinQuestion& question) {
+  check_not_negative("h", question.h);
+  check_not_negative("within", question.within);
+  if (question.within_z) check_not_negative("within_z", *question.within_z);
+  check_finite("now", question.now);
+  if (question.b && question.a->layout.axes != question.b->layout.axes)
+    throw Error(axes_of(*question.a) + " and " + axes_of(*question.b) +
+                ": a join takes two tables with the same number of axes");
+}
+
+std::unique_ptr<Contact> contact_of(const JoinQuestion& question) {
+  const Scene& a = *question.a;
+  const Scene& b = question.b ? *question.b : a;
+  const ContactQuestion asked{{question.now, question.h}, question.within, question.within_z};
+  return make_contact(a.bodies(), b.bodies(), asked, a.name, b.name);
+}
+
+}  // namespace foresee

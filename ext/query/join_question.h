@@ -1,0 +1,29 @@
+// What every answer to a JoinQuestion begins with: is it in order, and which contact does it ask about?
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "query/join.h"
+
+namespace foresee {
+
+/// Throws Error as Join's constructor says.
+void check_question(const JoinQuestion& question);
+
+/// The question's scenes and shapes at contact's door. The scenes must outlive the contact.
+std::unique_ptr<Contact> contact_of(const JoinQuestion& question);
+
+/// Each side's swept boxes grow by half the reach, rounded up: two grown boxes meet wherever the pair can
+/// touch.
+template <int D>
+Vec<D> margin_of(const Contact::Reach& reach) {
+  auto half = [](double whole) {
+    return whole > 0 ? std::nextafter(whole / 2, std::numeric_limits<double>::infinity()) : 0.0;
+  };
+  Vec<D> margin = Vec<D>::Constant(half(reach.within));
+  if constexpr (D == 3) margin[2] = half(reach.within_z);
+  return margin;
+}
+
+}  // namespace foresee

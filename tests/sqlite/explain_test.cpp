@@ -1,0 +1,74 @@
+// predictive_explain in SQL: its columns, inputs and errors.
+#include "sqlite/harbour.h"
+#include "sqlite/scene_table.h"
+
+namespace foresee::testing {
+namespace {
+
+struct ExplainInSql : Harbour {};
+
+TEST_F(ExplainInSql, ListsTheStagesInOrder) {
+  EXPECT_EQ(
+      db.rows("SELECT stage FROM predictive_explain(60, 'ships')"),
+      "candidates\nprojection overlap\ncentre point\ntime interval\ntrajectory intersection\nexact time");
+}
+
+TEST_F(ExplainInSql, EndsWithTheCountOfTheJoin) {
+  for (const std::string method : {"auto", "grid", "scan", "gpcd"}) {
+    const std::string inputs = "(60, 'ships', 5, NULL, 0, '" + method + "')";
+    EXPECT_EQ(db.rows("SELECT n_after FROM predictive_explain" + inputs + " WHERE stage = 'exact time'"),
+              db.rows("SELECT count(*) FROM predictive_join" + inputs));
+    EXPECT_EQ(db.rows("SELECT n_before FROM predictive_explain" + inputs + " WHERE stage = 'candidates'"),
+              db.rows("SELECT count(*) * (count(*) - 1) / 2 FROM ships"));
+  }
+}
+
+TEST_F(ExplainInSql, PrunePowerIsAPercentageAndNullWhereThereIsNothingToPrune) {
+  EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_explain(60, 'ships', 5) WHERE n_before > 0 AND "
+                    "prune_power IS NOT 100.0 * (n_before - n_after) / n_before"),
+            "0");
+  db.exec("CREATE VIRTUAL TABLE lonely USING moving_objects(id, x); INSERT INTO lonely VALUES (1, 0)");
+  EXPECT_EQ(db.rows("SELECT DISTINCT n_before, n_after, prune_power FROM predictive_explain(60, 'lonely')"),
+            "0|0|NULL");
+}
+
+TEST_F(ExplainInSql, GivesTimesAndDetails) {
+  EXPECT_EQ(db.rows("SELECT DISTINCT typeof(n_before), typeof(n_after), typeof(seconds), typeof(detail) "
+                    "FROM predictive_explain(60, 'ships')"),
+            "integer|integer|real|text");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_explain(60, 'ships') WHERE seconds < 0"), "0");
+}
+
+TEST_F(ExplainInSql, HasNoRowsForAnEmptyTable) {
+  db.exec("CREATE VIRTUAL TABLE nobody USING moving_objects(id, x, y)");
+  EXPECT_EQ(db.rows("SELECT * FROM predictive_explain(60, 'nobody')"), "");
+}
+
+TEST_F(ExplainInSql, SaysWhatIsWrongWithACall) {
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_explain"),
+            "predictive_explain: h is missing: write predictive_explain(h, tbl, within, other, now, method, "
+            "within_z, schema)");
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_explain(-1, 'ships')"),
+            "predictive_explain: h must be a finite number >= 0, not -1");
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_explain(1, 'boats')")
+                .find("predictive_explain: no such table: boats"),
+            0u);
+}
+
+TEST(ExplainInSqlOfManyObjects, AgreesWithTheJoinByEveryMethod) {
+  Database db;
+  const RandomScene scene = random_scene(
+      {.layout = {.axes = 3, .law = Law::forced, .shape = Shape::cylinder, .has_t = true, .has_until = true},
+       .kind = SceneKind::clustered,
+       .count = 800,
+       .seed = 41});
+  build_table(db, "objects", scene);
+  const std::string joined = db.rows("SELECT count(*) FROM predictive_join(3, 'objects', 0.5, NULL, 0)");
+  for (const std::string method : {"auto", "grid", "scan", "gpcd"})
+    EXPECT_EQ(db.rows("SELECT n_after FROM predictive_explain(3, 'objects', 0.5, NULL, 0, '" + method +
+                      "') WHERE stage = 'exact time'"),
+              joined);
+}
+
+}  // namespace
+}  // namespace foresee::testing
