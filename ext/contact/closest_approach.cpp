@@ -1,215 +1,246 @@
 #include "contact/closest_approach.h"
 
-#include <array>
+#include <optional>
+
+#include "contact/certain_slope.h"
+#include "contact/crossing.h"
+#include "contact/exact_approach.h"
 
 namespace foresee {
 namespace {
 
-bool less(const DoubleDouble& a, const DoubleDouble& b) {
-  return a.high < b.high || (a.high == b.high && a.low < b.low);
-}
+/// What DoubleDouble loses, as a share of a bound on what double loses; it counts at least 4 u of every term.
+constexpr double fine = 0x1p-45;
+constexpr double fine_roundoff = 0x1p-97;
 
-/// How far apart at a moment: the exact power of two `scale` keeps the square from over- and underflowing.
-struct Distance {
-  DoubleDouble square;  ///< of distance / scale
-  double scale;
-  double error;  ///< bound on what square can be off
+/// A squared distance and the moment to report for it.
+struct Nearness {
+  DoubleDouble square;
+  double error = 0;  ///< bound on what square can be off
+  Instant instant{};
 
-  double value() const {
-    if (square.high <= error) return 0;
-    const double root = std::sqrt(square.high);
-    const DoubleDouble rest = square - product(root, root);
-    return (root + rest.high / (2 * root)) * scale;
-  }
-
-  /// The same with a scale that is at least as large; what becomes 0 is too small to matter beside it.
-  Distance scaled_to(double larger) const {
-    const double share = scale / larger, squared = share * share;
-    return {{square.high * squared, square.low * squared}, larger, error * squared};
+  bool certainly_below(const Nearness& other) const {
+    return (other.square - square).high > (error + other.error) * (1 + 0x1p-40);
   }
 };
 
+/// The square root if all numbers within the error have the same one, rounded.
+std::optional<double> rounded_square_root(const Nearness& n) {
+  const double square = n.square.high;
+  if (!(0x1p-900 < square && square < 0x1p900 && n.error < 0x1p-10 * square)) return {};
+  const double root = std::sqrt(square);
+  const double rest = (n.square - product(root, root)).high / (2 * root);
+  const double radius = n.error / root + 0x1p-97 * root;
+  const double low = root + (rest - radius), high = root + (rest + radius);
+  if (low != high) return {};
+  return low;
+}
+
+/// The answer as far as double and DoubleDouble can vouch for it.
 template <int D>
-class Approach {
+class CertainApproach {
  public:
-  Approach(const Setup& setup, const double* row_a, const double* row_b)
-      : course_(course_of<DoubleDouble, D>(setup, row_a, row_b)) {
-    const Moments moments = moments_of(setup, row_a, row_b);
-    begin_ = difference(moments.t_begin, setup.horizon.now);
-    end_ = moments.ends_with_horizon ? DoubleDouble{moments.dt_end, 0}
-                                     : difference(moments.t_end, setup.horizon.now);
-    for (int j = 0; j < D; ++j) bent_ = bent_ || course_.a[j].high != 0;
+  CertainApproach(const Setup& setup, const double* row_a, const double* row_b)
+      : setup_(setup),
+        moments_(moments_of(setup, row_a, row_b)),
+        relative_(relative_of<D, 2>(setup, row_a, row_b)),
+        course_(course_of<DoubleDouble, D>(setup, row_a, row_b)) {
+    begin_ = difference(moments_.t_begin, setup.horizon.now);
+    end_ = moments_.ends_with_horizon ? DoubleDouble{moments_.dt_end, 0}
+                                      : difference(moments_.t_end, setup.horizon.now);
+    still_ = keeps_its_place(row_a, row_b) || (end_ - begin_).high == 0;
   }
 
-  struct Nearest {
-    DoubleDouble tau;
-    double distance;
-  };
-
-  Nearest nearest() const {
-    std::array<DoubleDouble, 8> moments;
-    const int count = bent_ ? bent_candidates(moments) : straight_candidates(moments);
-    DoubleDouble best_tau = moments[0];
-    Distance best = distance_at(best_tau);
-    for (int i = 1; i < count; ++i) {
-      const Distance found = distance_at(moments[i]);
-      const double larger = std::max(best.scale, found.scale);
-      const Distance other = found.scaled_to(larger), nearest = best.scaled_to(larger);
-      // Not nearer by more than the error: a tie, and the earlier moment stays.
-      const DoubleDouble gap = nearest.square - other.square;
-      if (!(gap.high > nearest.error + other.error)) continue;
-      best = found;
-      best_tau = moments[i];
-    }
-    return {best_tau, best.value()};
+  std::optional<ClosestApproach> answer() {
+    std::optional<Nearness> nearest = still_ ? at_begin() : least();
+    if (!nearest) return {};
+    const std::optional<double> distance = rounded_square_root(*nearest);
+    if (!distance) return {};
+    return ClosestApproach{nearest->instant.t, nearest->instant.dt, *distance};
   }
 
  private:
-  DoubleDouble place(int j, const DoubleDouble& tau) const {
-    return bent_ ? course_.x[j] + tau * (course_.v[j] + tau * course_.a[j])
-                 : course_.x[j] + tau * course_.v[j];
-  }
-  DoubleDouble speed(int j, const DoubleDouble& tau) const {
-    const DoubleDouble turn = tau * course_.a[j];
-    return course_.v[j] + turn + turn;
-  }
-
-  Distance distance_at(const DoubleDouble& tau) const {
-    Distance d{{0, 0}, 1, 0};
-    DoubleDouble away[D];
-    double largest = 0, size = 0;
-    const double t = std::abs(tau.high);
+  /// Exactly: no relative motion.
+  bool keeps_its_place(const double* row_a, const double* row_b) const {
+    const bool same_time = value_or(row_a, setup_.a.at.t, 0) == value_or(row_b, setup_.b.at.t, 0);
     for (int j = 0; j < D; ++j) {
-      away[j] = place(j, tau);
-      largest = std::max(largest, std::abs(away[j].high));
-      size = std::max(size, std::abs(course_.x[j].high) +
-                                t * (std::abs(course_.v[j].high) + t * std::abs(course_.a[j].high)));
+      const AxisMotion a = axis_motion(setup_.a, row_a, j), b = axis_motion(setup_.b, row_b, j);
+      if (a.v != b.v || a.a != b.a || (a.a != 0 && !same_time)) return false;
     }
-    // The exponent of the largest term at this moment: what a far end of the horizon brings does not blur it.
-    if (size > 0 && std::isfinite(size)) d.scale = std::ldexp(1.0, std::clamp(std::ilogb(size), -1000, 1000));
-    const double inverse = 1 / d.scale;
-    for (int j = 0; j < D; ++j) {
-      const DoubleDouble part{away[j].high * inverse, away[j].low * inverse};
-      d.square = d.square + part * part;
-    }
-    // Each coordinate is within 2^-96 of the largest term.
-    const double coordinate = 0x1p-96 * (size * inverse);
-    d.error = D * coordinate * (2 * largest * inverse + coordinate) + 0x1p-98 * d.square.high;
-    return d;
+    return true;
   }
 
-  DoubleDouble clipped(const DoubleDouble& tau) const {
-    if (less(tau, begin_)) return begin_;
-    return less(end_, tau) ? end_ : tau;
+  /// In order of time there are a minimum, or two, or none in doubt.
+  std::optional<Nearness> least() {
+    const double low = moments_.begin_exact ? begin_.high : begin_.high * (1 - 2 * unit_roundoff);
+    const double high = moments_.end_exact ? end_.high : end_.high * (1 + 2 * unit_roundoff);
+    const Slope at_low = slope_at(low), at_high = slope_at(high);
+    int budget = 16;
+    if (!find_valleys(low, at_low, high, at_high, budget)) return {};
+    std::optional<Nearness> best;
+    if (at_low.sign() > 0) best = at_begin();
+    for (int i = 0; i < valley_count_; ++i)
+      if (!keep_nearer(best, bottom(valleys_[i]))) return {};
+    if (at_high.sign() < 0 && !keep_nearer(best, at_end())) return {};
+    return best;
   }
 
-  int straight_candidates(std::array<DoubleDouble, 8>& moments) const {
-    DoubleDouble along{0, 0}, speed_squared{0, 0};
-    for (int j = 0; j < D; ++j) {
-      along = along + course_.x[j] * course_.v[j];
-      speed_squared = speed_squared + course_.v[j] * course_.v[j];
-    }
-    int count = 0;
-    moments[count++] = begin_;
-    const DoubleDouble turn = -along / speed_squared;
-    if (std::isfinite(turn.high)) moments[count++] = clipped(turn);
-    moments[count++] = end_;
-    return count;
+  /// False if the later of the two is unknown, or neither is certainly nearer.
+  static bool keep_nearer(std::optional<Nearness>& best, const std::optional<Nearness>& later) {
+    if (!later) return false;
+    if (best && best->certainly_below(*later)) return true;
+    if (best && !later->certainly_below(*best)) return false;
+    best = later;
+    return true;
   }
 
-  /// Half the slope of the squared distance.
-  DoubleDouble slope(const DoubleDouble& tau) const {
-    DoubleDouble sum{0, 0};
-    for (int j = 0; j < D; ++j) sum = sum + place(j, tau) * speed(j, tau);
-    return sum;
-  }
-  double slope_of_slope(double tau) const {
-    double sum = 0;
-    for (int j = 0; j < D; ++j) {
-      const double a = course_.a[j].high, q = course_.v[j].high + 2 * tau * a;
-      sum += q * q + 2 * a * (course_.x[j].high + tau * (course_.v[j].high + tau * a));
-    }
-    return sum;
+  Slope slope_at(double tau) const {
+    AxisView view[D];
+    view_from<D, 2>(relative_, tau, view);
+    return slope_of(view);
   }
 
-  /// Begin, the minima between the turning points of the slope, and end, in order of time.
-  int bent_candidates(std::array<DoubleDouble, 8>& moments) const {
-    double c1 = 0, c2 = 0, c3 = 0;  // slope of the slope: c1 + 2 c2 tau + 3 c3 tau^2
-    for (int j = 0; j < D; ++j) {
-      const double x = course_.x[j].high, v = course_.v[j].high, a = course_.a[j].high;
-      c1 += v * v + 2 * x * a;
-      c2 += 3 * v * a;
-      c3 += 2 * a * a;
+  /// All rising roots of the slope, in order; false if they cannot be told apart.
+  bool find_valleys(double low, const Slope& at_low, double high, const Slope& at_high, int& budget) {
+    const double length = high - low;
+    switch (stretch_between(at_low, at_high, length)) {
+      case Stretch::valley:
+        if (valley_count_ == 2) return false;
+        valleys_[valley_count_++] = {low, high};
+        return true;
+      case Stretch::unclear:
+        break;
+      default:
+        return true;
     }
-    double turns[4] = {begin_.high, begin_.high, end_.high, end_.high};
-    const double discriminant = c2 * c2 - 3 * c3 * c1;
-    if (discriminant > 0) {
-      const double q = -(c2 + std::copysign(std::sqrt(discriminant), c2));
-      const double one = q / (3 * c3), two = q != 0 ? c1 / q : one;
-      turns[1] = std::clamp(std::min(one, two), begin_.high, end_.high);
-      turns[2] = std::clamp(std::max(one, two), begin_.high, end_.high);
-    } else {
-      turns[1] = turns[2] = end_.high;
-    }
-    int count = 0;
-    moments[count++] = begin_;
-    for (int piece = 0; piece < 3; ++piece)
-      if (turns[piece] < turns[piece + 1] && slope({turns[piece], 0}).high < 0 &&
-          slope({turns[piece + 1], 0}).high > 0)
-        moments[count++] = clipped(bottom(turns[piece], turns[piece + 1]));
-    moments[count++] = end_;
-    return count;
+    if (--budget < 0) return false;
+    const double middle = low + 0.5 * length;
+    const Slope at_middle = slope_at(middle);
+    return find_valleys(low, at_low, middle, at_middle, budget) &&
+           find_valleys(middle, at_middle, high, at_high, budget);
   }
 
-  double rough_slope(double tau) const {
-    double sum = 0;
-    for (int j = 0; j < D; ++j) {
-      const double a = course_.a[j].high, v = course_.v[j].high;
-      sum += (course_.x[j].high + tau * (v + tau * a)) * (v + 2 * tau * a);
-    }
-    return sum;
-  }
-
-  /// Where the slope goes through zero from below: Newton in double, kept between the ends by bisection, then
-  /// Newton in DoubleDouble.
-  DoubleDouble bottom(double low, double high) const {
-    double tau = low + 0.5 * (high - low);
-    for (int i = 0; i < 100; ++i) {
-      const double slope = rough_slope(tau);
-      (slope < 0 ? low : high) = tau;
-      double next = tau - slope / slope_of_slope(tau);
+  /// Near the root: Newton's steps, kept between the ends by bisection. Nothing rests on how near.
+  double rough_root(const Valley& valley) const {
+    double low = valley.begin, high = valley.end, tau = low + 0.5 * (high - low);
+    for (int i = 0; i < 60; ++i) {
+      double value = 0, growth = 0;
+      for (int j = 0; j < D; ++j) {
+        const double turn = tau * relative_.a[j];
+        const double p = relative_.x[j] + tau * (relative_.v[j] + turn), q = relative_.v[j] + 2 * turn;
+        value += p * q;
+        growth += q * q + 2 * (relative_.a[j] * p);
+      }
+      (value < 0 ? low : high) = tau;
+      double next = tau - value / growth;
       if (!(low < next && next < high)) next = low + 0.5 * (high - low);
-      const bool settled = std::abs(next - tau) <= 1e-11 * next;
+      const double step = std::abs(next - tau);
       tau = next;
-      if (settled) break;
+      if (step <= 0x1p-40 * tau) break;
     }
-    return polished(tau);
+    return tau;
   }
 
-  DoubleDouble polished(double tau) const {
-    DoubleDouble moment{tau, 0};
-    for (int i = 0; i < 3; ++i) {
-      const double step = -slope(moment).high / slope_of_slope(moment.high);
-      // A flat bottom: there the distance hardly depends on the moment, and a step is not to be trusted.
-      if (!(std::abs(step) <= 1e-6 * tau)) break;
-      moment = moment + DoubleDouble{step, 0};
-      if (std::abs(step) < 0x1p-80 * tau) break;
-    }
-    return moment;
+  /// The minimum in a valley, or the end of the moments asked about if it lies beyond.
+  ///
+  /// With g the slope and s its growth at tau, the root is tau - g / s, the least square |x|^2 - g^2 / s, up
+  /// to the share by which s changes on the way.
+  std::optional<Nearness> bottom(const Valley& valley) const {
+    const double tau = rough_root(valley);
+    const Spot spot = spot_at({tau, 0});
+    const double growth = spot.rough.growth, value = spot.slope.high;
+    const double step = -value / growth;
+    const double reach = 4 * std::abs(step) + 0x1p-60 * tau;
+    const double change = spot.rough.growth_error + reach * (spot.bend + reach * spot.bend_growth);
+    const double slope_error = spot.slope_error + std::abs(spot.slope.low);
+    // So steep that the root is within reach: the valley has no other.
+    if (!(change < 0.25 * growth && std::abs(value) + slope_error < 0.5 * growth * reach)) return {};
+    const double share = change / growth + 8 * unit_roundoff;
+    const double radius = 2 * (slope_error / growth + std::abs(step) * share) + 0x1p-1060;
+    if (const int side = side_of(sum(tau, step), radius); side != 0)
+      return side == 2 ? std::nullopt : side < 0 ? at_begin() : at_end();
+
+    const double gain = std::abs(value * step);
+    Nearness nearness{spot.square - DoubleDouble{gain, 0}, 0, {}};
+    nearness.error = spot.square_error + 6 * share * gain +
+                     4 * (slope_error * (std::abs(step) + slope_error / growth)) + fine_roundoff * gain;
+    nearness.instant = rounded_instant(setup_.horizon.now, tau, step, radius);
+    if (!nearness.instant.known()) return {};
+    return nearness;
   }
 
+  /// Where a moment known within `radius` lies: -1 before the begin, 1 after the end, 0 between, 2 in doubt.
+  int side_of(const DoubleDouble& tau, double radius) const {
+    const double after_begin = (tau - begin_).high, before_end = (end_ - tau).high;
+    const double doubt = 2 * radius;
+    if (after_begin > doubt && before_end > doubt) return 0;
+    return after_begin < -doubt ? -1 : before_end < -doubt ? 1 : 2;
+  }
+
+  std::optional<Nearness> at_begin() const {
+    const Spot spot = spot_at(begin_);
+    return Nearness{spot.square, spot.square_error, {moments_.dt_begin, moments_.t_begin}};
+  }
+  std::optional<Nearness> at_end() const {
+    const Spot spot = spot_at(end_);
+    return Nearness{spot.square, spot.square_error, {moments_.dt_end, moments_.t_end}};
+  }
+
+  /// Squared distance and slope at a moment in DoubleDouble, the slope's growth in double.
+  struct Spot {
+    DoubleDouble square, slope;
+    double square_error = 0, slope_error = 0;
+    Slope rough;
+    double bend = 0, bend_growth = 0;  ///< the growth changes by at most reach * (bend + reach * bend_growth)
+  };
+
+  Spot spot_at(const DoubleDouble& tau) const {
+    AxisView view[D];
+    view_from<D, 2>(relative_, tau.high, view);
+    Spot spot;
+    spot.rough = slope_of(view);
+    double squares = 0, products = 0;
+    for (int j = 0; j < D; ++j) {
+      const DoubleDouble turn = tau * course_.a[j];
+      const DoubleDouble place = course_.x[j] + tau * (course_.v[j] + turn);
+      spot.square = spot.square + place * place;
+      spot.slope = spot.slope + place * (course_.v[j] + (turn + turn));
+
+      const AxisView& w = view[j];
+      const double p = std::abs(w.p) + w.ep, q = std::abs(w.q) + w.eq, a = std::abs(w.a) + w.ea;
+      const double ep = fine * w.ep + relative_.underflow, eq = fine * w.eq + relative_.underflow;
+      squares += p * p, products += p * q;
+      spot.square_error += ep * (2 * p + ep);
+      spot.slope_error += p * eq + q * ep + ep * eq;
+      spot.bend += 7 * (a * q), spot.bend_growth += 14 * (a * a);
+    }
+    spot.square_error += fine_roundoff * squares + 0x1p-1060;
+    spot.slope_error += fine_roundoff * products + 0x1p-1060;
+    return spot;
+  }
+
+  const Setup& setup_;
+  Moments moments_;
+  Relative<D> relative_;
   Course<DoubleDouble, D> course_;
   DoubleDouble begin_, end_;
-  bool bent_ = false;
+  bool still_;
+  Valley valleys_[2];
+  int valley_count_ = 0;
 };
+
+template <int D>
+[[gnu::noinline]] ClosestApproach exact_answer(const Setup& setup, const double* row_a, const double* row_b) {
+  return exact_approach(squared_distance(course_of<Dyadic, D>(setup, row_a, row_b)),
+                        exact_moments_of(setup, row_a, row_b));
+}
 
 }  // namespace
 
 template <int D>
 ClosestApproach closest_approach_of(const Setup& setup, const double* row_a, const double* row_b) {
-  const auto nearest = Approach<D>(setup, row_a, row_b).nearest();
-  const DoubleDouble moment = sum(setup.horizon.now, nearest.tau.high);
-  return {moment.high + (moment.low + nearest.tau.low), nearest.tau.high, nearest.distance};
+  if (const auto certain = CertainApproach<D>(setup, row_a, row_b).answer()) return *certain;
+  return exact_answer<D>(setup, row_a, row_b);
 }
 
 template ClosestApproach closest_approach_of<1>(const Setup&, const double*, const double*);

@@ -1,9 +1,10 @@
 // When are two centres nearest, and how near? The least |x + v tau + a tau^2| while both objects exist in the
 // horizon; the earliest moment on ties.
 //
-// Computed in DoubleDouble with the moment carried beyond a double's precision, so that a near miss of fast
-// objects keeps its digits. A distance that is smaller than what DoubleDouble can tell from nothing is 0.
-// Cost: about a microsecond with acceleration, half of it without.
+// Moment and distance are the exact ones, each rounded once. As with contact, doubles with error bounds and
+// one step in DoubleDouble answer nearly always; a tie, a distance of exactly 0, numbers near the ends of a
+// double's range or a moment that lies halfway between two doubles go to exact arithmetic. Cost: half a
+// microsecond, some ten of them in exact arithmetic.
 #pragma once
 
 #include "contact/pair_source.h"

@@ -22,16 +22,21 @@ class Root {
   /// root + offset to the nearest double, ties to even.
   double rounded_with(const Dyadic& offset);
 
- private:
+  /// The root is strictly between, or it is both.
+  const Dyadic& low() const { return low_; }
+  const Dyadic& high() const { return high_; }
   bool exact() const { return low_ == high_; }
+
+  /// Narrows the interval, quickly after many rounds; early ones look at the simplest number inside, which
+  /// may well be the root.
+  void narrow(int round);
+
+ private:
   /// Narrows the interval by looking at x: low < x < high.
   void look_at(const Dyadic& x);
   /// Narrows the interval, at least to a half and quadratically in the end (Abbott's quadratic interval
   /// refinement).
   void refine();
-
-  /// refine(), but early on a look at the simplest number inside, which may well be the root.
-  void narrow(int round);
 
   const Polynomial* p_;  ///< owned by whoever made the roots
   Dyadic low_, high_;

@@ -1,32 +1,19 @@
-// The catalogue of hard cases: the families of hard_pairs.h, every answer compared with the exact one: contact or
-// none, and dt, dt_end, t, t_end each the nearest double.
+// The catalogue of hard cases: the families of hard_pairs.h, every answer compared with the exact one:
+// contact or none, and dt, dt_end, t, t_end each the nearest double.
 //
 // FORESEE_LONG=1 multiplies the number of cases by 50.
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <sstream>
 
+#include "contact/case_count.h"
 #include "contact/hard_pairs.h"
 
 namespace foresee {
 namespace {
 
 using namespace testing_pairs;
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-constexpr bool sanitized = __has_feature(address_sanitizer);
-#else
-constexpr bool sanitized = false;
-#endif
-
-/// Sanitizers make the judge twenty times slower: they see fewer cases.
-int scaled_count(int cases) {
-  return std::getenv("FORESEE_LONG") ? cases * 50 : sanitized ? (cases + 19) / 20 : cases;
-}
 
 void check(const Family& family, Shapes shapes, int axes, int cases, std::uint64_t seed) {
   Generator generate(family, seed);

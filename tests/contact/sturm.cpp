@@ -162,7 +162,7 @@ int Moment::compare(const Exact& x) const {
 }
 
 int Moment::sign_of(const Sturm& p) {
-  for (int round = 0; round < 60; ++round, halve())
+  for (int round = 0; round < 6; ++round, halve())
     if (p.count(low, high) == 0) return sign_at(p.polynomial(), high);
   const Sturm common(common_divisor(sturm_->square_free(), p.square_free()));
   if (common.polynomial().size() > 1 && common.count(low, high) == 1) return 0;

@@ -1,0 +1,91 @@
+#include "contact/approach_oracle.h"
+
+#include <cmath>
+
+namespace foresee::oracle {
+namespace {
+
+Coefficients squared_distance(const testing_pairs::Object& a, const testing_pairs::Object& b, double now) {
+  Coefficients sum(5);
+  for (int j = 0; j < a.layout.axes; ++j) {
+    const Coefficients p = relative_axis(a, b, j, now);
+    for (int k = 0; k < 3; ++k)
+      for (int l = 0; l < 3; ++l) sum[k + l] += p[k] * p[l];
+  }
+  return sum;
+}
+
+/// A moment at which the distance may be least: an exact one, or where the slope vanishes.
+struct Candidate {
+  Exact at;
+  std::optional<Moment> root = {};
+
+  int compare(const Exact& x) const { return root ? root->compare(x) : (at - x).sign(); }
+};
+
+class Distances {
+ public:
+  explicit Distances(Coefficients square) : square_(std::move(square)) {}
+
+  /// Sign of the square at the candidate minus a number.
+  int beyond(Candidate& c, const Exact& number) const {
+    if (!c.root) return (value_at(square_, c.at) - number).sign();
+    Coefficients difference = square_;
+    difference[0] -= number;
+    return c.root->sign_of(Sturm(integers_of(difference)));
+  }
+
+  bool less(Candidate& a, Candidate& b) const {
+    if (!a.root) return beyond(b, value_at(square_, a.at)) > 0;
+    if (!b.root) return beyond(a, value_at(square_, b.at)) < 0;
+    if (beyond(b, 0.0) == 0) return false;
+    // Two roots: no common divisor tells equality, but numbers of these lengths that agree so far are equal.
+    for (int round = 0; round < 300; ++round, a.root->halve(), b.root->halve()) {
+      const Exact gap = value_at(square_, b.root->low) - value_at(square_, a.root->low);
+      const Exact doubt = spread(*a.root) + spread(*b.root);
+      if (gap > doubt) return true;
+      if (gap < -doubt) return false;
+    }
+    return false;
+  }
+
+ private:
+  /// By how much the square can change within a bracket.
+  Exact spread(const Moment& m) const {
+    Exact steepest;
+    for (std::size_t k = square_.size(); k-- > 1;) {
+      const Exact term = square_[k] * Exact(static_cast<double>(k));
+      steepest = steepest * m.high + (term.sign() < 0 ? -term : term);
+    }
+    return steepest * (m.high - m.low);
+  }
+
+  Coefficients square_;
+};
+
+}  // namespace
+
+std::string judge_approach(const testing_pairs::Object& a, const testing_pairs::Object& b,
+                           const Horizon& horizon, const ClosestApproach& answer) {
+  const Asked asked = asked_about(a, b, horizon);
+  const Coefficients square = squared_distance(a, b, horizon.now);
+  const Distances distances(square);
+  const Sturm slope(derivative(integers_of(square)));
+  Candidate best{asked.begin};
+  for (Moment& root : moments_between(slope, asked.begin, asked.end))
+    if (Candidate other{{}, root}; distances.less(other, best)) best = other;
+  if (Candidate end{asked.end}; distances.less(end, best)) best = end;
+
+  auto moment_is = [&](double value, const Exact& offset) {
+    return is_nearest(value, [&](const Exact& tie) { return best.compare(tie - offset); });
+  };
+  if (!moment_is(answer.dt, 0.0)) return "dt is not the nearest double";
+  if (!moment_is(answer.t, horizon.now)) return "t is not the nearest double";
+  if (distances.beyond(best, 0.0) == 0) return answer.d == 0 ? "" : "d is not 0";
+  if (!is_nearest(answer.d,
+                  [&](const Exact& tie) { return tie.sign() < 0 ? 1 : distances.beyond(best, tie * tie); }))
+    return "d is not the nearest double";
+  return "";
+}
+
+}  // namespace foresee::oracle
