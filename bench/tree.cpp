@@ -241,9 +241,11 @@ void measure(const Workload& w, double horizon, bool quick) {
     update_in_place(scene, loaded);
   }
   if (quick) return;
-  Tree grown(scene, horizon);
-  print("insert", seconds_of([&] { insert_all(scene, grown); }), scene.ids.size(), "an object");
-  ask<D>("grown", scene, grown);
+  {
+    Tree grown(scene, horizon);
+    print("insert", seconds_of([&] { insert_all(scene, grown); }), scene.ids.size(), "an object");
+    ask<D>("grown", scene, grown);
+  }
   for (const bool from_load : {true, false}) {
     Tree drifted(scene, horizon);
     from_load ? drifted.tree->load(scene.ids, scene.records, never) : insert_all(scene, drifted);

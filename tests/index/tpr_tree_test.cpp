@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "index/tpr_tree/window_walk.h"
 #include "tests/index/tree_model.h"
 
 namespace foresee {
@@ -135,6 +136,51 @@ TEST(TprTree, AnUpdateWithinTheLeafsBoundsTouchesTheLeafAlone) {
     EXPECT_EQ(counting.changes, 1);
     EXPECT_EQ(counting.moves, 0);
   }
+}
+
+/// Leaves read by windows of a twentieth of the scene's side.
+std::size_t leaves_in_windows(TreeModel& model, double side, double now) {
+  Random random(8);
+  std::size_t leaves = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Vec<2> lower(random.in(0, side), random.in(0, side)), still = Vec<2>::Zero();
+    const Horizon horizon{now, 0};
+    WindowWalk<2> walk(model.pages, moving_window<2>(lower, lower + side / 20, still, horizon), horizon,
+                       still, model.never);
+    for (LeafHits hits; walk.next(hits);) ++leaves;
+  }
+  return leaves;
+}
+
+TEST(TprTree, StaysTightAndFullWhileObjectsDrift) {
+  constexpr std::size_t count = 4000;
+  constexpr double side = 400, duration = 20;
+  TreeModel model(boats, 60, 20);
+  Random random(6);
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  for (std::size_t i = 0; i < count; ++i) {
+    ids.push_back(static_cast<std::int64_t>(i));
+    for (double number :
+         {0.0, random.in(0, side), random.in(0, side), random.in(-3, 3), random.in(-3, 3), 0.5})
+      records.push_back(number);
+  }
+  model.tree->load(ids, records, model.never);
+  for (std::size_t i = 0; i < count; ++i)
+    model.objects[ids[i]].assign(records.begin() + static_cast<std::ptrdiff_t>(6 * i),
+                                 records.begin() + static_cast<std::ptrdiff_t>(6 * i + 6));
+  for (std::size_t i = 0; i < 2 * count; ++i) {
+    const auto id = static_cast<std::int64_t>(random.below(count));
+    const double now = duration * static_cast<double>(i) / (2 * count);
+    std::vector<double> record = model.objects[id];
+    record[1] += record[3] * (now - record[0]), record[2] += record[4] * (now - record[0]), record[0] = now;
+    model.update(id, {now, record[1], record[2], random.in(-3, 3), random.in(-3, 3), 0.5});
+  }
+  model.expect_sound();
+  const std::size_t nodes = model.pages.node_count(), leaves = leaves_in_windows(model, side, duration);
+  model.tree->rebuild(model.never);
+  EXPECT_LT(nodes, 1.6 * static_cast<double>(model.pages.node_count()));
+  EXPECT_LT(leaves, 2.0 * static_cast<double>(leaves_in_windows(model, side, duration)));
 }
 
 TEST(TprTree, NodesThatContradictOneAnotherAreAnError) {

@@ -51,6 +51,12 @@ struct Bounds {
     return {most, -most, most, -most, most, -most};
   }
 
+  /// Contains every motion.
+  static Bounds everything() {
+    const Bounds none = nothing();
+    return {none.x_upper, none.x_lower, none.v_upper, none.v_lower, none.a_upper, none.a_lower};
+  }
+
   void include(const Bounds& other) {
     x_lower = x_lower.min(other.x_lower), x_upper = x_upper.max(other.x_upper);
     v_lower = v_lower.min(other.v_lower), v_upper = v_upper.max(other.v_upper);

@@ -13,6 +13,8 @@ namespace foresee {
 class WriteClock {
  public:
   double now() const { return now_; }
+  /// False until something has been written.
+  bool runs() const { return count_ > 0; }
 
   /// An object with this t is being written. A fresh clock believes its first write.
   void saw(double t) {

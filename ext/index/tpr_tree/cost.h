@@ -1,8 +1,8 @@
 // How often will a question visit these bounds? The measure by which the tree chooses and splits.
 //
 // A window of side `query` meets a box of widths w with probability proportional to the product of w + query;
-// the tree's look-ahead counts, so the product is integrated over [clock, clock + horizon] (Saltenis et al.
-// 2000; the query's side is TPR*'s, Tao et al. 2003, and keeps flat boxes comparable). Simpson's rule on
+// the tree's look-ahead counts, so the product is integrated over part of it from the clock on (Saltenis et
+// al. 2000; the query's side is TPR*'s, Tao et al. 2003, and keeps flat boxes comparable). Simpson's rule on
 // three moments is exact for uniform motion in one to three axes. Unbounded widths count as very wide; every
 // cost is a finite number.
 #pragma once
@@ -19,10 +19,10 @@ template <int D>
 class VisitCost {
  public:
   /// For bounds at `epoch`.
-  VisitCost(double clock, double horizon, double epoch) {
+  VisitCost(double clock, double duration, double epoch) {
     for (int i = 0; i < 3; ++i)
       elapsed_[static_cast<std::size_t>(i)] =
-          std::clamp(std::abs(clock + 0.5 * i * horizon - epoch), 1e-100, 1e100);
+          std::clamp(std::abs(clock + 0.5 * i * duration - epoch), 1e-100, 1e100);
   }
 
   double operator()(const Bounds<D>& bounds, double query) const {

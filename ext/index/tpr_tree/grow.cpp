@@ -119,19 +119,9 @@ void make_room_upward(TreeState<D>& state, NodeNumber number, const Added& added
 }  // namespace
 
 template <int D>
-bool freshen(TreeState<D>& state, NodeNumber inner, std::size_t slot) {
+void renew_entries(TreeState<D>& state, NodeNumber inner) {
   const double now = state.clock.now();
-  Node fresh;
-  {
-    const auto old = state.pages.read(inner);
-    const double away = std::abs(now - old->epoch);
-    const Bounds<D> bounds = bounds_at<D>(*old, slot);
-    const Vec<D> by_epoch =
-        away * ((bounds.v_upper - bounds.v_lower) + (0.5 * away) * (bounds.a_upper - bounds.a_lower));
-    if (!(away > 0.5 * state.horizon && by_epoch.sum() > 0.5 * (bounds.x_upper - bounds.x_lower).sum()))
-      return false;
-    fresh = *old;
-  }
+  Node fresh = *state.pages.read(inner);
   for (std::size_t i = 0; i < fresh.size(); ++i) {
     Entry<D> entry = summary(*read_below(state.pages, fresh, i), state.reader, now);
     entry.bounds.narrow_to(carried(bounds_at<D>(fresh, i), fresh.epoch, now));
@@ -139,6 +129,20 @@ bool freshen(TreeState<D>& state, NodeNumber inner, std::size_t slot) {
   }
   fresh.epoch = now;
   state.pages.modify(inner) = std::move(fresh);
+}
+
+template <int D>
+bool freshen(TreeState<D>& state, NodeNumber inner, std::size_t slot) {
+  {
+    const auto old = state.pages.read(inner);
+    const double away = std::abs(state.clock.now() - old->epoch);
+    const Bounds<D> bounds = bounds_at<D>(*old, slot);
+    const Vec<D> by_epoch =
+        away * ((bounds.v_upper - bounds.v_lower) + (0.5 * away) * (bounds.a_upper - bounds.a_lower));
+    if (!(away > 0.5 * state.horizon && by_epoch.sum() > 0.5 * (bounds.x_upper - bounds.x_lower).sum()))
+      return false;
+  }
+  renew_entries(state, inner);
   return true;
 }
 
@@ -180,6 +184,9 @@ template void settle_upward<3>(TreeState<3>&, NodeNumber, const NewObject<3>&);
 template void insert_branch<1>(TreeState<1>&, const Branch<1>&);
 template void insert_branch<2>(TreeState<2>&, const Branch<2>&);
 template void insert_branch<3>(TreeState<3>&, const Branch<3>&);
+template void renew_entries<1>(TreeState<1>&, NodeNumber);
+template void renew_entries<2>(TreeState<2>&, NodeNumber);
+template void renew_entries<3>(TreeState<3>&, NodeNumber);
 template bool freshen<1>(TreeState<1>&, NodeNumber, std::size_t);
 template bool freshen<2>(TreeState<2>&, NodeNumber, std::size_t);
 template bool freshen<3>(TreeState<3>&, NodeNumber, std::size_t);

@@ -20,7 +20,11 @@ void settle_upward(TreeState<D>& state, NodeNumber leaf, const NewObject<D>& obj
 template <int D>
 void insert_branch(TreeState<D>& state, const Branch<D>& branch);
 
-/// Computes the node's entries anew if its epoch has become a bad one for the child in `slot`: more than half
+/// Computes an inner node's entries anew, from the nodes below and at the clock's time.
+template <int D>
+void renew_entries(TreeState<D>& state, NodeNumber inner);
+
+/// The same if its epoch has become a bad one for the child in `slot`: more than half
 /// a horizon away from the clock, and faces moving so fast that much of that child's width stems from it.
 template <int D>
 bool freshen(TreeState<D>& state, NodeNumber inner, std::size_t slot);

@@ -25,7 +25,7 @@ class TreeLoad {
       : state_(state), ids_(ids), records_(records), interrupt_(interrupt) {}
 
   void run() {
-    state_.clock.set(typical_t(state_.reader, records_));
+    if (!state_.clock.runs()) state_.clock.set(typical_t(state_.reader, records_));
     const auto levels = level_sizes(ids_.size(), state_.pages.leaf_capacity(), state_.pages.inner_capacity());
     const auto order = leaf_order(state_, records_, levels, interrupt_);
     for (const std::size_t nodes : levels) {

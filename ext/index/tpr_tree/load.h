@@ -10,7 +10,7 @@ namespace foresee {
 /// Frees every node of the tree.
 void free_all(Pages& pages, Interrupt& interrupt);
 
-/// Requires: the tree is empty.
+/// A clock that does not run yet is set by the objects. Requires: the tree is empty.
 template <int D>
 void load_tree(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
                Interrupt& interrupt);

@@ -5,11 +5,6 @@
 namespace foresee {
 namespace {
 
-/// How many horizons of distance a unit of velocity counts for. Questions about a whole horizon are served
-/// best by 0.3 to 0.5, those about a twentieth by 0.1 or less; at 0.15 neither costs much more than it has
-/// to.
-constexpr double look_ahead = 0.15;
-
 /// An object while it is being sorted: where it is now and how it moves, in comparable units.
 template <int D>
 struct Item {

@@ -114,6 +114,15 @@ bool take_out(TreeState<D>& state, NodeNumber leaf, std::size_t slot) {
 }
 
 template <int D>
+void tighten_upward(TreeState<D>& state, NodeNumber number) {
+  for (;;) {
+    const NodeNumber parent = state.pages.read(number)->parent;
+    if (parent == 0 || !tighten(state, number, parent)) return;
+    number = parent;
+  }
+}
+
+template <int D>
 double newest_in(const Node& node, const LeafReader<D>& reader) {
   double newest = -std::numeric_limits<double>::infinity();
   for (std::size_t slot = 0; slot < node.size(); ++slot)
@@ -144,6 +153,9 @@ void refresh_newest(TreeState<D>& state, NodeNumber number) {
 template bool take_out<1>(TreeState<1>&, NodeNumber, std::size_t);
 template bool take_out<2>(TreeState<2>&, NodeNumber, std::size_t);
 template bool take_out<3>(TreeState<3>&, NodeNumber, std::size_t);
+template void tighten_upward<1>(TreeState<1>&, NodeNumber);
+template void tighten_upward<2>(TreeState<2>&, NodeNumber);
+template void tighten_upward<3>(TreeState<3>&, NodeNumber);
 template void refresh_newest<1>(TreeState<1>&, NodeNumber);
 template void refresh_newest<2>(TreeState<2>&, NodeNumber);
 template void refresh_newest<3>(TreeState<3>&, NodeNumber);

@@ -10,6 +10,10 @@ namespace foresee {
 template <int D>
 bool take_out(TreeState<D>& state, NodeNumber leaf, std::size_t slot);
 
+/// Makes the entries above a node as tight as the nodes beneath them allow.
+template <int D>
+void tighten_upward(TreeState<D>& state, NodeNumber number);
+
 /// Brings greatest t above a node up to date after one of its t has changed.
 template <int D>
 void refresh_newest(TreeState<D>& state, NodeNumber number);

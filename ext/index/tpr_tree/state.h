@@ -7,6 +7,10 @@
 
 namespace foresee {
 
+/// The part of `horizon` that the tree's shape looks ahead. Questions about a whole horizon are served best
+/// by 0.3 to 0.5, those about a twentieth by 0.1 or less; at 0.15 neither costs much more than it has to.
+inline constexpr double look_ahead = 0.15;
+
 template <int D>
 struct TreeState {
   TreeState(Pages& pages, double horizon) : pages(pages), reader(pages.layout()), horizon(horizon) {}
@@ -16,7 +20,7 @@ struct TreeState {
   double horizon;
   WriteClock clock;
 
-  VisitCost<D> cost(double epoch) const { return {clock.now(), horizon, epoch}; }
+  VisitCost<D> cost(double epoch) const { return {clock.now(), look_ahead * horizon, epoch}; }
   std::size_t stride(int level) const {
     return level == 0 ? reader.record_size() : static_cast<std::size_t>(entry_size(D));
   }

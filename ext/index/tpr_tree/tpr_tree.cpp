@@ -2,6 +2,7 @@
 
 #include "index/tpr_tree/grow.h"
 #include "index/tpr_tree/load.h"
+#include "index/tpr_tree/repack.h"
 #include "index/tpr_tree/shrink.h"
 
 namespace foresee {
@@ -31,6 +32,7 @@ class Tree final : public TprTree {
       insert_object(state_, object, leaf_stays ? ancestor_containing(*leaf, object) : 0,
                     leaf_stays ? *leaf : 0);
     }
+    if (++updates_ % 128 == 0) repack_around(state_, *state_.pages.leaf_of(id));
     return true;
   }
 
@@ -49,6 +51,7 @@ class Tree final : public TprTree {
     collect_objects(state_.pages, old_ids, old_records, interrupt);
     for (const std::int64_t id : old_ids) state_.pages.forget(id);
     free_all(state_.pages, interrupt);
+    state_.clock = {};
     load_tree(state_, ids, records, interrupt);
   }
 
@@ -103,6 +106,7 @@ class Tree final : public TprTree {
   }
 
   TreeState<D> state_;
+  std::size_t updates_ = 0;
 };
 
 }  // namespace

@@ -1,0 +1,175 @@
+#include "index/tpr_tree/repack.h"
+
+#include <cmath>
+
+#include "index/tpr_tree/grow.h"
+#include "index/tpr_tree/order.h"
+#include "index/tpr_tree/shrink.h"
+
+namespace foresee {
+namespace {
+
+/// Room that is left in a leaf, so that the next writes do not split it.
+constexpr double fill = 0.85;
+/// How much dearer to visit than even ones leaves must look before it is tried; just loaded: 1.0 to 1.05.
+constexpr double loose = 1.2;
+/// How much cheaper the new leaves must be.
+constexpr double gain = 0.8;
+
+/// The leaves beneath one or two nodes, before and after.
+template <int D>
+class Repack {
+ public:
+  Repack(TreeState<D>& state, std::vector<NodeNumber> parents)
+      : state_(state), now_(state.clock.now()), cost_(state.cost(now_)), parents_(std::move(parents)) {
+    for (const NodeNumber parent : parents_) read_entries(*state.pages.read(parent));
+  }
+
+  /// By what the nodes say: would leaves of even size that share their extent be far cheaper to visit?
+  bool is_loose() const {
+    Bounds<D> all = Bounds<D>::nothing();
+    for (const Entry<D>& entry : before_) all.include(entry.bounds);
+    const auto leaves = static_cast<double>(before_.size());
+    all.x_upper -= (all.x_upper - all.x_lower) * (1 - std::pow(leaves, -1.0 / D));
+    const double query = 0.5 * cost_.mean_width(all);
+    return total(before_, query) > loose * leaves * cost_(all, query);
+  }
+
+  /// False if it would not pay.
+  bool run() {
+    before_.clear();
+    for (const NodeNumber parent : parents_) {
+      const auto node = state_.pages.read(parent);
+      for (std::size_t slot = 0; slot < node->size(); ++slot) collect(*read_below(state_.pages, *node, slot));
+    }
+    arrange();
+    double width = 0;
+    for (const Entry<D>& entry : after_) width += cost_.mean_width(entry.bounds);
+    const double query = 0.5 * width / static_cast<double>(after_.size());
+    if (!(total(after_, query) < gain * total(before_, query))) return false;
+    write();
+    return true;
+  }
+
+ private:
+  void read_entries(const Node& parent) {
+    numbers_.insert(numbers_.end(), parent.keys.begin(), parent.keys.end());
+    for (std::size_t slot = 0; slot < parent.size(); ++slot)
+      before_.push_back({times_at<D>(parent, slot), carried(bounds_at<D>(parent, slot), parent.epoch, now_)});
+  }
+
+  void collect(const Node& leaf) {
+    before_.push_back(summary(leaf, state_.reader, now_));
+    ids_.insert(ids_.end(), leaf.keys.begin(), leaf.keys.end());
+    records_.insert(records_.end(), leaf.values.begin(), leaf.values.end());
+  }
+
+  void arrange() {
+    const auto roomy = static_cast<std::size_t>(fill * static_cast<double>(state_.pages.leaf_capacity()));
+    const std::size_t needed = (ids_.size() + roomy - 1) / roomy, size = state_.reader.record_size();
+    const std::size_t least = std::min(numbers_.size(), parents_.size() * state_.least_size(1));
+    leaves_.resize(std::clamp(needed, least, numbers_.size()));
+    NeverInterrupt never;
+    const auto order = leaf_order(state_, records_, {leaves_.size(), parents_.size(), 1}, never);
+    for (std::size_t i = 0; i < leaves_.size(); ++i) {
+      Node& leaf = leaves_[i];
+      const std::size_t last = first_child(i + 1, leaves_.size(), order.size());
+      for (std::size_t place = first_child(i, leaves_.size(), order.size()); place < last; ++place) {
+        const double* record = records_.data() + order[place] * size;
+        leaf.keys.push_back(ids_[order[place]]);
+        leaf.values.insert(leaf.values.end(), record, record + size);
+      }
+      after_.push_back(summary(leaf, state_.reader, now_));
+    }
+  }
+
+  double total(const std::vector<Entry<D>>& entries, double query) const {
+    double sum = 0;
+    for (const Entry<D>& entry : entries) sum += cost_(entry.bounds, query);
+    return sum;
+  }
+
+  void write() {
+    for (std::size_t p = 0, i = 0; p < parents_.size(); ++p) {
+      Node& parent = state_.pages.modify(parents_[p]);
+      parent.epoch = now_;
+      parent.keys.clear(), parent.values.clear();
+      for (const std::size_t last = first_child(p + 1, parents_.size(), leaves_.size()); i < last; ++i) {
+        add_entry(parent, numbers_[i], after_[i]);
+        leaves_[i].parent = parents_[p];
+        state_.pages.place(leaves_[i].keys, numbers_[i]);
+        state_.pages.modify(numbers_[i]) = std::move(leaves_[i]);
+      }
+    }
+    for (std::size_t i = leaves_.size(); i < numbers_.size(); ++i) state_.pages.free(numbers_[i]);
+  }
+
+  TreeState<D>& state_;
+  const double now_;
+  VisitCost<D> cost_;
+  std::vector<NodeNumber> parents_, numbers_;  ///< numbers: of their leaves
+  std::vector<std::int64_t> ids_;
+  std::vector<double> records_;
+  std::vector<Node> leaves_;  ///< the new ones
+  std::vector<Entry<D>> before_, after_;
+};
+
+/// The slot of the sibling that a node overlaps most: together they would cost least more than apart. Its own
+/// if it has no sibling.
+template <int D>
+std::size_t closest_sibling(const TreeState<D>& state, const Node& above, NodeNumber number) {
+  const VisitCost<D> cost = state.cost(above.epoch);
+  const std::size_t own_slot = slot_of(above, number);
+  const Bounds<D> own = bounds_at<D>(above, own_slot);
+  const double query = 0.1 * cost.mean_width(own);
+  std::size_t best = own_slot;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t slot = 0; slot < above.size(); ++slot) {
+    if (slot == own_slot) continue;
+    Bounds<D> both = bounds_at<D>(above, slot);
+    const double apart = cost(both, query);
+    both.include(own);
+    const double more = cost(both, query) - apart;
+    if (more < least) best = slot, least = more;
+  }
+  return best;
+}
+
+/// Entries for nodes that hold other leaves than before, and all their siblings', at the clock's time.
+template <int D>
+void renew_above(TreeState<D>& state, NodeNumber above, std::span<const NodeNumber> changed) {
+  Node& node = state.pages.modify(above);
+  for (const NodeNumber number : changed)
+    set_entry(node, slot_of(node, number), Entry<D>{{}, Bounds<D>::everything()});
+  renew_entries(state, above);
+  tighten_upward(state, above);
+}
+
+}  // namespace
+
+template <int D>
+void repack_around(TreeState<D>& state, NodeNumber leaf) {
+  std::vector<NodeNumber> parents;
+  NodeNumber above_number;
+  {
+    const auto node = state.pages.read(leaf);
+    if (node->parent == 0) return;
+    const auto parent = read_above(state.pages, *node);
+    parents.push_back(node->parent);
+    above_number = parent->parent;
+    if (above_number != 0) {
+      const auto above = read_above(state.pages, *parent);
+      const std::size_t sibling = closest_sibling(state, *above, node->parent);
+      read_below(state.pages, *above, sibling);
+      if (above->keys[sibling] != node->parent) parents.push_back(above->keys[sibling]);
+    }
+  }
+  Repack<D> repack(state, parents);
+  if (repack.is_loose() && repack.run() && above_number != 0) renew_above<D>(state, above_number, parents);
+}
+
+template void repack_around<1>(TreeState<1>&, NodeNumber);
+template void repack_around<2>(TreeState<2>&, NodeNumber);
+template void repack_around<3>(TreeState<3>&, NodeNumber);
+
+}  // namespace foresee
