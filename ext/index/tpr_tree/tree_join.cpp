@@ -1,6 +1,7 @@
 #include "index/tpr_tree/tree_join.h"
 
 #include "index/tpr_tree/join_side.h"
+#include "index/tpr_tree/near_objects.h"
 
 namespace foresee {
 namespace {
@@ -86,25 +87,28 @@ class TreeJoin final : public Candidates {
 
   void join_leaves(const NodePair& pair, std::vector<Pair>& out) {
     const bool within = self_ && pair.a == pair.b;
-    near(a_, pair.a, b_.node(0, pair.b), pair.span, near_a_);
-    if (!within) near(b_, pair.b, a_.node(0, pair.a), pair.span, near_b_);
-    for (std::size_t i = 0; i < near_a_.size(); ++i) {
-      const std::uint32_t a = near_a_[i];
-      for (std::size_t j = within ? i + 1 : 0; j < (within ? near_a_ : near_b_).size(); ++j) {
-        const std::uint32_t b = (within ? near_a_ : near_b_)[j];
+    gather(a_, pair.a, b_.node(0, pair.b), pair.span, near_a_);
+    if (!within) gather(b_, pair.b, a_.node(0, pair.a), pair.span, near_b_);
+    const NearObjects<D>& near_b = within ? near_a_ : near_b_;
+    overlapping_.resize(near_b.rows.size());
+    for (std::size_t i = 0; i < near_a_.rows.size(); ++i) {
+      const std::uint32_t a = near_a_.rows[i];
+      const std::size_t count = near_b.overlapping(near_a_, i, within ? i + 1 : 0, overlapping_.data());
+      for (std::size_t hit = 0; hit < count; ++hit) {
+        const std::uint32_t b = near_b.rows[overlapping_[hit]];
         TimeSpan span = pair.span;
         if (meet(a_.object(a), b_.object(b), span)) out.push_back({a, b});
       }
     }
   }
 
-  /// The objects of a leaf that can meet the other leaf's box.
-  void near(const JoinSide<D>& side, std::uint32_t leaf, const MovingBox<D>& other, const TimeSpan& when,
-            std::vector<std::uint32_t>& rows) const {
-    rows.clear();
+  /// The objects of a leaf that can meet the other leaf's box, where they are while they can.
+  void gather(const JoinSide<D>& side, std::uint32_t leaf, const MovingBox<D>& other, const TimeSpan& when,
+              NearObjects<D>& near) const {
+    near.clear();
     for (std::uint32_t row = side.first(0, leaf); row < side.last(0, leaf); ++row) {
       TimeSpan span = when;
-      if (meet(side.object(row), other, span)) rows.push_back(row);
+      if (meet(side.object(row), other, span)) near.add(row, side.object(row), span);
     }
   }
 
@@ -114,7 +118,8 @@ class TreeJoin final : public Candidates {
   Interrupt& interrupt_;
   std::size_t steps_ = 0;
   std::vector<NodePair> open_;
-  std::vector<std::uint32_t> near_a_, near_b_;
+  NearObjects<D> near_a_, near_b_;
+  std::vector<std::uint32_t> overlapping_;
 };
 
 }  // namespace
