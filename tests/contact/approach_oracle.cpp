@@ -35,21 +35,27 @@ class Distances {
     return c.root->sign_of(Sturm(integers_of(difference)));
   }
 
+  /// Is the distance at a less than at b, which is the earlier and the least so far?
   bool less(Candidate& a, Candidate& b) const {
     if (!a.root) return beyond(b, value_at(square_, a.at)) > 0;
     if (!b.root) return beyond(a, value_at(square_, b.at)) < 0;
     if (beyond(b, 0.0) == 0) return false;
-    // Two roots: no common divisor tells equality, but numbers of these lengths that agree so far are equal.
-    for (int round = 0; round < 300; ++round, a.root->halve(), b.root->halve()) {
+    if (is_square_and_constant()) return false;  // two minima of one depth: b is the earlier
+    for (;; a.root->halve(), b.root->halve()) {
       const Exact gap = value_at(square_, b.root->low) - value_at(square_, a.root->low);
       const Exact doubt = spread(*a.root) + spread(*b.root);
       if (gap > doubt) return true;
       if (gap < -doubt) return false;
     }
-    return false;
   }
 
  private:
+  /// Is the square c (t^2 + p t + q)^2 + d?
+  bool is_square_and_constant() const {
+    const Exact &f1 = square_[1], &f2 = square_[2], &f3 = square_[3], &f4 = square_[4];
+    return Exact(8.0) * f4 * f4 * f1 == f3 * (Exact(4.0) * f4 * f2 - f3 * f3);
+  }
+
   /// By how much the square can change within a bracket.
   Exact spread(const Moment& m) const {
     Exact steepest;
