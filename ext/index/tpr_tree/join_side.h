@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "index/tpr_tree/moving_box.h"
+#include "index/tpr_tree/near_objects.h"
 #include "index/tpr_tree/tree_join.h"
 
 namespace foresee {
@@ -24,12 +24,18 @@ class JoinSide {
     for (std::size_t level = 0; level < starts_.size(); ++level)
       for (std::size_t i = 0; i + 1 < starts_[level].size(); ++i)
         boxes_[level + 1].push_back(around(level, i));
+    for (std::size_t kind = 0; kind < std::min<std::size_t>(2, boxes_.size()); ++kind)
+      for (std::uint32_t i = 0; i < boxes_[kind].size(); ++i)
+        swept_[kind].add(i, boxes_[kind][i], boxes_[kind][i].span);
   }
 
   /// Level 0: leaves.
   std::size_t levels() const { return starts_.size(); }
   const MovingBox<D>& node(std::size_t level, std::uint32_t i) const { return boxes_[level + 1][i]; }
   const MovingBox<D>& object(std::uint32_t row) const { return boxes_[0][row]; }
+  /// Where objects, and leaves, are during the whole horizon.
+  const NearObjects<D>& swept_objects() const { return swept_[0]; }
+  const NearObjects<D>& swept_leaves() const { return swept_[1]; }
   /// What node i holds: rows if it is a leaf, else nodes one level down.
   std::uint32_t first(std::size_t level, std::uint32_t i) const { return starts_[level][i]; }
   std::uint32_t last(std::size_t level, std::uint32_t i) const { return starts_[level][i + 1]; }
@@ -51,6 +57,7 @@ class JoinSide {
   }
 
   std::vector<std::vector<std::uint32_t>> starts_;
+  NearObjects<D> swept_[2];
   std::vector<std::vector<MovingBox<D>>> boxes_;  ///< [0]: objects, [k + 1]: nodes of level k
 };
 

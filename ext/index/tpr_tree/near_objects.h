@@ -31,12 +31,12 @@ struct NearObjects {
 
   /// Writes the positions, from `first` on, of those whose box meets that of others[i]; returns how many
   /// there are. `out` has room for all. No branches: which ones meet cannot be foretold.
-  std::size_t overlapping(const NearObjects& others, std::size_t i, std::size_t first,
+  std::size_t overlapping(const NearObjects& others, std::size_t i, std::size_t first, std::size_t last,
                           std::uint32_t* out) const {
     std::array<double, D> from, to;
     for (int axis = 0; axis < D; ++axis) from[axis] = others.lower[axis][i], to[axis] = others.upper[axis][i];
     std::size_t count = 0;
-    for (std::size_t j = first; j < rows.size(); ++j) {
+    for (std::size_t j = first; j < last; ++j) {
       bool meets = true;
       for (int axis = 0; axis < D; ++axis)
         meets &= (lower[axis][j] <= to[axis]) & (from[axis] <= upper[axis][j]);

@@ -87,13 +87,14 @@ class TreeJoin final : public Candidates {
 
   void join_leaves(const NodePair& pair, std::vector<Pair>& out) {
     const bool within = self_ && pair.a == pair.b;
-    gather(a_, pair.a, b_.node(0, pair.b), pair.span, near_a_);
-    if (!within) gather(b_, pair.b, a_.node(0, pair.a), pair.span, near_b_);
+    gather(a_, pair.a, b_, pair.b, pair.span, near_a_);
+    if (!within) gather(b_, pair.b, a_, pair.a, pair.span, near_b_);
     const NearObjects<D>& near_b = within ? near_a_ : near_b_;
     overlapping_.resize(near_b.rows.size());
     for (std::size_t i = 0; i < near_a_.rows.size(); ++i) {
       const std::uint32_t a = near_a_.rows[i];
-      const std::size_t count = near_b.overlapping(near_a_, i, within ? i + 1 : 0, overlapping_.data());
+      const std::size_t count =
+          near_b.overlapping(near_a_, i, within ? i + 1 : 0, near_b.rows.size(), overlapping_.data());
       for (std::size_t hit = 0; hit < count; ++hit) {
         const std::uint32_t b = near_b.rows[overlapping_[hit]];
         TimeSpan span = pair.span;
@@ -103,12 +104,17 @@ class TreeJoin final : public Candidates {
   }
 
   /// The objects of a leaf that can meet the other leaf's box, where they are while they can.
-  void gather(const JoinSide<D>& side, std::uint32_t leaf, const MovingBox<D>& other, const TimeSpan& when,
-              NearObjects<D>& near) const {
+  void gather(const JoinSide<D>& side, std::uint32_t leaf, const JoinSide<D>& other_side, std::uint32_t other,
+              const TimeSpan& when, NearObjects<D>& near) {
+    const std::uint32_t first = side.first(0, leaf), last = side.last(0, leaf);
+    overlapping_.resize(last - first);
+    const std::size_t count =
+        side.swept_objects().overlapping(other_side.swept_leaves(), other, first, last, overlapping_.data());
     near.clear();
-    for (std::uint32_t row = side.first(0, leaf); row < side.last(0, leaf); ++row) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::uint32_t row = overlapping_[i];
       TimeSpan span = when;
-      if (meet(side.object(row), other, span)) near.add(row, side.object(row), span);
+      if (meet(side.object(row), other_side.node(0, other), span)) near.add(row, side.object(row), span);
     }
   }
 
