@@ -1,8 +1,10 @@
 #include "index/paper_grid/paper_grid.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 namespace foresee {
 namespace {
@@ -52,7 +54,7 @@ template <int D>
 void PaperGrid<D>::build(const Sides& sides) {
   const Cuts cuts = choose_cells(sides);
   enter(sides, cuts);
-  sort_entries();
+  group_entries();
 }
 
 /// Never decreases with x, so that boxes that meet share a cell whatever rounding does. Infinity times zero
@@ -81,11 +83,13 @@ typename PaperGrid<D>::Cuts PaperGrid<D>::choose_cells(const Sides& sides) {
     cuts.from[k] = std::isfinite(axis[k].lowest) ? axis[k].lowest : 0;
   }
   const double most = entries_per_object * static_cast<double>(sides[0].size() + sides[1].size() + 1);
-  while (entry_count(sides, cuts) > most) {
+  double count = entry_count(sides, cuts);
+  for (; count > most; count = entry_count(sides, cuts)) {
     cuts.per_unit /= 2;
     figures_.cell *= 2;
     figures_.doubled *= 2;
   }
+  entries_.reserve(static_cast<std::size_t>(count));
   return cuts;
 }
 
@@ -114,7 +118,6 @@ std::uint64_t PaperGrid<D>::number_of(const Place& place) {
 /// Step 3.
 template <int D>
 void PaperGrid<D>::enter(const Sides& sides, const Cuts& cuts) {
-  entries_.reserve(static_cast<std::size_t>(entry_count(sides, cuts)));
   for (std::uint32_t side = 0; side < 2; ++side) {
     first_[side].resize(sides[side].size());
     for (std::uint32_t i = 0; i < sides[side].size(); ++i) {
@@ -135,13 +138,28 @@ void PaperGrid<D>::enter(const Sides& sides, const Cuts& cuts) {
   figures_.entries = entries_.size();
 }
 
+/// Hashed cells: entries are counted and moved bucket by bucket, then put in order within their bucket.
 template <int D>
-void PaperGrid<D>::sort_entries() {
-  std::size_t steps = 0;
-  std::sort(entries_.begin(), entries_.end(), [&](const Entry& l, const Entry& r) {
-    if (++steps % steps_per_check == 0) interrupt_.check();
-    return l.cell != r.cell ? l.cell < r.cell : l.side != r.side ? l.side < r.side : l.object < r.object;
-  });
+void PaperGrid<D>::group_entries() {
+  const int bits = std::bit_width(entries_.size() | 1);
+  auto bucket = [bits](const Entry& entry) { return entry.cell * 0x9e3779b97f4a7c15u >> (64 - bits); };
+  std::vector<std::size_t> ends((std::size_t{1} << bits) + 1);
+  for (const Entry& entry : entries_) ++ends[bucket(entry) + 1];
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  interrupt_.check();
+  std::vector<Entry> grouped(entries_.size());
+  for (const Entry& entry : entries_) grouped[ends[bucket(entry)]++] = entry;
+  entries_ = std::move(grouped);
+
+  std::size_t steps = 0, begin = 0;
+  for (std::size_t end : ends) {  // by now the end of each bucket; the last, of all, comes twice
+    if (end - begin > 1)
+      std::sort(entries_.data() + begin, entries_.data() + end, [&](const Entry& l, const Entry& r) {
+        if (++steps % steps_per_check == 0) interrupt_.check();
+        return l.cell != r.cell ? l.cell < r.cell : l.side != r.side ? l.side < r.side : l.object < r.object;
+      });
+    begin = end;
+  }
   for (std::size_t i = 0; i < entries_.size(); ++i)
     figures_.cells += i == 0 || entries_[i].cell != entries_[i - 1].cell;
 }

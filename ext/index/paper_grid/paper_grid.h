@@ -57,7 +57,7 @@ class PaperGrid final : public Candidates {
   Cuts choose_cells(const Sides& sides);
   double entry_count(const Sides& sides, const Cuts& cuts);
   void enter(const Sides& sides, const Cuts& cuts);
-  void sort_entries();
+  void group_entries();
   bool open_cell();
   static std::uint64_t number_of(const Place& place);
   bool is_reference(const Entry& a, const Entry& b) const;
@@ -66,7 +66,7 @@ class PaperGrid final : public Candidates {
   bool between_;
   Figures figures_;
   std::vector<Place> first_[2];  ///< the least cell that an object meets
-  std::vector<Entry> entries_;   ///< by cell, then side
+  std::vector<Entry> entries_;   ///< cell after cell, within one by side
   std::size_t end_ = 0;          ///< of the current cell
   std::size_t from_ = 0;         ///< of side b in it, in a join between two
   std::size_t a_ = 0, a_end_ = 0, b_ = 0;

@@ -23,9 +23,12 @@ class TypedStages final : public PaperStages {
  public:
   TypedStages(const Bodies& a, const Bodies& b, bool between, const Horizon& horizon, const Vec<D>& margin,
               Interrupt& interrupt)
-      : interrupt_(interrupt), side_a_(trajectories<D>(a, horizon, margin, interrupt)) {
+      : interrupt_(interrupt) {
+    const double begin = thread_seconds();
+    side_a_ = trajectories<D>(a, horizon, margin, interrupt);
     if (between) side_b_ = trajectories<D>(b, horizon, margin, interrupt);
     b_ = between ? &side_b_ : &side_a_;
+    count(PaperStage::time_interval).seconds = thread_seconds() - begin;
     centres_ = make_contact(centres_of(a), centres_of(b), {.horizon = horizon}, "a", "b");
   }
 
