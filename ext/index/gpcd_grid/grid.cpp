@@ -134,6 +134,15 @@ std::size_t Grid<D>::giant_count() const {
   return sum;
 }
 
+template <int D>
+std::string Grid<D>::describe() const {
+  std::string counts;
+  for (int axis = 1; axis < D; ++axis)
+    counts += (axis > 1 ? " x " : "") + std::to_string(partition_.axis[axis].count);
+  return (D == 1 ? "one stripe, " : counts + " stripes, ") + std::to_string(entry_count()) + " entries, " +
+         std::to_string(giant_count()) + " giants outside";
+}
+
 template class Grid<1>;
 template class Grid<2>;
 template class Grid<3>;

@@ -31,6 +31,7 @@ class Grid final : public Candidates {
   /// Entries in all stripes: at least one per box inside the grid.
   std::size_t entry_count() const;
   std::size_t giant_count() const;
+  std::string describe() const override;
   /// Steps of the scan kernel so far.
   std::size_t steps_taken() const { return steps_taken_; }
 
