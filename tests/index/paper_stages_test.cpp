@@ -26,7 +26,8 @@ struct TwoBoxes {
   }
   Bodies bodies() const { return {{2, Law::accelerated, Shape::box}, rows[0], 2}; }
   std::vector<Trajectory<2>> of(double h) const {
-    return trajectories<2>(bodies(), {0, h}, Vec<2>::Zero(), never);
+    const Vec<2> none = Vec<2>::Zero();
+    return {trajectory_of<2>(bodies(), 0, {0, h}, none), trajectory_of<2>(bodies(), 1, {0, h}, none)};
   }
   bool swept_boxes_meet(double h) const {
     const auto t = of(h);

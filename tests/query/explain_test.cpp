@@ -40,7 +40,9 @@ Counts explained(JoinQuestion question, JoinMethod method) {
 template <int D>
 Counts counted_plainly(const RandomScene& scene) {
   const Vec<D> margin = Vec<D>::Constant(scene.within / 2);
-  const auto t = trajectories<D>(scene.bodies(), scene.horizon(), margin, never);
+  std::vector<Trajectory<D>> t;
+  for (std::size_t i = 0; i < scene.size(); ++i)
+    t.push_back(trajectory_of<D>(scene.bodies(), i, scene.horizon(), margin));
   RandomScene points = scene;  // the same rows without shapes
   points.layout.shape = Shape::point;
   const auto at = static_cast<std::size_t>(points.bodies().at.size);
@@ -209,6 +211,8 @@ TEST(Explain, SaysWhichStagesTheMethodLeavesOut) {
           << rows[stage].detail;
   }
   EXPECT_NE(explain_join(question, never)[0].detail.find("cells of "), std::string::npos);
+  question.method = JoinMethod::grid;
+  EXPECT_NE(explain_join(question, never)[0].detail.find(" stripes, "), std::string::npos);
   question.method = JoinMethod::automatic;
   EXPECT_TRUE(explain_join(question, never)[0].detail.starts_with("method 'auto' takes '"));
 }

@@ -23,22 +23,31 @@ class TypedStages final : public PaperStages {
  public:
   TypedStages(const Bodies& a, const Bodies& b, bool between, const Horizon& horizon, const Vec<D>& margin,
               Interrupt& interrupt)
-      : interrupt_(interrupt) {
+      : a_(a), b_(between ? b : a), horizon_(horizon), margin_(margin), interrupt_(interrupt) {
     const double begin = thread_seconds();
-    side_a_ = trajectories<D>(a, horizon, margin, interrupt);
-    if (between) side_b_ = trajectories<D>(b, horizon, margin, interrupt);
-    b_ = between ? &side_b_ : &side_a_;
-    count(PaperStage::time_interval).seconds = thread_seconds() - begin;
+    boxes_a_ = swept_boxes<D>(a, horizon, margin, interrupt);
+    if (between) boxes_b_ = swept_boxes<D>(b, horizon, margin, interrupt);
+    count(PaperStage::projection_overlap).seconds = thread_seconds() - begin;
     centres_ = make_contact(centres_of(a), centres_of(b), {.horizon = horizon}, "a", "b");
   }
 
   void prune(std::vector<Pair>& pairs) override {
     const FloatEnvironment environment;
+    const std::vector<Box<D>>& boxes_b = boxes_b_.empty() ? boxes_a_ : boxes_b_;
     keep(PaperStage::projection_overlap, pairs, 0,
-         [](const Trajectory<D>& a, const Trajectory<D>& b) { return a.swept.meets(b.swept); });
+         [&](std::size_t i) { return boxes_a_[pairs[i].a].meets(boxes_b[pairs[i].b]); });
     const std::size_t hits = move_hits_to_front(pairs);
-    keep(PaperStage::time_interval, pairs, hits, times_may_overlap<D>);
-    keep(PaperStage::trajectory_intersection, pairs, hits, regions_may_meet<D>);
+    trajectories_.clear();
+    keep(PaperStage::time_interval, pairs, hits, [&](std::size_t i) {
+      const TwoTrajectories two{trajectory_of<D>(a_, pairs[i].a, horizon_, margin_),
+                                trajectory_of<D>(b_, pairs[i].b, horizon_, margin_)};
+      if (!times_may_overlap<D>(two.a, two.b)) return false;
+      trajectories_.push_back(two);
+      return true;
+    });
+    keep(PaperStage::trajectory_intersection, pairs, hits, [&](std::size_t i) {
+      return regions_may_meet<D>(trajectories_[i - hits].a, trajectories_[i - hits].b);
+    });
   }
 
  private:
@@ -46,7 +55,7 @@ class TypedStages final : public PaperStages {
 
   StageCount& count(PaperStage stage) { return counts_[static_cast<std::size_t>(stage)]; }
 
-  /// Keeps the first `passed` pairs and those of the others of which `test` is true.
+  /// Keeps the first `passed` pairs and those of the others of whose number `test` is true.
   template <class Test>
   void keep(PaperStage stage, std::vector<Pair>& pairs, std::size_t passed, Test test) {
     const double begin = thread_seconds();
@@ -54,7 +63,7 @@ class TypedStages final : public PaperStages {
     std::size_t kept = passed;
     for (std::size_t i = passed; i < pairs.size(); ++i) {
       if (i % pairs_per_check == 0) interrupt_.check();
-      if (test(side_a_[pairs[i].a], (*b_)[pairs[i].b])) pairs[kept++] = pairs[i];
+      if (test(i)) pairs[kept++] = pairs[i];
     }
     pairs.resize(kept);
     count(stage).after += kept;
@@ -86,11 +95,18 @@ class TypedStages final : public PaperStages {
     return hits_.size();
   }
 
+  struct TwoTrajectories {
+    Trajectory<D> a, b;
+  };
+
+  Bodies a_, b_;
+  Horizon horizon_;
+  Vec<D> margin_;
   Interrupt& interrupt_;
-  std::vector<Trajectory<D>> side_a_, side_b_;
-  const std::vector<Trajectory<D>>* b_;
+  std::vector<Box<D>> boxes_a_, boxes_b_;  // b: only in a join between two
   std::unique_ptr<Contact> centres_;
   std::vector<Pair> hits_, others_;
+  std::vector<TwoTrajectories> trajectories_;  // of the pairs behind the hits that stage c has kept
 };
 
 }  // namespace

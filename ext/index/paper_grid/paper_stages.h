@@ -11,8 +11,8 @@
 //   d  trajectory intersection  trajectory_intersection.h
 //
 // Guarantee: no pair that touches within the margins of both is lost. Hits of the centre point test count
-// as passing c and d. Times are processor time of the calling thread, taken once a stage and batch; getting
-// the trajectories ready counts into c.
+// as passing c and d. Times are processor time of the calling thread, taken once a stage and batch; the swept
+// boxes count into a, the trajectories of the pairs that are left into c.
 #pragma once
 
 #include <array>

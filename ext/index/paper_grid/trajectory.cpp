@@ -3,12 +3,10 @@
 #include <cmath>
 
 namespace foresee {
-namespace {
-
-constexpr std::size_t objects_per_check = 4096;
 
 template <int D>
-Trajectory<D> trajectory(const Bodies& bodies, std::size_t i, const Horizon& horizon, const Vec<D>& margin) {
+Trajectory<D> trajectory_of(const Bodies& bodies, std::size_t i, const Horizon& horizon,
+                            const Vec<D>& margin) {
   const Motion<D> motion = motion_of<D>(bodies, i);
   Trajectory<D> out;
   out.swept = swept_box<D>(bodies, i, horizon, margin);
@@ -23,22 +21,8 @@ Trajectory<D> trajectory(const Bodies& bodies, std::size_t i, const Horizon& hor
   return out;
 }
 
-}  // namespace
-
-template <int D>
-std::vector<Trajectory<D>> trajectories(const Bodies& bodies, const Horizon& horizon, const Vec<D>& margin,
-                                        Interrupt& interrupt) {
-  std::vector<Trajectory<D>> all;
-  all.reserve(bodies.count);
-  for (std::size_t i = 0; i < bodies.count; ++i) {
-    if (i % objects_per_check == 0) interrupt.check();
-    all.push_back(trajectory<D>(bodies, i, horizon, margin));
-  }
-  return all;
-}
-
-template std::vector<Trajectory<1>> trajectories<1>(const Bodies&, const Horizon&, const Vec<1>&, Interrupt&);
-template std::vector<Trajectory<2>> trajectories<2>(const Bodies&, const Horizon&, const Vec<2>&, Interrupt&);
-template std::vector<Trajectory<3>> trajectories<3>(const Bodies&, const Horizon&, const Vec<3>&, Interrupt&);
+template Trajectory<1> trajectory_of<1>(const Bodies&, std::size_t, const Horizon&, const Vec<1>&);
+template Trajectory<2> trajectory_of<2>(const Bodies&, std::size_t, const Horizon&, const Vec<2>&);
+template Trajectory<3> trajectory_of<3>(const Bodies&, std::size_t, const Horizon&, const Vec<3>&);
 
 }  // namespace foresee
