@@ -81,8 +81,6 @@ void cluster(Workload& w) {
   w.rows = std::move(rows);
 }
 
-enum class Spread { uniform, zipf, city };
-
 /// Draws centres on one axis of [0, 10000].
 class Centres {
  public:
@@ -118,24 +116,6 @@ class Centres {
   double cities_[100];
 };
 
-Workload paper(const std::string& name, std::size_t count, Spread spread) {
-  Workload w{name, {3, Law::accelerated, Shape::box}, {}, 0, 3};
-  Writer writer{w};
-  Random random(count);
-  Centres centres(spread, random);
-  for (std::size_t i = 0; i < count; ++i) {
-    double* row = writer.add();
-    centres.draw(row + writer.at.x);
-    row[writer.at.x + 2] = random.in(0, 50);
-    for (int axis = 0; axis < 3; ++axis) {
-      row[writer.at.v + axis] = random.in(-3, 3) * (axis == 2 ? 0.1 : 1);
-      row[writer.at.a + axis] = axis == 2 ? 0 : random.in(-0.5, 0.5);
-      row[writer.at.half + axis] = 2.5;
-    }
-  }
-  return w;
-}
-
 Workload cube(const std::string& name, std::size_t count) {
   Workload w{name, {3, Law::accelerated, Shape::box}, {}, 0, 3};
   Writer writer{w};
@@ -155,14 +135,39 @@ Workload cube(const std::string& name, std::size_t count) {
 
 }  // namespace
 
+std::string name_of(Spread spread) {
+  const char* names[] = {"uniform", "zipf", "city"};
+  return names[static_cast<int>(spread)];
+}
+
+Workload paper_workload(const PaperScene& scene, const std::string& name) {
+  const Law law = scene.accelerated ? Law::accelerated : Law::uniform;
+  Workload w{name, {3, law, Shape::box}, {}, 0, scene.h};
+  Writer writer{w};
+  Random random(scene.count + scene.seed * 0x9e3779b97f4a7c15u);
+  Centres centres(scene.spread, random);
+  for (std::size_t i = 0; i < scene.count; ++i) {
+    double* row = writer.add();
+    centres.draw(row + writer.at.x);
+    row[writer.at.x + 2] = random.in(0, 50);
+    for (int axis = 0; axis < 3; ++axis) {
+      row[writer.at.v + axis] = random.in(-scene.v_max, scene.v_max) * (axis == 2 ? 0.1 : 1);
+      const double a = axis == 2 ? 0 : random.in(-scene.a_max, scene.a_max);
+      if (scene.accelerated) row[writer.at.a + axis] = a;
+      row[writer.at.half + axis] = 2.5;
+    }
+  }
+  return w;
+}
+
 Workload make_workload(const std::string& name) {
   const double number = number_at_end(name);
   const auto count = static_cast<std::size_t>(number);
   if (name.starts_with("S-")) return plane(name, count, Law::accelerated, 3);
   if (name.starts_with("L-")) return plane(name, 100000, Law::uniform, number);
-  if (name.starts_with("P-uniform-")) return paper(name, count, Spread::uniform);
-  if (name.starts_with("P-zipf-")) return paper(name, count, Spread::zipf);
-  if (name.starts_with("P-city-")) return paper(name, count, Spread::city);
+  for (Spread spread : all_spreads)
+    if (name.starts_with("P-" + name_of(spread) + "-"))
+      return paper_workload({.spread = spread, .count = count}, name);
   if (name.starts_with("P-cube-")) return cube(name, count);
   if (!name.starts_with("K-") && !name.starts_with("M-")) throw Error("unknown workload '" + name + "'");
   Workload w = plane(name, count, Law::accelerated, 3);

@@ -12,6 +12,7 @@
 //   P-cube-<n>   a cube of side (40 n)^(1/3), half extents 0.5
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,20 @@ struct Workload {
 
   Bodies bodies() const { return {layout, rows.data(), count}; }
 };
+
+enum class Spread { uniform, zipf, city };
+inline constexpr Spread all_spreads[] = {Spread::uniform, Spread::zipf, Spread::city};
+std::string name_of(Spread spread);
+
+/// The paper's scene with all that its experiments vary; what is left out is its default, and P-<spread>-<n>.
+struct PaperScene {
+  Spread spread = Spread::uniform;
+  std::size_t count = 2000;
+  double h = 3, v_max = 3, a_max = 0.5;
+  bool accelerated = true;  ///< else the same objects without acceleration
+  std::uint64_t seed = 0;   ///< other scenes of the same kind
+};
+Workload paper_workload(const PaperScene& scene, const std::string& name);
 
 /// Throws Error for a name that is not in the list above.
 Workload make_workload(const std::string& name);
