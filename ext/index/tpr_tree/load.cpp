@@ -42,8 +42,10 @@ class TreeLoad {
     const std::size_t leaves = numbers_[0].size(), size = state_.reader.record_size();
     for (std::size_t i = 0; i < leaves; ++i) {
       Node leaf;
-      const std::size_t last = first_child(i + 1, leaves, order.size());
-      for (std::size_t place = first_child(i, leaves, order.size()); place < last; ++place) {
+      const std::size_t first = first_child(i, leaves, order.size()),
+                        last = first_child(i + 1, leaves, order.size());
+      leaf.keys.reserve(last - first), leaf.values.reserve((last - first) * size);
+      for (std::size_t place = first; place < last; ++place) {
         const double* record = records_.data() + order[place] * size;
         leaf.keys.push_back(ids_[order[place]]);
         leaf.values.insert(leaf.values.end(), record, record + size);

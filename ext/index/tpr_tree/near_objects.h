@@ -38,8 +38,10 @@ struct NearObjects {
     std::size_t count = 0;
     for (std::size_t j = first; j < last; ++j) {
       bool meets = true;
-      for (int axis = 0; axis < D; ++axis)
-        meets &= (lower[axis][j] <= to[axis]) & (from[axis] <= upper[axis][j]);
+      for (int axis = 0; axis < D; ++axis) {
+        meets &= lower[axis][j] <= to[axis];
+        meets &= from[axis] <= upper[axis][j];
+      }
       out[count] = static_cast<std::uint32_t>(j);
       count += meets;
     }
