@@ -23,18 +23,9 @@ class Stages {
  public:
   explicit Stages(const Family& family) : setup_(setup_of(family)) {}
 
-  Formula formula(std::size_t i) const {
-    Formula formula;
-    const auto course = course_of<Dyadic, 3>(setup_, a(i), b(i));
-    Kind::visit(sizes<Dyadic>(i), FormulaVisitor<3>(course, formula));
-    return formula;
-  }
-
   std::optional<ContactTimes> exact(std::size_t i) const {
-    const Formula formula = this->formula(i);
-    const ExactMoments moments = exact_moments_of(setup_, a(i), b(i));
-    if (!exact_touches(formula, moments)) return std::nullopt;
-    return exact_times(formula, moments);
+    if (!exactly<bool>(i, exact_touches)) return std::nullopt;
+    return exactly<ContactTimes>(i, exact_times);
   }
 
   void count(std::size_t i, StageShares& shares) const {
@@ -45,13 +36,20 @@ class Stages {
     ++(Kind::visit(track.sizes(), chord).none() ? shares.chord
        : verdict != Verdict::uncertain          ? shares.certified
                                                 : shares.exact);
-    const bool hit = verdict == Verdict::uncertain
-                         ? exact_touches(formula(i), exact_moments_of(setup_, a(i), b(i)))
-                         : verdict == Verdict::yes;
+    const bool hit =
+        verdict == Verdict::uncertain ? exactly<bool>(i, exact_touches) : verdict == Verdict::yes;
     if (hit) ++shares.hits, ++time_stage(i, track, moments, shares);
   }
 
  private:
+  template <class Answer>
+  Answer exactly(std::size_t i, Answer (*ask)(Formula&, const ExactMoments&)) const {
+    const PairPolynomials<Kind> polynomials(setup_, a(i), b(i));
+    Formula formula;
+    polynomials.formula(formula);
+    return ask(formula, exact_moments_of(setup_, a(i), b(i)));
+  }
+
   /// As TypedContact times a begin.
   std::size_t& time_stage(std::size_t i, const Track<Kind, 2>& track, const Moments& moments,
                           StageShares& shares) const {

@@ -1,113 +1,138 @@
 #include "contact/exact_contact.h"
 
 #include <algorithm>
+#include <deque>
+#include <optional>
 
-#include "contact/roots.h"
+#include "contact/crossing.h"
+#include "contact/stays.h"
 
 namespace foresee {
 namespace {
 
-/// Truth of a formula where the signs of its polynomials are asked for one by one, as far as needed.
-template <class SignOf>
-bool holds(const Formula& formula, int node, SignOf&& sign_of) {
-  const Formula::Node& n = formula.nodes[node];
-  switch (n.op) {
-    case Formula::Op::leaf:
-      return sign_of(n.first) <= 0;
-    case Formula::Op::all:
-      return holds(formula, n.first, sign_of) && holds(formula, n.second, sign_of);
-    default:
-      return holds(formula, n.first, sign_of) || holds(formula, n.second, sign_of);
-  }
-}
-
 class ExactPair {
  public:
-  ExactPair(const Formula& formula, const ExactMoments& moments) : formula_(formula), moments_(moments) {
-    // The sign between the ends, for polynomials that have no root there.
-    if (moments.begin < moments.end)
-      for (const Polynomial& p : formula.polynomials)
-        inside_.push_back(descartes(p, moments.begin, moments.end));
+  ExactPair(Formula& formula, const ExactMoments& moments)
+      : formula_(formula),
+        moments_(moments),
+        begin_(moments.begin),
+        end_(moments.end),
+        inside_(formula.curves.size()) {}
+
+  bool touches() {
+    for (int i = 0; i < formula_.pieces.count; ++i)
+      if (held(formula_.pieces.list[i]).count > 0) return true;
+    return false;
   }
 
-  bool touches() { return holds_at(moments_.begin) || holds_at(moments_.end) || touches_between(); }
-
   ContactTimes times() {
-    const Moments& m = moments_.rounded;
-    ContactTimes times{m.t_end, m.t_end, m.dt_end, m.dt_end};
-    const bool at_once = holds_at(moments_.begin);
-    if (at_once) {
-      times.t = m.t_begin, times.dt = m.dt_begin;
-      if (!holds_after_begin()) return {m.t_begin, m.t_begin, m.dt_begin, m.dt_begin};
+    std::vector<Stay> stays;
+    for (int i = 0; i < formula_.pieces.count; ++i) {
+      const Stays piece = held(formula_.pieces.list[i]);
+      stays.insert(stays.end(), piece.list.begin(), piece.list.begin() + piece.count);
     }
-    for_each_root([&](int source, Root& root) {
-      if (!holds_at_root(source, root)) return true;
-      const double dt = root.rounded_with(Dyadic());
-      const double t = root.rounded_with(moments_.now);
-      if (!at_once) times.dt = std::min(times.dt, dt), times.t = std::min(times.t, t);
-      if (!holds_after_root(source, root))
-        times.dt_end = std::min(times.dt_end, dt), times.t_end = std::min(times.t_end, t);
-      return true;
-    });
-    return times;
+    std::iter_swap(stays.begin(), std::min_element(stays.begin(), stays.end(), begins_before));
+    return times_of(stays.data(), joined_to_first(stays));
   }
 
  private:
-  bool holds_at(const Dyadic& tau) const {
-    return holds(formula_, formula_.top, [&](int i) { return sign_at(formula_.polynomials[i], tau); });
+  Instant instant(Event& event) const {
+    const Moments& m = moments_.rounded;
+    if (&event == &begin_) return {m.dt_begin, m.t_begin};
+    if (&event == &end_) return {m.dt_end, m.t_end};
+    return {rounded(event, Dyadic()), rounded(event, moments_.now)};
   }
 
-  bool holds_after_begin() const {
-    if (inside_.empty()) return false;
-    return holds(formula_, formula_.top, [&](int i) { return inside_[i].first; });
-  }
-
-  bool touches_between() {
-    bool found = false;
-    for_each_root([&](int source, Root& root) {
-      found = holds_at_root(source, root);
-      return !found;
-    });
-    return found;
-  }
-
-  int sign_at_root(int i, int source, Root& root) const {
-    if (i == source) return 0;
-    if (inside_[i].variations == 0) return inside_[i].first;
-    return root.sign_of(formula_.polynomials[i]);
-  }
-
-  bool holds_at_root(int source, Root& root) const {
-    return holds(formula_, formula_.top, [&](int i) { return sign_at_root(i, source, root); });
-  }
-
-  /// Just after the root a polynomial has the sign of its first derivative that is not zero at it.
-  bool holds_after_root(int source, Root& root) const {
-    return holds(formula_, formula_.top, [&](int i) {
-      int sign = sign_at_root(i, source, root);
-      for (Polynomial p = formula_.polynomials[i]; sign == 0 && p.degree > 0;) {
-        p = derivative(p);
-        sign = root.sign_of(p);
+  /// When is every polynomial of the piece at most 0?
+  Stays held(const Piece& piece) {
+    Stays met;
+    met.add(&begin_, &end_);
+    for (int i = 0; i < piece.curves.count && met.count > 0; ++i) {
+      const int number = piece.curves.list[i];
+      Curve& curve = formula_.curves[number];
+      if (curve.degree() <= 2) {
+        met = common(met, inside(number));
+        continue;
       }
-      return sign;
-    });
+      Stays near = met;
+      for (int k = 0; k < piece.around.count && near.count > 0; ++k)
+        near = common(near, inside(piece.around.list[k]));
+      met = near.count == 0 ? near : common(met, inside_while(near, curve));
+    }
+    return met;
   }
 
-  /// Every root of every polynomial strictly between the ends, until `use` says false.
-  template <class Use>
-  void for_each_root(Use&& use) {
-    for (std::size_t i = 0; i < inside_.size(); ++i) {
-      if (inside_[i].variations == 0) continue;
-      Polynomial square_free_part;
-      for (Root& root :
-           roots_between(formula_.polynomials[i], moments_.begin, moments_.end, square_free_part))
-        if (!use(static_cast<int>(i), root)) return;
+  /// A costly curve, which belongs to one piece alone: looked at only around the moments that the rest of the
+  /// piece leaves.
+  Stays inside_while(const Stays& rest, Curve& curve) {
+    const Event &first = *rest.list[0].first, &last = *rest.list[rest.count - 1].last;
+    Event *from = &begin_, *to = &end_;
+    if (!first.known) from = known_moment(first.at.low().dyadic(), begin_);
+    if (!last.known) to = known_moment(last.at.high().dyadic(), end_);
+    return foresee::inside(curve, {*from, *to});
+  }
+
+  /// The moment as an event, unless it is beyond what is asked.
+  Event* known_moment(const Dyadic& moment, Event& limit) {
+    if (moment < moments_.begin || moments_.end < moment) return &limit;
+    moments_made_.push_back(moment);
+    events_made_.emplace_back(moments_made_.back());
+    return &events_made_.back();
+  }
+
+  const Stays& inside(int curve) {
+    std::optional<Stays>& known = inside_[curve];
+    if (!known) known = foresee::inside(formula_.curves[curve], {begin_, end_});
+    return *known;
+  }
+
+  /// Two stays that certainly overlap are one contact whichever begins before: no need to compare
+  /// exactly.
+  static bool begins_before(const Stay& a, const Stay& b) {
+    const int rough = (a.first->at - b.first->at).sign();
+    if (rough != unknown_sign) return rough < 0;
+    if ((b.last->at - a.first->at).sign() == 1 && (a.last->at - b.first->at).sign() == 1) return false;
+    return compare(*a.first, *b.first) < 0;
+  }
+
+  /// Brings the stays that hang together with the first to the front, and counts them.
+  static std::size_t joined_to_first(std::vector<Stay>& stays) {
+    std::size_t joined = 1;
+    const auto joins = [&](const Stay& s) {
+      return std::any_of(stays.begin(), stays.begin() + static_cast<std::ptrdiff_t>(joined),
+                         [&](const Stay& other) { return compare(*s.first, *other.last) <= 0; });
+    };
+    for (;;) {
+      const auto rest = stays.begin() + static_cast<std::ptrdiff_t>(joined);
+      const auto next = std::find_if(rest, stays.end(), joins);
+      if (next == stays.end()) return joined;
+      std::iter_swap(next, rest);
+      ++joined;
     }
   }
 
-  const Formula& formula_;
+  /// Begin and end of stays that hang together. As rounding keeps order, ends that 128 bits do not tell
+  /// apart are rounded one by one and then compared.
+  ContactTimes times_of(const Stay* stays, std::size_t count) const {
+    Event *first = stays[0].first, *last = stays[0].last;
+    Instant begin = instant(*first), end = instant(*last);
+    for (std::size_t i = 1; i < count; ++i) {
+      if (stays[i].first != first && (stays[i].first->at - first->at).sign() != 1)
+        begin = earlier(begin, instant(*stays[i].first));
+      const int longer = (stays[i].last->at - last->at).sign();
+      if (stays[i].last == last || longer == -1) continue;
+      end = later(end, instant(*stays[i].last));
+      if (longer == 1) last = stays[i].last;
+    }
+    return {begin.t, end.t, begin.dt, end.dt};
+  }
+
+  Formula& formula_;
   const ExactMoments& moments_;
-  std::vector<Descartes> inside_;
+  Event begin_, end_;
+  std::vector<std::optional<Stays>> inside_;
+  std::deque<Dyadic> moments_made_;
+  std::deque<Event> events_made_;
 };
 
 }  // namespace
@@ -122,11 +147,11 @@ ExactMoments exact_moments_of(const Setup& setup, const double* row_a, const dou
   return moments;
 }
 
-bool exact_touches(const Formula& formula, const ExactMoments& moments) {
+bool exact_touches(Formula& formula, const ExactMoments& moments) {
   return ExactPair(formula, moments).touches();
 }
 
-ContactTimes exact_times(const Formula& formula, const ExactMoments& moments) {
+ContactTimes exact_times(Formula& formula, const ExactMoments& moments) {
   return ExactPair(formula, moments).times();
 }
 

@@ -29,13 +29,6 @@ Integer power(const Integer& base, int exponent) {
   return result;
 }
 
-/// 12 C(i, k) / C(n, k): from the powers of y on [0, 1] to Bernstein's form, times 12.
-constexpr int bernstein_weight(int n, int i, int k) {
-  constexpr int choose[5][5] = {
-      {1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
-  return 12 * choose[i][k] / choose[n][k];
-}
-
 }  // namespace
 
 Polynomial::Polynomial(const std::array<Dyadic, most + 1>& coefficients) {

@@ -36,6 +36,13 @@ Polynomial common_divisor(Polynomial a, Polynomial b);
 /// Without repeated roots, the same roots, up to a constant. Requires: degree >= 1.
 Polynomial square_free(const Polynomial& p);
 
+/// 12 C(i, k) / C(n, k): from the powers of y on [0, 1] to Bernstein's form, times 12.
+constexpr int bernstein_weight(int n, int i, int k) {
+  constexpr int choose[5][5] = {
+      {1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
+  return 12 * choose[i][k] / choose[n][k];
+}
+
 /// Descartes' rule on the open interval (low, high): it holds at most `variations` roots, and fewer by an
 /// even number, so that 0 and 1 are exact. `first`: sign just after low, `0` for the zero polynomial.
 struct Descartes {

@@ -32,13 +32,24 @@ Dyadic simplest_between(const Dyadic& low, const Dyadic& high) {
   return {Integer((last >> part) << part), unit};
 }
 
-/// |a| / |b| as a double that need not be accurate. Requires: both not zero.
-double rough_ratio(const Dyadic& a, const Dyadic& b) {
-  auto leading = [](const Dyadic& d) {
-    return rounded(Dyadic(abs(d.mantissa()), d.exponent() - d.magnitude()));
+/// |a| / (|a| + |b|) in units of 2^-digits, about. Requires: not both zero.
+Integer share_of(const Dyadic& a, const Dyadic& b, int digits) {
+  const auto size = [](const Dyadic& d) { return Dyadic(abs(d.mantissa()), d.exponent()); };
+  const Dyadic part = size(a), whole = part + size(b);
+  const int unit = whole.magnitude() - digits - 32;
+  const auto in_units = [unit](const Dyadic& d) {
+    const int shift = d.exponent() - unit;
+    return Integer(shift >= 0 ? Integer(d.mantissa() << shift) : Integer(d.mantissa() >> -shift));
   };
-  const int shift = std::clamp(a.magnitude() - b.magnitude(), -1000, 1000);
-  return std::ldexp(leading(a) / leading(b), shift);
+  return (in_units(part) << digits) / in_units(whole);
+}
+
+/// Bits of the longest coefficient.
+unsigned longest(const Polynomial& p) {
+  unsigned most = 0;
+  for (const Integer& c : p.c)
+    if (!c.is_zero()) most = std::max(most, static_cast<unsigned>(msb(abs(c))) + 1);
+  return most;
 }
 
 /// Splits until every interval holds one root or none; gives up (false) after `budget` splits.
@@ -95,10 +106,9 @@ void Root::refine() {
   // Where a straight line would cross, on a grid of 2^digits cells: look at the two ends of that cell.
   const int digits = digits_;
   const Dyadic cell = (high_ - low_).scaled(-digits);
-  const double share = 1 / (1 + rough_ratio(at_high, at_low));
-  const auto last = (std::int64_t{1} << digits) - 1;
-  const auto place = std::clamp(static_cast<std::int64_t>(std::ldexp(share, digits)), std::int64_t{0}, last);
-  const Dyadic left = low_ + cell * Dyadic(Integer(place), 0), right = left + cell;
+  const Integer last = (Integer(1) << digits) - 1;
+  const Integer place = std::min(share_of(at_low, at_high, digits), last);
+  const Dyadic left = low_ + cell * Dyadic(place, 0), right = left + cell;
   bool hit_left = place == 0, hit_right = place == last;
   if (!hit_left) {
     look_at(left);
@@ -109,7 +119,7 @@ void Root::refine() {
     hit_right = exact() || high_ == right;
   }
   const bool caught = hit_left && hit_right;
-  digits_ = caught ? std::min(2 * digits, 40) : std::max(digits / 2, 1);
+  digits_ = caught ? std::min(2 * digits, 2048) : std::max(digits / 2, 1);
   if (!caught && !exact() && digits <= 2) look_at(half_of(low_ + high_));
 }
 
@@ -122,11 +132,13 @@ void Root::narrow(int round) {
 
 int Root::sign_of(const Polynomial& q) {
   if (q.degree < 0) return 0;
+  // The common divisor of long numbers costs more than to narrow far.
+  const bool few_digits = std::max(longest(*p_), longest(q)) < 1000;
   for (int round = 0;; ++round) {
     if (exact()) return sign_at(q, low_);
     const Descartes count = descartes(q, low_, high_);
     if (count.variations == 0) return count.first;
-    if (round == 4) {
+    if (round == (few_digits ? 4 : 10)) {
       // In doubt for long: a common root is a root of the common divisor, which divides p and so changes its
       // sign.
       const Polynomial common = common_divisor(*p_, q);
@@ -134,6 +146,14 @@ int Root::sign_of(const Polynomial& q) {
     }
     narrow(round);
   }
+}
+
+int Root::compare(const Dyadic& x) {
+  if (exact()) return (low_ - x).sign();
+  if (x <= low_) return 1;
+  if (high_ <= x) return -1;
+  look_at(x);
+  return exact() ? 0 : low_ == x ? 1 : -1;
 }
 
 double Root::rounded_with(const Dyadic& offset) {

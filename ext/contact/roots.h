@@ -12,12 +12,15 @@ namespace foresee {
 
 class Root {
  public:
-  /// Exactly one root in (low, high), or low == high and the root is that.
+  /// Exactly one root in (low, high), at which the sign changes, or low == high and the root is that.
   Root(const Polynomial& square_free, const Dyadic& low, const Dyadic& high, int sign_after_low)
       : p_(&square_free), low_(low), high_(high), sign_low_(sign_after_low) {}
 
   /// The sign of q here; exact also where q has the same root.
   int sign_of(const Polynomial& q);
+
+  /// The sign of root - x.
+  int compare(const Dyadic& x);
 
   /// root + offset to the nearest double, ties to even.
   double rounded_with(const Dyadic& offset);

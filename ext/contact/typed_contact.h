@@ -63,13 +63,13 @@ class TypedContact final : public Contact {
     if (moments.none) return false;
     const Verdict verdict = track(row_a, row_b, moments).touches();
     if (verdict != Verdict::uncertain) return verdict == Verdict::yes;
-    return exact_touches(formula(row_a, row_b), exact_moments_of(setup_, row_a, row_b));
+    return exactly<bool>(row_a, row_b, exact_touches);
   }
 
   ContactTimes times_of(const double* row_a, const double* row_b, TimesWanted wanted) const {
     Instant begin, end;
     if (filtered_times(row_a, row_b, wanted, begin, end)) return {begin.t, end.t, begin.dt, end.dt};
-    return exact_times(formula(row_a, row_b), exact_moments_of(setup_, row_a, row_b));
+    return exactly<ContactTimes>(row_a, row_b, exact_times);
   }
 
   /// What double and DoubleDouble can vouch for; false where they cannot.
@@ -99,11 +99,13 @@ class TypedContact final : public Contact {
         CrossingVisitor<way, D, Degree>(track.relative(), course, bracket, setup_.horizon.now));
   }
 
-  [[gnu::noinline]] Formula formula(const double* row_a, const double* row_b) const {
+  template <class Answer>
+  [[gnu::noinline]] Answer exactly(const double* row_a, const double* row_b,
+                                   Answer (*ask)(Formula&, const ExactMoments&)) const {
+    const PairPolynomials<Kind> polynomials(setup_, row_a, row_b);
     Formula formula;
-    const auto course = course_of<Dyadic, D>(setup_, row_a, row_b);
-    Kind::visit(sizes<Dyadic>(row_a, row_b), FormulaVisitor<D>(course, formula));
-    return formula;
+    polynomials.formula(formula);
+    return ask(formula, exact_moments_of(setup_, row_a, row_b));
   }
 
   template <class T>

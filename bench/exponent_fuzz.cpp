@@ -1,0 +1,148 @@
+// What is the most that one pair of hostile numbers can cost? One row a pair kind, axes, law and fuzz, as
+// CSV.
+//
+//   bench_exponent_fuzz [--quick]
+//
+// Every number of a pair (places, speeds, accelerations, extents, times, within, now, the horizon) gets a
+// power of two of its own:
+//
+//   wide      up to 2^1000 either way
+//   few       the same, but all from four numbers, their negatives and 0: ties and coincidences
+//   ends      the least and the greatest doubles there are, and 0, 1 and 0.1
+//   grid      small whole numbers with one far exponent among them
+//
+// A pair's cost is that of its decision and, if it touches, both times; processor time, the least of three
+// runs. Fails if a pair takes more than 10 ms.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <string>
+
+#include "contact/pairs.h"
+#include "measure.h"
+#include "scenes.h"
+
+namespace foresee::bench {
+namespace {
+
+using testing_pairs::Object;
+
+enum class Fuzz { wide, few, ends, grid };
+constexpr const char* fuzz_names[] = {"wide", "few", "ends", "grid"};
+
+class Numbers {
+ public:
+  Numbers(Fuzz fuzz, std::uint64_t seed) : fuzz_(fuzz), random_(seed) {}
+
+  void next_pair() {
+    for (double& number : pool_) number = far();
+  }
+
+  double number() {
+    switch (fuzz_) {
+      case Fuzz::wide:
+        return far();
+      case Fuzz::few:
+        return random_.below(4) == 0 ? 0 : signed_by_chance(pool_[random_.below(4)]);
+      case Fuzz::ends: {
+        constexpr double ends[] = {0, 0, 1, 0.1, 5e-324, 2.2e-308, 1e-154, 1e154, 8e307, 1e300};
+        return signed_by_chance(ends[random_.below(std::size(ends))]);
+      }
+      default:
+        return random_.below(16) == 0 ? far() : std::floor(random_.in(-4, 5));
+    }
+  }
+  double size() { return std::abs(number()); }
+  bool chance() { return random_.below(2) == 0; }
+
+ private:
+  double far() { return std::ldexp(random_.in(-1, 1), static_cast<int>(random_.below(2001)) - 1000); }
+  double signed_by_chance(double value) { return chance() ? value : -value; }
+
+  Fuzz fuzz_;
+  testing::Random random_;
+  std::array<double, 4> pool_{};
+};
+
+Object object(Numbers& numbers, int axes, Shape shape, Law law) {
+  Object o = testing_pairs::object(axes, shape);
+  o.layout.law = law;
+  for (int j = 0; j < axes; ++j) {
+    o.x[j] = numbers.number(), o.v[j] = numbers.number(), o.a[j] = numbers.number();
+    o.half[j] = numbers.size();
+  }
+  o.r = numbers.size(), o.hz = numbers.size();
+  if (numbers.chance()) o.t = numbers.number();
+  return o;
+}
+
+struct Kind {
+  const char* name;
+  Shape a, b;
+  int least_axes;
+};
+
+struct Cost {
+  std::size_t pairs = 0, hits = 0;
+  double mean = 0, most = 0;  ///< seconds
+};
+
+double cost_of(const Object& a, const Object& b, const ContactQuestion& question, bool& hit) {
+  double least = 1e9;
+  for (int run = 0; run < 3; ++run)
+    least = std::min(least, seconds_of([&] { hit = contact(a, b, question).has_value(); }));
+  return least;
+}
+
+Cost cost_of(const Kind& kind, int axes, Law law, Fuzz fuzz, std::size_t pairs) {
+  Numbers numbers(fuzz, 20260101);
+  Cost cost;
+  while (cost.pairs < pairs) {
+    numbers.next_pair();
+    const Object a = object(numbers, axes, kind.a, law);
+    Object b = object(numbers, axes, kind.b, law);
+    if (numbers.chance()) std::copy_n(a.x, 3, b.x);
+    ContactQuestion question{.horizon = {numbers.number(), numbers.size()}};
+    if (numbers.chance()) question.within = numbers.size();
+    bool hit = false;
+    const double seconds = cost_of(a, b, question, hit);
+    ++cost.pairs, cost.hits += hit;
+    cost.mean += seconds / static_cast<double>(pairs), cost.most = std::max(cost.most, seconds);
+  }
+  return cost;
+}
+
+constexpr Kind kinds[] = {
+    {"box, box", Shape::box, Shape::box, 1},
+    {"ball, ball", Shape::ball, Shape::ball, 1},
+    {"box, ball", Shape::box, Shape::ball, 1},
+    {"cylinder, cylinder", Shape::cylinder, Shape::cylinder, 3},
+    {"cylinder, box", Shape::cylinder, Shape::box, 3},
+};
+
+}  // namespace
+}  // namespace foresee::bench
+
+int main(int count, char** arguments) {
+  using namespace foresee;
+  using namespace foresee::bench;
+  const std::size_t pairs = count > 1 && std::strcmp(arguments[1], "--quick") == 0 ? 100 : 2000;
+  constexpr double most_allowed = 0.010;
+  double most = 0;
+  std::printf("pair,axes,law,numbers,pairs,hits,mean_us,worst_us\n");
+  for (const Kind& kind : kinds)
+    for (int axes = kind.least_axes; axes <= 3; ++axes)
+      for (Law law : {Law::uniform, Law::accelerated})
+        for (Fuzz fuzz : {Fuzz::wide, Fuzz::few, Fuzz::ends, Fuzz::grid}) {
+          const Cost cost = cost_of(kind, axes, law, fuzz, pairs);
+          most = std::max(most, cost.most);
+          std::printf("\"%s\",%d,%s,%s,%zu,%zu,%.1f,%.1f\n", kind.name, axes,
+                      law == Law::uniform ? "uniform" : "accelerated", fuzz_names[static_cast<int>(fuzz)],
+                      cost.pairs, cost.hits, cost.mean * 1e6, cost.most * 1e6);
+          std::fflush(stdout);
+        }
+  std::fprintf(stderr, "worst pair: %.2f ms\n", most * 1e3);
+  return most <= most_allowed ? 0 : 1;
+}

@@ -1,0 +1,91 @@
+// A polynomial of a pair in two precisions, and the events that its roots are: signs and order, exact in the
+// end.
+//
+// Each question is first put to numbers of 128 bits with error bounds (Wide). Only where those cannot tell,
+// in ties and what is nearer than some 2^-100, are the integers made and asked. Nothing is ever decided by a
+// tolerance. An event is never computed: it is a root with an enclosure, and everything about it follows from
+// exact signs.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "contact/roots.h"
+#include "contact/wide.h"
+
+namespace foresee {
+
+/// Makes the exact polynomials of a pair, by number, when one is needed.
+class PolynomialSource {
+ public:
+  virtual ~PolynomialSource() = default;
+  virtual Polynomial polynomial(int number) const = 0;
+};
+
+class Curve;
+
+/// A moment: a known one, or a root of a curve.
+struct Event {
+  Event() = default;
+  explicit Event(const Dyadic& moment) : at(moment), known(&moment) {}
+
+  Wide at;                        ///< encloses it
+  const Dyadic* known = nullptr;  ///< a moment given exactly
+  Curve* curve = nullptr;         ///< otherwise: the curve that has its root here
+  int which = 0;                  ///< degree 1 and 2: -1 the lesser root, 1 the greater, 0 the only one
+  /// Degree 3 and 4: the ends of `at`, between which the curve has this root alone and changes its sign.
+  Wide low, high;
+  int sign_low = 0;
+  std::unique_ptr<Root> narrowed;  ///< the same in integers, once needed
+
+  Root& root();
+};
+
+/// The sign of x - y.
+int compare(Event& x, Event& y);
+int compare(Event& x, const Dyadic& y);
+
+/// event + offset to the nearest double, ties to even.
+double rounded(Event& event, const Dyadic& offset);
+
+class Curve {
+ public:
+  static constexpr int most = Polynomial::most;
+  using Coefficients = std::array<Wide, most + 1>;
+
+  /// `rough` encloses the coefficients of the source's polynomial, up to a positive factor.
+  Curve(const Coefficients& rough, const PolynomialSource& source, int number)
+      : rough_(rough), source_(&source), number_(number) {}
+
+  int degree();                                                     ///< exactly; -1: zero everywhere
+  int lead() { return degree() < 0 ? 0 : rough_[degree_].side(); }  ///< sign of the leading coefficient
+  const Coefficients& rough() const { return rough_; }
+  const Polynomial& exact();
+  Curve& slope();
+
+  Wide value_at(const Wide& tau) const;
+  int sign_at(Event& event);
+  int sign_at(const Dyadic& tau);
+
+  /// Replaces the enclosures by those of the exact coefficients.
+  void sharpen();
+
+  /// The event of a root of degree 1 or 2. The curve must not move afterwards.
+  Event& add_root(int which, const Wide& at);
+  /// The event of a root of degree 3 or 4, alone between two exact numbers.
+  Event& add_root(const Wide& low, const Wide& high, int sign_low);
+  Event& add_root(Root&& root, int sign_low);
+
+ private:
+  Coefficients rough_;
+  const PolynomialSource* source_ = nullptr;  ///< of a slope: none
+  Curve* parent_ = nullptr;                   ///< of a slope: the curve itself
+  int number_ = 0;
+  int degree_ = most + 1;  ///< beyond `most`: not known yet
+  std::array<Event, most> roots_;
+  int root_count_ = 0;
+  std::unique_ptr<Polynomial> exact_;
+  std::unique_ptr<Curve> slope_;
+};
+
+}  // namespace foresee

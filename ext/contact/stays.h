@@ -1,0 +1,39 @@
+// When is a polynomial at most 0? All stays of time within the moments asked about, their ends exact
+// events.
+//
+// Degree 1 and 2 by the formula; a discriminant whose sign 128 bits cannot tell is taken from the integers.
+// Degree 3 and 4 by their slope: between its zeros the polynomial runs one way, so its signs there say where
+// it has roots and that there are no others. No bound on how near roots may lie to each other is needed, as a
+// sign in doubt is asked exactly.
+#pragma once
+
+#include "contact/curve.h"
+
+namespace foresee {
+
+/// Closed; a single moment where both ends are the same event.
+struct Stay {
+  Event *first, *last;
+};
+
+/// In order of time and apart from each other. Three slabs have two polynomials of two stays each, and
+/// joining lists of m and n leaves at most m + n - 1.
+struct Stays {
+  static constexpr int most = 8;
+  std::array<Stay, most> list;
+  int count = 0;
+
+  void add(Event* first, Event* last) { list[count++] = {first, last}; }
+};
+
+/// The moments asked about. Requires: begin <= end.
+struct Asked {
+  Event &begin, &end;
+};
+
+Stays inside(Curve& curve, const Asked& asked);
+
+/// The moments that are in both.
+Stays common(const Stays& a, const Stays& b);
+
+}  // namespace foresee

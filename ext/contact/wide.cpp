@@ -1,0 +1,225 @@
+#include "contact/wide.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+namespace foresee {
+namespace {
+
+constexpr Uint128 top_bit = Uint128{1} << 127;
+constexpr int most_error_bits = 62;
+
+int leading_zeros(Uint128 x) {
+  const auto high = static_cast<std::uint64_t>(x >> 64);
+  return high != 0 ? std::countl_zero(high) : 64 + std::countl_zero(static_cast<std::uint64_t>(x));
+}
+
+/// A product of 256 bits.
+struct Product {
+  Uint128 high, low;
+};
+Product product(Uint128 a, Uint128 b) {
+  constexpr Uint128 half = ~std::uint64_t{0};
+  const Uint128 a0 = a & half, a1 = a >> 64, b0 = b & half, b1 = b >> 64;
+  const Uint128 low = a0 * b0, cross = a1 * b0, other = a0 * b1;
+  const Uint128 middle = (low >> 64) + (cross & half) + (other & half);
+  return {a1 * b1 + (cross >> 64) + (other >> 64) + (middle >> 64), (middle << 64) | (low & half)};
+}
+
+}  // namespace
+
+Wide Wide::of(bool negative, Uint128 bits, std::uint64_t error, int exponent) {
+  if (bits == 0 && error == 0) return {};
+  Wide w;
+  if (error >> most_error_bits) {
+    constexpr int shift = 4;
+    bits >>= shift, error = (error >> shift) + 2, exponent += shift;
+  }
+  int shift = bits == 0 ? 127 : leading_zeros(bits);
+  if (error != 0) shift = std::min(shift, std::countl_zero(error) - (64 - most_error_bits));
+  w.bits_ = bits << shift, w.error_ = error << shift;
+  w.exponent_ = exponent - shift;
+  w.negative_ = negative;
+  return w;
+}
+
+Wide Wide::with_error(bool negative, Uint128 bits, double error, int exponent) {
+  int shift = 0;
+  if (error >= 0x1p60) {
+    shift = std::ilogb(error) - 58;
+    bits = shift < 128 ? bits >> shift : 0;
+  }
+  return of(negative, bits, static_cast<std::uint64_t>(std::ldexp(error, -shift)) + 2, exponent + shift);
+}
+
+Wide::Wide(double value) {
+  if (value == 0) return;
+  constexpr int digits = std::numeric_limits<double>::digits - 1;
+  constexpr std::uint64_t one = std::uint64_t{1} << digits;
+  const auto pattern = std::bit_cast<std::uint64_t>(value);
+  const auto exponent = static_cast<int>(pattern >> digits & 0x7ff);
+  const std::uint64_t whole = (pattern & (one - 1)) | (exponent == 0 ? 0 : one);
+  *this = of(value < 0, whole, 0, std::max(exponent, 1) - 1075);
+}
+
+Wide::Wide(const Dyadic& value) {
+  if (value.sign() == 0) return;
+  const Integer whole = abs(value.mantissa());
+  const int dropped = std::max(0, static_cast<int>(msb(whole)) + 1 - 128);
+  const Integer kept = whole >> dropped;
+  const bool cut = dropped > 0 && (kept << dropped) != whole;
+  const auto high = static_cast<std::uint64_t>(kept >> 64);
+  const auto low = static_cast<std::uint64_t>(kept & Integer(~std::uint64_t{0}));
+  *this = of(value.sign() < 0, Uint128{high} << 64 | low, cut ? 1 : 0, value.exponent() + dropped);
+}
+
+int Wide::magnitude() const {
+  return 127 - leading_zeros(bits_) + exponent_;
+}
+
+Wide Wide::middle() const {
+  return of(negative_, bits_, 0, exponent_);
+}
+
+Wide Wide::moved_by_error(bool up) const {
+  if (error_ == 0) return *this;
+  const Wide error = of(!up, error_, 0, exponent_);
+  Wide end = middle() + error;
+  // The sum may need a bit more than there are: one unit further out.
+  if (end.error_ != 0) end = end.middle() + of(!up, 2, 0, end.exponent_);
+  return end.middle();
+}
+
+Wide Wide::low() const {
+  return moved_by_error(false);
+}
+
+Wide Wide::high() const {
+  return moved_by_error(true);
+}
+
+Wide Wide::hull(const Wide& low, const Wide& high) {
+  const Wide a = low.low(), b = high.high();
+  if (same(a, b)) return a;
+  const Wide middle = half_of(a + b), radius = half_of(b - a);
+  const double error = std::ldexp(static_cast<double>(radius.bits_) * (1 + 0x1p-50),
+                                  std::max(radius.exponent_ - middle.exponent_, -1000));
+  return with_error(false, middle.bits_, error + static_cast<double>(middle.error_) + 2, middle.exponent_);
+}
+
+Dyadic Wide::dyadic() const {
+  if (bits_ == 0) return {};
+  const auto low = static_cast<std::uint64_t>(bits_), high = static_cast<std::uint64_t>(bits_ >> 64);
+  const int zeros = low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(high);
+  const Uint128 odd = bits_ >> zeros;
+  const Integer whole =
+      (Integer(static_cast<std::uint64_t>(odd >> 64)) << 64) | Integer(static_cast<std::uint64_t>(odd));
+  return {negative_ ? Integer(-whole) : whole, exponent_ + zeros};
+}
+
+double Wide::rounded() const {
+  if (bits_ == 0) return 0;
+  const Wide full = of(negative_, bits_, 0, exponent_);
+  // Below 2^-1022 a double has fewer than 53 bits.
+  const int kept = std::min(53, full.magnitude() + 1075);
+  if (kept < 0) return 0;
+  const int dropped = 128 - kept;
+  Uint128 head = dropped == 128 ? 0 : full.bits_ >> dropped;
+  const Uint128 rest = dropped == 128 ? full.bits_ : full.bits_ << kept;
+  if (rest > top_bit || (rest == top_bit && (head & 1) != 0)) ++head;
+  if (head == 0) return 0;
+  const double value = std::ldexp(static_cast<double>(static_cast<std::uint64_t>(head)),
+                                  std::min(full.exponent_ + dropped, 2000));
+  return negative_ ? -value : value;
+}
+
+Wide operator+(const Wide& left, const Wide& right) {
+  if (left.bits_ == 0 && left.error_ == 0) return right;
+  if (right.bits_ == 0 && right.error_ == 0) return left;
+  const bool swap = left.exponent_ < right.exponent_;
+  const Wide &a = swap ? right : left, &b = swap ? left : right;
+  const int shift = a.exponent_ - b.exponent_;
+  const Uint128 bits = shift < 128 ? b.bits_ >> shift : 0;
+  const bool cut = shift < 128 ? (bits << shift) != b.bits_ : b.bits_ != 0;
+  std::uint64_t error = a.error_ + (cut ? 1 : 0);
+  if (b.error_ != 0) error += (shift < 64 ? b.error_ >> shift : 0) + 1;
+  if (a.negative_ != b.negative_) {
+    const bool more = a.bits_ >= bits;
+    return Wide::of(more ? a.negative_ : b.negative_, more ? a.bits_ - bits : bits - a.bits_, error,
+                    a.exponent_);
+  }
+  const Uint128 sum = a.bits_ + bits;
+  if (sum >= bits) return Wide::of(a.negative_, sum, error, a.exponent_);
+  return Wide::of(a.negative_, (sum >> 1) | top_bit, (error >> 1) + (error & 1) + (sum & 1 ? 1 : 0),
+                  a.exponent_ + 1);
+}
+
+Wide operator*(const Wide& a, const Wide& b) {
+  if ((a.bits_ == 0 && a.error_ == 0) || (b.bits_ == 0 && b.error_ == 0)) return {};
+  Product p = product(a.bits_, b.bits_);
+  std::uint64_t error = a.error_ + b.error_ + (a.error_ != 0 && b.error_ != 0 ? 1 : 0);
+  int exponent = a.exponent_ + b.exponent_ + 128;
+  // Bits that would be cut off are kept where there is room in front: exact products of few digits stay
+  // exact.
+  if (!(p.high & top_bit) && p.high != 0 && p.low != 0 && !(error >> most_error_bits)) {
+    const int shift = error == 0 ? leading_zeros(p.high) : 1;
+    p.high = (p.high << shift) | (p.low >> (128 - shift));
+    p.low <<= shift, exponent -= shift, error <<= shift;
+  }
+  return Wide::of(a.negative_ != b.negative_, p.high, error + (p.low != 0 ? 1 : 0), exponent);
+}
+
+double Wide::relative_error() const {
+  return static_cast<double>(error_) / static_cast<double>(bits_ - error_) * (1 + 0x1p-50);
+}
+
+Wide operator/(const Wide& a, const Wide& b) {
+  if (a.bits_ == 0 && a.error_ == 0) return {};
+  const double divisor = static_cast<double>(b.bits_);
+  if (a.bits_ <= a.error_) {
+    const double most = (static_cast<double>(a.bits_) + static_cast<double>(a.error_)) /
+                        (divisor * (1 - b.relative_error() / (1 + b.relative_error())));
+    return Wide::with_error(false, 0, std::ldexp(most * (1 + 0x1p-40), 140), a.exponent_ - b.exponent_ - 140);
+  }
+  // Fifty bits a round: what is left over, divided in double.
+  Wide quotient, rest = a.middle();
+  const Wide exact_divisor = b.middle();
+  for (int round = 0; round < 3 && rest.bits_ != 0; ++round) {
+    Wide part(static_cast<double>(rest.bits_) / divisor);
+    part.exponent_ += rest.exponent_ - b.exponent_;
+    part.negative_ = rest.negative_ != b.negative_;
+    quotient = (quotient + part).middle();
+    rest = (rest - part * exact_divisor).middle();
+  }
+  // Three rounds leave less than 2^-145, and each sum and product added less than 2^-126 of the quotient.
+  const bool exact = rest.bits_ == 0 && a.error_ == 0 && b.error_ == 0 && same(quotient * exact_divisor, a);
+  if (exact) return quotient;
+  const double error_a = a.relative_error(), error_b = b.relative_error();
+  const double relative = (error_a + error_b + error_a * error_b) * (1 + 0x1p-40) + 0x1p-122;
+  return Wide::with_error(quotient.negative_, quotient.bits_,
+                          relative * static_cast<double>(quotient.bits_) * (1 + 0x1p-40), quotient.exponent_);
+}
+
+Wide sqrt(const Wide& a) {
+  if (a.bits_ == 0) return {};
+  const Wide square = a.middle();
+  // An even exponent, and a start of 53 bits; twice, what is left of the square over twice the root.
+  const int shift = square.exponent_ & 1 ? square.exponent_ + 1 : square.exponent_;
+  const double start = std::sqrt(std::ldexp(static_cast<double>(square.bits_), square.exponent_ - shift));
+  Wide root = Wide(start).scaled(shift / 2);
+  for (int round = 0; round < 2; ++round) {
+    const Wide rest = (square - root * root).middle();
+    if (rest.bits_ == 0) break;
+    const double correction = static_cast<double>(rest.bits_) / (2 * static_cast<double>(root.bits_));
+    const Wide part = Wide(correction).scaled(rest.exponent_ - root.exponent_);
+    root = (root + (rest.negative_ ? -part : part)).middle();
+  }
+  if (a.error_ == 0 && same(root * root, square)) return root;
+  const double relative = a.relative_error() * (1 + 0x1p-40) + 0x1p-122;
+  return Wide::with_error(false, root.bits_, relative * static_cast<double>(root.bits_) * (1 + 0x1p-40),
+                          root.exponent_);
+}
+
+}  // namespace foresee
