@@ -1,5 +1,4 @@
-// When is a polynomial at most 0? All stays of time within the moments asked about, their ends exact
-// events.
+// When is a polynomial at most 0? All its stays, stretches of the time asked about with exact events as ends.
 //
 // Degree 1 and 2 by the formula; a discriminant whose sign 128 bits cannot tell is taken from the integers.
 // Degree 3 and 4 by their slope: between its zeros the polynomial runs one way, so its signs there say where
