@@ -86,10 +86,20 @@ class TreeCheck {
     const Motion<D>& motion = mover.motion;
     for (const Above& above : above_) {
       const Entry<D> own{{motion.t, motion.t, motion.until},
-                         bounds_at(motion, mover.half_extents, above.epoch, 0.0)};
+                         known(bounds_at(motion, mover.half_extents, above.epoch, 0.0))};
       if (!above.entry.contains(own))
         problem(number, "holds object " + std::to_string(id) + ", which an entry above does not contain");
     }
+  }
+
+  /// A face that overflowed while it was computed proves nothing: it lies within any entry.
+  static Bounds<D> known(Bounds<D> own) {
+    const Vec<D> anywhere = Vec<D>::Constant(std::numeric_limits<double>::infinity());
+    for (Vec<D>* lower : {&own.x_lower, &own.v_lower, &own.a_lower})
+      *lower = lower->isFinite().select(*lower, anywhere);
+    for (Vec<D>* upper : {&own.x_upper, &own.v_upper, &own.a_upper})
+      *upper = upper->isFinite().select(*upper, -anywhere);
+    return own;
   }
 
   Pages& pages_;
