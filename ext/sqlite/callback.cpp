@@ -3,6 +3,7 @@
 #include <exception>
 #include <new>
 
+#include "index/pages.h"
 #include "storage/object_store.h"
 
 namespace foresee {
@@ -24,6 +25,8 @@ int code_of_exception(char** message) noexcept {
     return report(message, error.code, error.what());
   } catch (const Refusal& error) {
     return report(message, error.code, error.what());
+  } catch (const BrokenTree& error) {
+    return report(message, SQLITE_CORRUPT_VTAB, error.what());
   } catch (const Interrupted&) {
     return SQLITE_INTERRUPT;
   } catch (const std::bad_alloc&) {

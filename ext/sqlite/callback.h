@@ -5,8 +5,8 @@
 //     return guarded(&cursor->pVtab->zErrMsg, [&] { cursor_of(cursor).next(); });
 //   }
 //
-// Error becomes SQLITE_ERROR; StoreError and Refusal bring their own code; std::bad_alloc becomes
-// SQLITE_NOMEM, Interrupted SQLITE_INTERRUPT.
+// Error becomes SQLITE_ERROR; StoreError and Refusal bring their own code; BrokenTree becomes
+// SQLITE_CORRUPT_VTAB, std::bad_alloc SQLITE_NOMEM, Interrupted SQLITE_INTERRUPT.
 #pragma once
 
 #include <string>

@@ -1,65 +1,54 @@
 #include "storage/inner_node.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace foresee {
 namespace {
 
-// Calls each(number) for everything in an entry in the order of its bytes: the one place that knows it.
-template <class Entry, class Each>
-void for_each_number(const Layout& layout, Entry& entry, Each each) {
-  each(entry.child);
-  each(entry.t_least);
-  each(entry.t_greatest);
-  each(entry.until_greatest);
-  const auto on_all_axes = [&](auto& bound) {
-    for (int axis = 0; axis < layout.axes; ++axis) each(bound[static_cast<std::size_t>(axis)]);
-  };
-  on_all_axes(entry.lower);
-  on_all_axes(entry.upper);
-  if (layout.law == Law::rest) return;
-  on_all_axes(entry.v_lower);
-  on_all_axes(entry.v_upper);
-  if (layout.law == Law::uniform) return;
-  on_all_axes(entry.a_lower);
-  on_all_axes(entry.a_upper);
-}
-
-bool ordered(const std::array<double, 3>& lower, const std::array<double, 3>& upper) {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-    if (!(lower[axis] <= upper[axis])) return false;  // not a number is not ordered
-  return true;
-}
-
-const char* entry_fault(const InnerEntry& entry, std::int64_t number) {
-  if (entry.child < 1 || entry.child == number) return "a child is no other node";
-  if (!std::isfinite(entry.t_least) || !std::isfinite(entry.t_greatest) || entry.t_least > entry.t_greatest)
-    return "reference times are out of order";
-  if (!(entry.until_greatest >= entry.t_least)) return "a child ends before it begins";
-  const bool fine = ordered(entry.lower, entry.upper) && ordered(entry.v_lower, entry.v_upper) &&
-                    ordered(entry.a_lower, entry.a_upper);
-  return fine ? nullptr : "bounds are out of order";
-}
+enum EntryNumber { t_least, t_greatest, until_greatest, first_bound };
 
 std::size_t count_of(std::span<const std::byte> blob) {
   return load_number<std::uint16_t>(blob.data() + NodeFormat::count_at);
 }
 
+/// Doubles of an entry that are stored: a prefix of the node's.
+std::size_t stored_numbers(const NodeFormat& format) {
+  return format.inner_entry_size / sizeof(double) - 1;  // the child's number comes first
+}
+
+const char* entry_fault(const NodeFormat& format, const std::byte* entry, std::int64_t number) {
+  const auto child = load_number<std::int64_t>(entry);
+  if (child < 1 || child == number) return "a child is no other node";
+  const auto value = [entry](std::size_t i) { return load_number<double>(entry + (i + 1) * sizeof(double)); };
+  if (!std::isfinite(value(t_least)) || !std::isfinite(value(t_greatest)) ||
+      value(t_least) > value(t_greatest))
+    return "reference times are out of order";
+  if (!(value(until_greatest) >= value(t_least))) return "a child ends before it begins";
+  const auto axes = static_cast<std::size_t>(format.layout.axes);
+  for (std::size_t at = first_bound; at < stored_numbers(format); at += 2 * axes)
+    for (std::size_t axis = 0; axis < axes; ++axis)
+      if (!(value(at + axis) <= value(at + axes + axis)))  // not a number is not ordered
+        return "bounds are out of order";
+  return nullptr;
+}
+
 }  // namespace
 
-std::vector<std::byte> encode_inner(const NodeFormat& format, std::int64_t number, const InnerNode& node) {
+std::vector<std::byte> encode_inner(const NodeFormat& format, std::int64_t number, const Node& node) {
   std::vector<std::byte> blob(format.node_size);
   store_number(blob.data() + NodeFormat::level_at, static_cast<std::uint8_t>(node.level));
   store_number<std::uint8_t>(blob.data() + NodeFormat::format_at, NodeFormat::version);
-  store_number(blob.data() + NodeFormat::count_at, static_cast<std::uint16_t>(node.entries.size()));
+  store_number(blob.data() + NodeFormat::count_at, static_cast<std::uint16_t>(node.size()));
   store_number(blob.data() + NodeFormat::parent_at, node.parent);
   store_number(blob.data() + NodeFormat::epoch_at, node.epoch);
-  std::byte* at = blob.data() + NodeFormat::entries_at;
-  for (const InnerEntry& entry : node.entries)
-    for_each_number(format.layout, entry, [&](auto value) {
-      store_number(at, value);
-      at += sizeof value;
-    });
+  const auto stride = static_cast<std::size_t>(entry_size(format.layout.axes));
+  std::byte* entry = blob.data() + NodeFormat::entries_at;
+  for (std::size_t slot = 0; slot < node.size(); ++slot, entry += format.inner_entry_size) {
+    store_number(entry, node.keys[slot]);
+    std::memcpy(entry + sizeof(std::int64_t), node.values.data() + slot * stride,
+                stored_numbers(format) * sizeof(double));
+  }
   seal_node(blob, number);
   return blob;
 }
@@ -67,26 +56,42 @@ std::vector<std::byte> encode_inner(const NodeFormat& format, std::int64_t numbe
 const char* inner_fault(const NodeFormat& format, std::span<const std::byte> blob, std::int64_t number) {
   if (const char* fault = node_fault(format, blob, number)) return fault;
   if (load_number<std::uint8_t>(blob.data() + NodeFormat::level_at) == 0) return "it is no inner node";
-  if (count_of(blob) < 1 || count_of(blob) > format.inner_capacity) return "its count is wrong";
-  const InnerNode node = decode_inner(format, blob);
-  if (!std::isfinite(node.epoch)) return "its epoch is not finite";
-  for (const InnerEntry& entry : node.entries)
-    if (const char* fault = entry_fault(entry, number)) return fault;
+  const std::size_t count = count_of(blob);
+  if (count < 1 || count > format.inner_capacity) return "its count is wrong";
+  if (!std::isfinite(load_number<double>(blob.data() + NodeFormat::epoch_at)))
+    return "its epoch is not finite";
+  for (std::size_t i = 0; i < count; ++i)
+    if (const char* fault =
+            entry_fault(format, blob.data() + NodeFormat::entries_at + i * format.inner_entry_size, number))
+      return fault;
   return nullptr;
 }
 
-InnerNode decode_inner(const NodeFormat& format, std::span<const std::byte> blob) {
-  InnerNode node;
+bool is_inner(const NodeFormat& format, std::span<const std::byte> blob, std::int64_t number) {
+  return blob.size() == format.node_size && blob[NodeFormat::level_at] != std::byte{0} &&
+         node_fault(format, blob, number) == nullptr;
+}
+
+Node decode_inner(const NodeFormat& format, std::span<const std::byte> blob) {
+  const auto axes = static_cast<std::size_t>(format.layout.axes);
+  const auto stride = static_cast<std::size_t>(entry_size(format.layout.axes));
+  Node node;
   node.level = load_number<std::uint8_t>(blob.data() + NodeFormat::level_at);
   node.parent = load_number<std::int64_t>(blob.data() + NodeFormat::parent_at);
   node.epoch = load_number<double>(blob.data() + NodeFormat::epoch_at);
-  node.entries.resize(count_of(blob));
-  const std::byte* at = blob.data() + NodeFormat::entries_at;
-  for (InnerEntry& entry : node.entries)
-    for_each_number(format.layout, entry, [&](auto& value) {
-      value = load_number<std::remove_reference_t<decltype(value)>>(at);
-      at += sizeof value;
-    });
+  const std::size_t count = count_of(blob);
+  node.keys.reserve(count + 1);  // the tree puts one too many in before it splits a node
+  node.values.reserve((count + 1) * stride);
+  node.values.resize(count * stride, 0.0);
+  const std::byte* entry = blob.data() + NodeFormat::entries_at;
+  for (std::size_t slot = 0; slot < count; ++slot, entry += format.inner_entry_size) {
+    node.keys.push_back(load_number<std::int64_t>(entry));
+    double* values = node.values.data() + slot * stride;
+    std::memcpy(values, entry + sizeof(std::int64_t), stored_numbers(format) * sizeof(double));
+    if (format.layout.law != Law::rest) continue;
+    std::fill_n(values + first_bound + 2 * axes, axes, -rest_velocity_pad);
+    std::fill_n(values + first_bound + 3 * axes, axes, rest_velocity_pad);
+  }
   return node;
 }
 

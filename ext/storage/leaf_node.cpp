@@ -1,6 +1,8 @@
 #include "storage/leaf_node.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace foresee {
 namespace {
@@ -105,49 +107,41 @@ void LeafView::copy_records(double* records) const {
   std::memcpy(records, record_at(0), static_cast<std::size_t>(count()) * format_->record_size);
 }
 
-LeafNode::LeafNode(const NodeFormat& format) : LeafView(format, {}), own_(format.node_size) {
-  bytes_ = own_;
-  store_number<std::uint8_t>(own_.data() + NodeFormat::format_at, NodeFormat::version);
+std::vector<std::byte> encode_leaf(const NodeFormat& format, std::int64_t number, const Node& leaf) {
+  std::vector<std::byte> blob(format.node_size);
+  store_number<std::uint8_t>(blob.data() + NodeFormat::format_at, NodeFormat::version);
+  store_number(blob.data() + NodeFormat::count_at, static_cast<std::uint16_t>(leaf.size()));
+  store_number(blob.data() + NodeFormat::parent_at, leaf.parent);
+  std::vector<std::uint16_t> order(leaf.size());
+  std::iota(order.begin(), order.end(), std::uint16_t{0});
+  if (!std::is_sorted(leaf.keys.begin(), leaf.keys.end()))
+    std::sort(order.begin(), order.end(),
+              [&](std::uint16_t a, std::uint16_t b) { return leaf.keys[a] < leaf.keys[b]; });
+  std::byte* id = blob.data() + NodeFormat::ids_at;
+  std::byte* record = blob.data() + format.records_at;
+  for (const std::size_t slot : order) {
+    store_number(id, leaf.keys[slot]);
+    std::memcpy(record, leaf.values.data() + slot * static_cast<std::size_t>(format.at.size),
+                format.record_size);
+    id += sizeof(std::int64_t);
+    record += format.record_size;
+  }
+  seal_node(blob, number);
+  return blob;
 }
 
-LeafNode::LeafNode(const NodeFormat& format, std::span<const std::byte> blob)
-    : LeafView(format, {}), own_(blob.begin(), blob.end()) {
-  bytes_ = own_;
-}
-
-void LeafNode::set_count(int count) noexcept {
-  store_number(own_.data() + NodeFormat::count_at, static_cast<std::uint16_t>(count));
-}
-
-void LeafNode::shift(int from, int to) noexcept {
-  const auto moved = static_cast<std::size_t>(count() - from);
-  std::memmove(writable(id_at(to)), id_at(from), moved * sizeof(std::int64_t));
-  std::memmove(writable(record_at(to)), record_at(from), moved * format_->record_size);
-}
-
-void LeafNode::put(std::int64_t id, const double* record) noexcept {
-  const int i = lower_bound(id);
-  shift(i, i + 1);
-  store_number(writable(id_at(i)), id);
-  replace(i, record);
-  set_count(count() + 1);
-}
-
-void LeafNode::replace(int i, const double* record) noexcept {
-  std::memcpy(writable(record_at(i)), record, format_->record_size);
-}
-
-void LeafNode::remove(int i) noexcept {
-  const int last = count() - 1;
-  shift(i + 1, i);
-  std::memset(writable(id_at(last)), 0, sizeof(std::int64_t));  // what is deleted does not linger in the file
-  std::memset(writable(record_at(last)), 0, format_->record_size);
-  set_count(last);
-}
-
-std::span<const std::byte> LeafNode::sealed(std::int64_t number) noexcept {
-  seal_node(own_, number);
-  return own_;
+Node decode_leaf(const NodeFormat& format, std::span<const std::byte> blob) {
+  const LeafView view(format, blob);
+  const auto count = static_cast<std::size_t>(view.count());
+  Node leaf;
+  leaf.parent = load_number<std::int64_t>(blob.data() + NodeFormat::parent_at);
+  leaf.keys.reserve(count + 1);  // the tree puts one too many in before it splits a node
+  leaf.values.reserve((count + 1) * static_cast<std::size_t>(format.at.size));
+  leaf.keys.resize(count);
+  leaf.values.resize(count * static_cast<std::size_t>(format.at.size));
+  view.copy_ids(leaf.keys.data());
+  view.copy_records(leaf.values.data());
+  return leaf;
 }
 
 }  // namespace foresee

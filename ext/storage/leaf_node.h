@@ -5,12 +5,12 @@
 //   int i = leaf.find(42);                 // -1: not here
 //   leaf.copy_record(i, record);
 //
-// LeafView reads bytes that somebody else holds; LeafNode holds its own and changes them in place, so that
-// writing a leaf is sealing it.
+// LeafView reads bytes that somebody else holds; a leaf that the tree works on is a Node.
 #pragma once
 
 #include <vector>
 
+#include "index/pages.h"
 #include "storage/node_format.h"
 
 namespace foresee {
@@ -37,7 +37,7 @@ class LeafView {
   void copy_ids(std::int64_t* ids) const;
   void copy_records(double* records) const;
 
- protected:
+ private:
   const std::byte* id_at(int i) const {
     return bytes_.data() + NodeFormat::ids_at + static_cast<std::size_t>(i) * sizeof(std::int64_t);
   }
@@ -51,31 +51,11 @@ class LeafView {
   std::span<const std::byte> bytes_;
 };
 
-class LeafNode : public LeafView {
- public:
-  /// An empty leaf.
-  explicit LeafNode(const NodeFormat& format);
-  /// A copy of a stored one. Requires: `leaf_fault` found nothing.
-  LeafNode(const NodeFormat& format, std::span<const std::byte> blob);
-  LeafNode(LeafNode&&) = default;
-  LeafNode& operator=(LeafNode&&) = default;
+/// The bytes to store as leaf `number`: ids ascending, each with its record, whatever their order in the
+/// node. Requires: 1 to leaf_capacity objects.
+std::vector<std::byte> encode_leaf(const NodeFormat& format, std::int64_t number, const Node& leaf);
 
-  bool is_full() const { return static_cast<std::size_t>(count()) == format_->leaf_capacity; }
-  /// Requires: not full; no object here has this id.
-  void put(std::int64_t id, const double* record) noexcept;
-  void replace(int i, const double* record) noexcept;
-  void remove(int i) noexcept;
-
-  /// The bytes to store as node `number`, valid until the next change.
-  std::span<const std::byte> sealed(std::int64_t number) noexcept;
-
- private:
-  std::byte* writable(const std::byte* at) { return own_.data() + (at - own_.data()); }
-  void set_count(int count) noexcept;
-  /// Moves the objects from place `from` on to place `to` on.
-  void shift(int from, int to) noexcept;
-
-  std::vector<std::byte> own_;
-};
+/// Requires: `leaf_fault` found nothing.
+Node decode_leaf(const NodeFormat& format, std::span<const std::byte> blob);
 
 }  // namespace foresee

@@ -27,7 +27,7 @@ static_assert(std::endian::native == std::endian::little,
               "nodes are stored as a little-endian CPU sees them");
 
 struct NodeFormat {
-  static constexpr int version = 1;
+  static constexpr int version = 2;
   static constexpr std::size_t level_at = 0;
   static constexpr std::size_t format_at = 1;
   static constexpr std::size_t count_at = 2;

@@ -4,8 +4,8 @@
 //   store.load(ids, rows, interrupt);                     // everything, for a query
 //
 // Every double comes back bit for bit. All state lives in SQLite's tables, so transactions, WAL readers,
-// VACUUM and backup are SQLite's own; what a transaction has not written yet is flushed in sync(), at
-// savepoints and before any read. Blobs are checked before they are believed.
+// VACUUM and backup are SQLite's own; what a transaction has not written yet waits in memory until sync(),
+// and every read sees it. Blobs are checked before they are believed.
 //
 // Errors: SQLite's result codes as StoreError; a blob that is not what this code wrote is
 // SQLITE_CORRUPT_VTAB.
@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "index/pages.h"
 #include "motion/error.h"
 #include "storage/declaration.h"
 #include "storage/sqlite_api.h"
@@ -66,7 +67,11 @@ class ObjectStore {
                                  std::vector<double>& records) = 0;
   /// Hands the auxiliary column of `id` to `context` as the result; NULL where there is none.
   virtual void result_auxiliary(sqlite3_context* context, std::int64_t id, int column) = 0;
-  virtual std::int64_t count() = 0;
+  /// The tree as it is at this moment. Reads stay as of this moment while it is held, whatever this
+  /// connection then writes, commits or rolls back to. It must not outlive the statement that asks.
+  virtual std::shared_ptr<NodeSource> snapshot() = 0;
+  /// The newest reference time stored; 0 without objects or without t. Reads one node.
+  virtual double newest_t() = 0;
 
   // --- writing: each call is all or nothing
   // ----------------------------------------------------------------------------
@@ -84,10 +89,10 @@ class ObjectStore {
 
   // --- commands
   // --------------------------------------------------------------------------------------------------------
-  /// Writes leaves and map anew from what the leaves hold, neighbours in space together; drops auxiliary
-  /// values that belong to no object.
+  /// Writes tree and map anew from what the leaves hold, whatever else says, neighbours in space and velocity
+  /// together; drops auxiliary values that belong to no object.
   virtual void rebuild(Interrupt& interrupt) = 0;
-  /// Packs the leaves, neighbours in space together, if map and leaves agree; SQLITE_CORRUPT_VTAB if not.
+  /// The same for a table without fault; SQLITE_CORRUPT_VTAB if check() finds any.
   virtual void optimize(Interrupt& interrupt) = 0;
   /// What is wrong with the stored bytes, a sentence each; empty: nothing.
   virtual std::vector<std::string> check(Interrupt& interrupt) = 0;

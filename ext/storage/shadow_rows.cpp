@@ -55,7 +55,7 @@ ShadowRows::ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries) 
   all_nodes_ = sql("SELECT nodeno, data FROM {node} ORDER BY nodeno");
   write_node_ = sql("INSERT OR REPLACE INTO {node} VALUES(?, ?)");
   erase_node_ = sql("DELETE FROM {node} WHERE nodeno = ?");
-  erase_all_nodes_ = sql("DELETE FROM {node}");
+  node_numbers_ = sql("SELECT nodeno FROM {node}");
   leaf_of_ = sql("SELECT leaf FROM {map} WHERE id = ?");
   largest_id_ = sql("SELECT max(id) FROM {map}");
   count_ = sql("SELECT count(*) FROM {map}");
@@ -66,6 +66,8 @@ ShadowRows::ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries) 
   erase_map_ = sql("DELETE FROM {map}");
   stamp_ = sql("SELECT value FROM {meta} WHERE key = 'stamp'");
   write_stamp_ = sql("INSERT OR REPLACE INTO {meta} VALUES('stamp', ?)");
+  root_ = sql("SELECT value FROM {meta} WHERE key = 'root'");
+  write_root_ = sql("INSERT OR REPLACE INTO {meta} VALUES('root', ?)");
   if (auxiliaries == 0) return;
   insert_auxiliaries_ = sql(insert_auxiliaries_sql(auxiliaries));
   update_auxiliaries_ = sql(update_auxiliaries_sql(auxiliaries));
@@ -95,10 +97,6 @@ void ShadowRows::erase_node(std::int64_t number) {
   run.step();
 }
 
-void ShadowRows::erase_all_nodes() {
-  Statement::Run(erase_all_nodes_).step();
-}
-
 std::optional<std::int64_t> ShadowRows::leaf_of(std::int64_t id) {
   Statement::Run run(leaf_of_);
   run.bind(1, id);
@@ -116,20 +114,20 @@ std::int64_t ShadowRows::count() {
   return one_integer(run).value_or(0);
 }
 
-void ShadowRows::write_map(std::span<const IdChange> changes) {
-  std::vector<IdChange> waiting;
+void ShadowRows::write_map(std::span<const IdTable::Entry> changes) {
+  std::vector<IdTable::Entry> waiting;
   waiting.reserve(map_rows);
-  const auto write = [&](Statement& statement, std::span<const IdChange> rows) {
+  const auto write = [&](Statement& statement, std::span<const IdTable::Entry> rows) {
     Statement::Run run(statement);
     int place = 0;
-    for (const IdChange& row : rows) {
+    for (const IdTable::Entry& row : rows) {
       run.bind(++place, row.id);
-      run.bind(++place, row.leaf);
+      run.bind(++place, row.value);
     }
     run.step();
   };
-  for (const IdChange& change : changes) {
-    if (change.leaf == IdChanges::erased) {
+  for (const IdTable::Entry& change : changes) {
+    if (change.value == 0) {
       Statement::Run run(erase_map_row_);
       run.bind(1, change.id);
       run.step();
@@ -140,7 +138,7 @@ void ShadowRows::write_map(std::span<const IdChange> changes) {
     write(write_map_rows_, waiting);
     waiting.clear();
   }
-  for (const IdChange& change : waiting) write(write_map_row_, {&change, 1});
+  for (const IdTable::Entry& change : waiting) write(write_map_row_, {&change, 1});
 }
 
 void ShadowRows::erase_map() {
@@ -193,6 +191,17 @@ void ShadowRows::match_auxiliaries_to_map() {
 std::optional<std::int64_t> ShadowRows::stamp() {
   Statement::Run run(stamp_);
   return one_integer(run);
+}
+
+std::optional<std::int64_t> ShadowRows::root() {
+  Statement::Run run(root_);
+  return one_integer(run);
+}
+
+void ShadowRows::write_root(std::int64_t root) {
+  Statement::Run run(write_root_);
+  run.bind(1, root);
+  run.step();
 }
 
 void ShadowRows::write_stamp(std::int64_t stamp) {

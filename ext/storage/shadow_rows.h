@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "storage/id_changes.h"
+#include "storage/id_table.h"
 #include "storage/shadow_schema.h"
 #include "storage/statement.h"
 
@@ -46,7 +46,11 @@ class ShadowRows {
   }
   void write_node(std::int64_t number, std::span<const std::byte> blob);
   void erase_node(std::int64_t number);
-  void erase_all_nodes();
+  template <class Read>
+  void read_node_numbers(Read read) {
+    Statement::Run run(node_numbers_);
+    while (run.step()) read(run.integer(0));
+  }
 
   // --- _map
   std::optional<std::int64_t> leaf_of(std::int64_t id);
@@ -57,8 +61,8 @@ class ShadowRows {
     Statement::Run run(all_ids_);
     while (run.step()) read(run.integer(0), run.integer(1));
   }
-  /// Each id's leaf, or its end. Fast if the ids ascend.
-  void write_map(std::span<const IdChange> changes);
+  /// Each id's leaf; 0: the id goes. Fast if the ids ascend.
+  void write_map(std::span<const IdTable::Entry> changes);
   void erase_map();
 
   // --- _aux; requires: there are auxiliary columns
@@ -79,16 +83,18 @@ class ShadowRows {
   /// Nothing if the stored stamp is missing or no integer.
   std::optional<std::int64_t> stamp();
   void write_stamp(std::int64_t stamp);
+  /// The tree's root; nothing if it is missing or no integer.
+  std::optional<std::int64_t> root();
+  void write_root(std::int64_t root);
 
  private:
-  Statement largest_node_, node_by_number_, nodes_after_, all_nodes_, write_node_, erase_node_,
-      erase_all_nodes_;
+  Statement largest_node_, node_by_number_, nodes_after_, all_nodes_, write_node_, erase_node_, node_numbers_;
   Statement leaf_of_, largest_id_, count_, all_ids_, write_map_row_, write_map_rows_, erase_map_row_,
       erase_map_;
   Statement insert_auxiliaries_, update_auxiliaries_, erase_auxiliaries_, auxiliary_ids_, erase_stray_,
       insert_missing_;
   std::vector<Statement> auxiliary_;
-  Statement stamp_, write_stamp_;
+  Statement stamp_, write_stamp_, root_, write_root_;
 };
 
 }  // namespace foresee

@@ -124,11 +124,9 @@ NodeFormat read_node_format(sqlite3* db, const QualifiedName& name, const Declar
   const std::string version = std::to_string(NodeFormat::version);
   if (meta["format"] != version)
     refuse(SQLITE_ERROR, name,
-           "stored in format '" + meta["format"] + "'; this version of foresee reads format " + version);
-  if (meta["root"] != "0")
-    refuse(
-        SQLITE_ERROR, name,
-        "stored as a tree, root " + meta["root"] + "; this version of foresee reads leaves that stand alone");
+           "stored in format '" + meta["format"] + "'; this version of foresee reads format " + version +
+               ". Copy the table with the version that wrote it (CREATE TABLE copy AS SELECT * FROM " +
+               name.table + "), drop it, make it anew and insert the copy");
   if (const std::string columns = describe_columns(declaration); meta["columns"] != columns)
     refuse(SQLITE_CORRUPT_VTAB, name,
            "stored with the columns (" + meta["columns"] + ") but declared with (" + columns + ")");

@@ -5,8 +5,8 @@
 //   <name>_aux(id INTEGER PRIMARY KEY, a0, a1, …)                      only with auxiliary columns
 //   <name>_meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID             see below
 //
-// _meta: `format` version of all this, `columns` as declared, `node_size`, `horizon`, `root` (0: the leaves
-// stand alone), `stamp` (random, rewritten once per write transaction).
+// _meta: `format` version of all this, `columns` as declared, `node_size`, `horizon`, `root` (0: there are no
+// objects), `stamp` (random, rewritten once per write transaction).
 #pragma once
 
 #include <string>

@@ -1,27 +1,28 @@
-// The store behind object_store.h: shadow tables, and before them the changes of a write transaction that are
-// not written yet.
+// The store behind object_store.h: a TPR-tree over the shadow tables, and before it what a write transaction
+// has changed but not written yet.
 //
-//   insert ─► Pending (leaves, moved ids) ─► flush: leaves in order, then the map in key order
-//   read   ─► Pending, else the tables
+//   insert ─► LooseObjects ─► tree over NodeCache (nodes, MapChanges) ─► shadow rows, once a transaction
+//   read   ─► loose, else the cache, else the tables
 //
-// Changes wait in memory until commit, a savepoint, or some MB; reads look there first, so that reading never
-// writes. Flushing before each savepoint makes SQLite's own rollback exact: what it takes back is what was
-// written since, and what was not written is dropped. Nothing read in one transaction is believed in the
-// next: another connection may have written.
+// Changes wait in memory until commit, or until many MB wait. A savepoint is a mark in memory (marks.h): it
+// writes nothing, and going back to it undoes what memory did since, while SQLite takes back what was
+// written. What was read in one transaction is believed in the next only under the same stamp.
 //
-// Auxiliary values are written at once. A change first does everything that may fail (reads leaves, reserves
-// memory, writes auxiliary values) and then what cannot.
+// Auxiliary values are written at once. Every change is one call (store_call.h): all or nothing.
 #pragma once
 
 #include <functional>
 #include <memory>
 #include <optional>
 
+#include "index/tpr_tree/tpr_tree.h"
+#include "storage/loose_objects.h"
+#include "storage/node_cache.h"
 #include "storage/object_store.h"
-#include "storage/pending.h"
-#include "storage/shadow_rows.h"
 
 namespace foresee {
+
+class LeafView;
 
 class Store final : public ObjectStore, public std::enable_shared_from_this<Store> {
  public:
@@ -37,7 +38,8 @@ class Store final : public ObjectStore, public std::enable_shared_from_this<Stor
   std::int64_t next_leaf(std::int64_t after, std::vector<std::int64_t>& ids,
                          std::vector<double>& records) override;
   void result_auxiliary(sqlite3_context* context, std::int64_t id, int column) override;
-  std::int64_t count() override;
+  std::shared_ptr<NodeSource> snapshot() override;
+  double newest_t() override;
 
   std::int64_t next_id() override;
   void insert(std::int64_t id, std::span<const double> record,
@@ -60,59 +62,89 @@ class Store final : public ObjectStore, public std::enable_shared_from_this<Stor
   void rename(const std::string& new_table) override;
   void drop() override;
 
+  // For snapshots.
+  NodeCache& nodes();
+  void give_up(Marks::Handle mark) noexcept { cache_.give_up(mark); }
+
  private:
   class OwnStatements;
+  class Call;
+
+  /// The largest id, known within a write transaction only.
+  struct Largest {
+    bool known = false;
+    bool exact = false;  ///< else no id is larger
+    std::optional<std::int64_t> id = {};
+  };
 
   ShadowRows& rows();
   bool has_auxiliaries() const { return !declaration_.auxiliaries.empty(); }
   [[noreturn]] void damaged(const std::string& what) const;
-  void require_sound(std::int64_t number, std::span<const std::byte> blob) const;
+  template <class Body>
+  auto with_sound_tree(Body body);
+  void believe_only_this_stamp();
 
   // reading (store_read.cpp)
   std::optional<std::int64_t> leaf_of(std::int64_t id);
-  void read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& use);
-  const std::optional<std::int64_t>& largest_id();
+  void read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
+                   const std::function<void(const Node&)>& waiting);
+  bool read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
+                        const std::function<void(const LeafView&)>& use) const;
 
   // writing (store_write.cpp)
-  struct Place {
-    PendingLeaf* leaf;
-    int index;
-  };
   void start_change(std::span<const double> record);
-  PendingLeaf& fetch(std::int64_t number);
-  PendingLeaf& leaf_with_room();
-  Place place_of(std::int64_t id);
-  void take_out(const Place& place, std::int64_t id) noexcept;
-  void put_in(PendingLeaf& leaf, std::int64_t id, const double* record) noexcept;
-  void flush();
-  void forget() noexcept;
+  void take_out(std::int64_t id);
+  void add(std::int64_t id, std::span<const double> record);
+  const Largest& largest();
 
-  // packing (store_pack.cpp)
+  // from memory to the tables (store_flush.cpp)
+  void settle();
+  void load_all_anew();
+  double objects_in_tree();
+  void flush();
+  void collect_stored(std::vector<std::int64_t>& ids, std::vector<double>& records, Interrupt& interrupt);
   void pack(Interrupt& interrupt);
-  void write_packed(const std::vector<std::int64_t>& ids, const std::vector<double>& records,
-                    const std::vector<std::uint32_t>& order);
+
+  // transactions (store_life.cpp)
+  struct Savepoint {
+    int level;
+    Marks::Handle mark;
+    std::size_t map_position;
+    std::shared_ptr<LooseObjects> loose;
+    std::size_t loose_position;
+    Largest largest;
+    std::uint64_t change;
+  };
+  void back_to(const Savepoint& savepoint);
+  void back_to_begin() noexcept;
+  void give_up_savepoints(std::size_t from) noexcept;
+  void end_transaction() noexcept;
+  void note_change() noexcept { ++change_, changed_ = true; }
 
   sqlite3* db_;
   QualifiedName name_;
   Declaration declaration_;
   NodeFormat format_;
   std::unique_ptr<ShadowRows> rows_;
+  NodeCache cache_;
+  std::unique_ptr<TprTree> tree_;
+  std::shared_ptr<LooseObjects> loose_;  ///< shared with savepoints that would take it back
 
   bool in_transaction_;
-  Pending pending_;
-  PendingLeaf* newest_ = nullptr;  ///< among the pending leaves: where new objects go
-  bool stamped_ = false;           ///< this transaction has written its stamp
-  bool half_packed_ = false;       ///< packing failed half-way: only rolling back helps
-  int own_statements_ = 0;         ///< our own writes under way: callbacks that come now are about them
-  bool forget_after_ = false;      ///< … a rollback among them
+  bool writing_ = false;      ///< this transaction has changed something: nobody else can
+  bool stamped_ = false;      ///< … and what is stored now has a stamp of its own
+  bool torn_ = false;         ///< rows were written by a call that then failed: only rolling back helps
+  int own_statements_ = 0;    ///< our own statements under way: callbacks that come now are about them
+  bool rolled_back_ = false;  ///< … SQLite rolled everything back among them
+  std::vector<Savepoint> savepoints_;
+  std::optional<std::int64_t> believed_stamp_;  ///< the cache is as the tables were under this stamp
+  std::optional<std::int64_t> stamp_before_;    ///< … before this transaction
 
-  // Known within a write transaction only.
-  bool largest_known_ = false;
-  bool largest_exact_ = false;  ///< else no id is larger
-  std::optional<std::int64_t> largest_;
+  Largest largest_;
 
   bool changed_ = false;  ///< since version() was last asked
   std::uint64_t changes_ = 0;
+  std::uint64_t change_ = 0;  ///< moves with everything that a savepoint would have to take back
 };
 
 }  // namespace foresee

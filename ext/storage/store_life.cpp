@@ -1,9 +1,10 @@
-// Making, opening, transactions, renaming and dropping.
+// Making, opening, transactions, savepoints, renaming and dropping.
 #include <atomic>
 
 #include "storage/open_stores.h"
 #include "storage/store.h"
-#include "storage/store_own_statements.h"
+#include "storage/store_call.h"
+#include "storage/tree_snapshot.h"
 
 namespace foresee {
 namespace {
@@ -42,65 +43,34 @@ Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const Nod
       declaration_(std::move(declaration)),
       format_(format),
       rows_(std::make_unique<ShadowRows>(db, name_, static_cast<int>(declaration_.auxiliaries.size()))),
-      in_transaction_(is_new) {}
+      cache_(format_, name_),
+      tree_(make_tpr_tree(cache_, declaration_.horizon)),
+      loose_(std::make_shared<LooseObjects>(static_cast<std::size_t>(format_.at.size))),
+      in_transaction_(is_new) {
+  cache_.connect(*rows_);
+}
 
 ShadowRows& Store::rows() {
-  if (half_packed_)
-    throw StoreError(SQLITE_ABORT, name_.table + ": writing the leaves anew failed half-way; roll back");
+  if (torn_) throw StoreError(SQLITE_ABORT, name_.table + ": a write failed half-way; roll back");
   return *rows_;
+}
+
+NodeCache& Store::nodes() {
+  rows();
+  return cache_;
 }
 
 void Store::damaged(const std::string& what) const {
   throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + what);
 }
 
-void Store::begin() {
-  if (in_transaction_) return;
-  forget();
-  in_transaction_ = true;
-}
-
-void Store::sync() {
-  rows();
-  flush();
-}
-
-void Store::commit() {
-  forget();
-  in_transaction_ = false;
-}
-
-void Store::rollback() {
-  forget();
-  in_transaction_ = false;
-  half_packed_ = false;
-  changed_ = false;
-  changes_ = 0;  // with the stamp that is stored again: the contents of that commit
-}
-
-void Store::savepoint(int) {
-  if (own_statements_ > 0) return;
-  rows();
-  flush();
-}
-
-void Store::release(int) {}
-
-void Store::rollback_to(int) {
-  if (own_statements_ > 0) return;
-  forget();
-  half_packed_ = false;
-  changed_ = true;
-}
-
-// What the transaction knew; its changes too.
-void Store::forget() noexcept {
-  stamped_ = false;
-  largest_known_ = false;
-  forget_after_ = own_statements_ > 0;
-  if (forget_after_) return;
-  pending_.clear();
-  newest_ = nullptr;
+// While this connection writes nobody else can. At any other time somebody may have written since.
+void Store::believe_only_this_stamp() {
+  if (writing_) return;
+  const auto stamp = rows().stamp();
+  if (!stamp) damaged("the stamp is missing");
+  if (believed_stamp_ != stamp) cache_.forget_all();
+  believed_stamp_ = stamp;
 }
 
 ContentVersion Store::version() {
@@ -112,20 +82,127 @@ ContentVersion Store::version() {
   return {static_cast<std::uint64_t>(*stamp), changes_};
 }
 
+std::shared_ptr<NodeSource> Store::snapshot() {
+  believe_only_this_stamp();
+  settle();
+  return std::make_shared<TreeSnapshot>(shared_from_this());
+}
+
+// --- transactions
+
+void Store::begin() {
+  if (in_transaction_) return;
+  cache_.begin();
+  in_transaction_ = true;
+}
+
+void Store::sync() {
+  rows();
+  flush();
+}
+
+void Store::end_transaction() noexcept {
+  give_up_savepoints(0);
+  in_transaction_ = writing_ = stamped_ = torn_ = false;
+  largest_ = {};
+  loose_->rewind(0);
+}
+
+void Store::commit() {
+  if (writing_ && !stamped_) believed_stamp_.reset();  // a rollback to a savepoint took the new stamp back
+  cache_.commit();
+  end_transaction();
+}
+
+void Store::rollback() {
+  if (own_statements_ > 0) {
+    rolled_back_ = true;
+    return;
+  }
+  back_to_begin();
+  if (writing_) believed_stamp_ = stamp_before_;
+  end_transaction();
+  changed_ = false;
+  changes_ = 0;  // with the stamp that is stored again: the contents of that commit
+}
+
+void Store::back_to_begin() noexcept {
+  cache_.roll_back();
+  if (!savepoints_.empty()) loose_ = savepoints_.front().loose;
+  loose_->rewind(0);
+  give_up_savepoints(0);
+}
+
+// --- savepoints
+
+void Store::savepoint(int level) {
+  if (own_statements_ > 0) return;
+  rows();
+  // Two virtual tables that share this store are both told.
+  if (!savepoints_.empty() && savepoints_.back().level >= level) return;
+  savepoints_.reserve(savepoints_.size() + 1);
+  savepoints_.push_back(
+      {level, cache_.mark(false), cache_.map_position(), loose_, loose_->position(), largest_, change_});
+}
+
+void Store::give_up_savepoints(std::size_t from) noexcept {
+  while (savepoints_.size() > from) {
+    cache_.give_up(savepoints_.back().mark);
+    savepoints_.pop_back();
+  }
+}
+
+void Store::release(int level) {
+  if (own_statements_ > 0) return;
+  std::size_t kept = 0;
+  while (kept < savepoints_.size() && savepoints_[kept].level < level) ++kept;
+  give_up_savepoints(kept);
+}
+
+void Store::rollback_to(int level) {
+  if (own_statements_ > 0) return;
+  std::size_t first = 0;
+  while (first < savepoints_.size() && savepoints_[first].level < level) ++first;
+  const bool is_marked = first < savepoints_.size() && savepoints_[first].level == level;
+  if (is_marked || first > 0) {
+    if (first < savepoints_.size()) back_to(savepoints_[first]);
+    give_up_savepoints(is_marked ? first + 1 : first);
+    return;
+  }
+  back_to_begin();  // the table joined the transaction after that savepoint
+  note_change();
+  stamped_ = torn_ = false;
+  largest_ = {};
+}
+
+void Store::back_to(const Savepoint& savepoint) {
+  if (savepoint.change == change_ && !torn_) return;
+  torn_ = true;  // until it is done
+  cache_.restore(savepoint.mark, savepoint.map_position);
+  loose_ = savepoint.loose;
+  loose_->rewind(savepoint.loose_position);
+  largest_ = savepoint.largest;
+  stamped_ = torn_ = false;
+  note_change();
+}
+
+// --- the table itself
+
 void Store::rename(const std::string& new_table) {
   flush();
   const OwnStatements own(*this);
   rename_shadow_tables(db_, name_, new_table, declaration_);
   name_.table = new_table;
   rows_ = std::make_unique<ShadowRows>(db_, name_, static_cast<int>(declaration_.auxiliaries.size()));
+  cache_.connect(*rows_);
   remember_open_store(db_, name_, shared_from_this());
 }
 
 void Store::drop() {
   const OwnStatements own(*this);
   drop_shadow_tables(db_, name_, declaration_);
-  pending_.clear();
-  newest_ = nullptr;
+  cache_.forget_all();
+  loose_->rewind(0);
 }
 
 }  // namespace foresee

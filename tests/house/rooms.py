@@ -3,7 +3,7 @@
     python3 rooms.py ext        # prints one line a violation; status 1 if there is any
 
 The order: sqlite -> query -> index -> contact -> motion. A room may include rooms to its right and no others, with
-two doors of their own: storage may include the page interface of index and motion, and only sqlite may include
+two doors of their own: storage may include motion and the page and tree interface of index, and only sqlite may include
 storage. SQLite's headers are for storage and sqlite alone.
 """
 import re
@@ -18,7 +18,8 @@ MAY_INCLUDE = {
     "storage": {"motion"},
     "sqlite": {"query", "index", "contact", "motion", "storage"},
 }
-PAGE_INTERFACE = {"index/pages.h"}  # what the index asks of a place to keep pages; storage supplies it
+# What the index asks of a place to keep pages, which storage supplies; and the tree that it makes of them.
+PAGE_INTERFACE = {"index/pages.h", "index/tpr_tree/tpr_tree.h"}
 SEES_SQLITE = {"storage", "sqlite"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

@@ -132,6 +132,10 @@ inline std::vector<std::pair<std::int64_t, double>> contents(ObjectStore& store)
   return result;
 }
 
+inline std::int64_t count_of(ObjectStore& store) {
+  return static_cast<std::int64_t>(contents(store).size());
+}
+
 /// Expects a StoreError of this code whose message contains `words`.
 template <class Call>
 void expect_store_error(int code, const std::string& words, Call call) {

@@ -16,20 +16,29 @@ NodeFormat format_of(const Layout& layout) {
   return NodeFormat(layout, NodeFormat::node_size_for(layout, 4096));
 }
 
+/// The numbers of an entry that stand for one bound, as index/pages.h orders them.
+std::size_t place(const NodeFormat& format, std::size_t entry, std::size_t bound, std::size_t axis) {
+  const auto axes = static_cast<std::size_t>(format.layout.axes);
+  return entry * static_cast<std::size_t>(entry_size(format.layout.axes)) + 3 + bound * axes + axis;
+}
+enum Bound : std::size_t { lower, upper, v_lower, v_upper, a_lower, a_upper };
+
 // Bounds only where the layout stores them, so that what comes back is what went in.
-InnerNode full_node(const NodeFormat& format) {
-  InnerNode node{.level = 2, .parent = 17, .epoch = 1.6e9, .entries = {}};
+Node full_node(const NodeFormat& format) {
+  Node node{.level = 2, .parent = 17, .epoch = 1.6e9, .keys = {}, .values = {}};
+  const auto stride = static_cast<std::size_t>(entry_size(format.layout.axes));
   for (std::size_t i = 0; i < format.inner_capacity; ++i) {
-    InnerEntry entry{
-        .child = static_cast<std::int64_t>(100 + i), .t_least = -1, .t_greatest = 4, .until_greatest = inf};
+    node.keys.push_back(static_cast<std::int64_t>(100 + i));
+    node.values.resize(node.values.size() + stride);
+    node.values[i * stride] = -1, node.values[i * stride + 1] = 4, node.values[i * stride + 2] = inf;
     for (std::size_t axis = 0; axis < static_cast<std::size_t>(format.layout.axes); ++axis) {
+      const auto at = [&](Bound bound) -> double& { return node.values[place(format, i, bound, axis)]; };
       const double base = static_cast<double>(i * 10 + axis);
-      entry.lower[axis] = base;
-      entry.upper[axis] = axis == 0 ? inf : base + 0.5;
-      if (format.layout.law >= Law::uniform) entry.v_lower[axis] = -base, entry.v_upper[axis] = base + 1;
-      if (format.layout.law >= Law::accelerated) entry.a_lower[axis] = -0.0, entry.a_upper[axis] = 5e-324;
+      at(lower) = base, at(upper) = axis == 0 ? inf : base + 0.5;
+      at(v_lower) = -rest_velocity_pad, at(v_upper) = rest_velocity_pad;
+      if (format.layout.law >= Law::uniform) at(v_lower) = -base, at(v_upper) = base + 1;
+      if (format.layout.law >= Law::accelerated) at(a_lower) = -0.0, at(a_upper) = 5e-324;
     }
-    node.entries.push_back(entry);
   }
   return node;
 }
@@ -38,11 +47,17 @@ TEST(InnerNode, ComesBackAsItWasForEveryLayout) {
   for (int axes = 1; axes <= 3; ++axes)
     for (Law law : {Law::rest, Law::uniform, Law::accelerated, Law::forced}) {
       const NodeFormat format = format_of({.axes = axes, .law = law});
-      const InnerNode node = full_node(format);
+      const Node node = full_node(format);
       const std::vector<std::byte> blob = encode_inner(format, number, node);
       ASSERT_EQ(blob.size(), format.node_size);
       ASSERT_EQ(inner_fault(format, blob, number), nullptr);
-      EXPECT_EQ(decode_inner(format, blob), node);
+      EXPECT_TRUE(is_inner(format, blob, number));
+      const Node back = decode_inner(format, blob);
+      EXPECT_EQ(back.level, node.level);
+      EXPECT_EQ(back.parent, node.parent);
+      EXPECT_EQ(back.epoch, node.epoch);
+      EXPECT_EQ(back.keys, node.keys);
+      EXPECT_EQ(back.values, node.values);
     }
 }
 
@@ -59,27 +74,26 @@ TEST(InnerNode, EveryChangedByteIsAFault) {
 TEST(InnerNode, HostileContentsWithAGoodChecksumAreFaults) {
   const NodeFormat format = format_of({.axes = 2, .law = Law::accelerated});
   const auto fault_after = [&](auto change) -> std::string {
-    InnerNode node = full_node(format);
+    Node node = full_node(format);
     change(node);
     const char* fault = inner_fault(format, encode_inner(format, number, node), number);
     return fault ? fault : "";
   };
-  EXPECT_EQ(fault_after([](InnerNode&) {}), "");
-  EXPECT_EQ(fault_after([](InnerNode& n) { n.level = 0; }), "it is no inner node");
-  EXPECT_EQ(fault_after([](InnerNode& n) { n.entries.clear(); }), "its count is wrong");
-  EXPECT_EQ(fault_after([](InnerNode& n) { n.parent = -1; }), "its parent is no node");
-  EXPECT_EQ(fault_after([](InnerNode& n) { n.epoch = std::nan(""); }), "its epoch is not finite");
-  EXPECT_EQ(fault_after([](InnerNode& n) { n.entries[1].child = 0; }), "a child is no other node");
-  EXPECT_EQ(fault_after([](InnerNode& n) { n.entries[1].child = number; }), "a child is no other node");
-  EXPECT_EQ(fault_after([](InnerNode& n) { n.entries[1].t_least = 5; }), "reference times are out of order");
-  EXPECT_EQ(fault_after([](InnerNode& n) { n.entries[1].t_greatest = inf; }),
-            "reference times are out of order");
-  EXPECT_EQ(fault_after([](InnerNode& n) { n.entries[1].until_greatest = -2; }),
-            "a child ends before it begins");
-  EXPECT_EQ(fault_after([](InnerNode& n) { n.entries[0].lower[1] = 1e9; }), "bounds are out of order");
-  EXPECT_EQ(fault_after([](InnerNode& n) { n.entries[0].v_upper[0] = std::nan(""); }),
-            "bounds are out of order");
-  EXPECT_EQ(fault_after([](InnerNode& n) { n.entries[0].a_lower[0] = 1; }), "bounds are out of order");
+  const auto times = static_cast<std::size_t>(entry_size(2));  // of the second entry
+  EXPECT_EQ(fault_after([](Node&) {}), "");
+  EXPECT_EQ(fault_after([](Node& n) { n.level = 0; }), "it is no inner node");
+  EXPECT_EQ(fault_after([](Node& n) { n.keys.clear(); }), "its count is wrong");
+  EXPECT_EQ(fault_after([](Node& n) { n.parent = -1; }), "its parent is no node");
+  EXPECT_EQ(fault_after([](Node& n) { n.epoch = std::nan(""); }), "its epoch is not finite");
+  EXPECT_EQ(fault_after([](Node& n) { n.keys[1] = 0; }), "a child is no other node");
+  EXPECT_EQ(fault_after([](Node& n) { n.keys[1] = number; }), "a child is no other node");
+  EXPECT_EQ(fault_after([&](Node& n) { n.values[times] = 5; }), "reference times are out of order");
+  EXPECT_EQ(fault_after([&](Node& n) { n.values[times + 1] = inf; }), "reference times are out of order");
+  EXPECT_EQ(fault_after([&](Node& n) { n.values[times + 2] = -2; }), "a child ends before it begins");
+  const std::string unordered = "bounds are out of order";
+  EXPECT_EQ(fault_after([&](Node& n) { n.values[place(format, 0, lower, 1)] = 1e9; }), unordered);
+  EXPECT_EQ(fault_after([&](Node& n) { n.values[place(format, 0, v_upper, 0)] = std::nan(""); }), unordered);
+  EXPECT_EQ(fault_after([&](Node& n) { n.values[place(format, 0, a_lower, 0)] = 1; }), unordered);
 }
 
 TEST(InnerNode, ACountBeyondTheCapacityIsAFault) {

@@ -60,7 +60,7 @@ TEST(Store, ReadsPendingChangesWithoutWritingThem) {
   begin(db, *store);
   for (int id = 1; id <= 100; ++id) store->insert(id, ship(id), {});
   EXPECT_EQ(db.number("SELECT count(*) FROM ships_node"), 0);
-  EXPECT_EQ(store->count(), 100);
+  EXPECT_EQ(count_of(*store), 100);
   EXPECT_EQ(contents(*store).size(), 100u);
   EXPECT_EQ(store->read(42)->at(1), 42);
   commit(db, *store);
@@ -80,7 +80,7 @@ TEST(Store, MergesPendingLeavesIntoTheStoredOnes) {
   store->insert(301, ship(301), {});
   const Contents all = contents(*store);
   EXPECT_EQ(all.size(), 221u);
-  EXPECT_EQ(store->count(), 221);
+  EXPECT_EQ(count_of(*store), 221);
   EXPECT_TRUE(std::ranges::count(all, std::pair<std::int64_t, double>(150, -150)));
   std::vector<std::int64_t> ids, seen;
   std::vector<double> records;
@@ -181,7 +181,7 @@ TEST(Store, AgreesWithAMapThroughRandomChanges) {
       }
       model[id] = mark;
     }
-    ASSERT_EQ(store->count(), static_cast<std::int64_t>(model.size()));
+    ASSERT_EQ(count_of(*store), static_cast<std::int64_t>(model.size()));
     if (random() % 4 == 0) {
       roll_back(db, *store);
       model = before;

@@ -154,7 +154,7 @@ TEST_F(TwoConnections, SeeEachOthersCommitsAndBelieveNothingOld) {
     EXPECT_EQ(mine->next_id(), id);
     mine->insert(id, ship(id), {});
     const ContentVersion before = theirs->version();
-    EXPECT_EQ(theirs->count(), id - 1) << "uncommitted";
+    EXPECT_EQ(count_of(*theirs), id - 1) << "uncommitted";
     commit(writer, *mine);
     EXPECT_NE(theirs->version(), before);
     begin(other, *theirs);
@@ -164,7 +164,7 @@ TEST_F(TwoConnections, SeeEachOthersCommitsAndBelieveNothingOld) {
     commit(other, *theirs);
   }
   EXPECT_EQ(contents(*mine), contents(*theirs));
-  EXPECT_EQ(mine->count(), 200);
+  EXPECT_EQ(count_of(*mine), 200);
   EXPECT_EQ(faults(*mine), std::vector<std::string>{});
 }
 
