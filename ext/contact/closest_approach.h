@@ -3,8 +3,8 @@
 //
 // Moment and distance are the exact ones, each rounded once. As with contact, doubles with error bounds and
 // one step in DoubleDouble answer nearly always; a tie, a distance of exactly 0, numbers near the ends of a
-// double's range or a moment that lies halfway between two doubles go to exact arithmetic. Cost: half a
-// microsecond, some ten of them in exact arithmetic.
+// double's range or a moment that lies halfway between two doubles go to exact arithmetic. Cost: about a
+// microsecond, tens of them in exact arithmetic.
 #pragma once
 
 #include "contact/pair_source.h"

@@ -3,7 +3,7 @@
 // The squared distance is a polynomial of degree at most four. Its least value lies at an end of the moments
 // asked about or where the slope changes from falling to rising; there are never more than two such places.
 // They are compared by exact signs, a tie goes to the earlier, and moment and distance are each rounded once.
-// Cost: some ten microseconds.
+// Cost: tens of microseconds.
 #pragma once
 
 #include "contact/exact_contact.h"
