@@ -5,13 +5,16 @@
 //
 //   join  S-100000: SELECT a, b, t FROM predictive_join(3), all rows stepped, warm; both tables stand ready.
 //   load  S-1000000: as many prepared single-row INSERTs in one transaction, in memory and into a file.
-//         (--quick: 300,000.)
+//         (--quick: 300,000.) Then what the file takes.
+//   update  S-100000 and S-1000000: 100,000 random objects move on by up to half a unit, prepared single-row
+//         UPDATEs in one transaction, into a file. (--quick: S-100000.)
 //
 // Processor time, medians; a ratio is the rival's time over ours in the same repetition. Fails if the two
 // joins differ in a pair or a time.
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <random>
 
 #include "measure.h"
 #include "sql_rival.h"
@@ -96,6 +99,54 @@ bool compare_joins(std::size_t count, int repetitions) {
   return true;
 }
 
+void print_sizes(const std::string& ours, const std::string& theirs, std::size_t count) {
+  const auto per_object = [count](const std::string& path) {
+    return static_cast<double>(std::filesystem::file_size(path)) / static_cast<double>(count);
+  };
+  std::printf("%-24s foresee %7.1f   rival %7.1f bytes an object\n", "file", per_object(ours),
+              per_object(theirs));
+}
+
+void compare_updates(std::size_t count, int repetitions) {
+  constexpr int updates = 100000;
+  const Workload w = make_workload("S-" + std::to_string(count));
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  const std::string ours = folder / "foresee-bench-ours.db", theirs = folder / "foresee-bench-rival.db";
+  for (const std::string& path : {ours, theirs}) std::filesystem::remove(path);
+  {
+    Database our_db(ours), rival_db(theirs);
+    create_ours(our_db);
+    load_ours(our_db, w);
+    Rival rival(rival_db, w);
+    rival.load();
+    Statement move(our_db, "UPDATE ships SET x = ?, y = ? WHERE id = ?");
+    Statement object(rival_db, Rival::move_object_sql), box(rival_db, Rival::move_box_sql);
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> by(-0.5, 0.5);
+    const auto in_one_transaction = [&](Database& db, auto one) {
+      return seconds_of([&] {
+        db.run("BEGIN");
+        for (int i = 0; i < updates; ++i) one(random() % w.count, by(random), by(random));
+        db.run("COMMIT");
+      });
+    };
+    Comparison comparison;
+    for (int i = 0; i < repetitions; ++i) {
+      const double our_seconds = in_one_transaction(our_db, [&](std::size_t row, double dx, double dy) {
+        move.bind(1, w.bodies().row(row)[0] + dx);
+        move.bind(2, w.bodies().row(row)[1] + dy);
+        move.bind(3, static_cast<std::int64_t>(row + 1));
+        move.step();
+      });
+      comparison.add(our_seconds, in_one_transaction(rival_db, [&](std::size_t row, double dx, double dy) {
+                       rival.move(object, box, row, dx, dy);
+                     }));
+    }
+    comparison.print(("update " + w.name).c_str(), updates, 4);
+  }
+  for (const std::string& path : {ours, theirs}) std::filesystem::remove(path);
+}
+
 void compare_loads(std::size_t count, int repetitions, bool into_file) {
   const Workload w = make_workload("S-" + std::to_string(count));
   const std::filesystem::path folder = std::filesystem::temp_directory_path();
@@ -110,10 +161,11 @@ void compare_loads(std::size_t count, int repetitions, bool into_file) {
     Rival rival(rival_db, w);
     const double our_seconds = seconds_of([&] { load_ours(our_db, w); });
     comparison.add(our_seconds, seconds_of([&] { rival.load(); }));
+    if (into_file && i == 0) print_sizes(ours, theirs, w.count);
     for (const std::string& path : {ours, theirs})
       if (into_file) std::filesystem::remove(path);
   }
-  comparison.print(("load " + w.name + (into_file ? ", file" : ", memory")).c_str(), count, 3);
+  comparison.print(("load " + w.name + (into_file ? ", file" : ", memory")).c_str(), count, 6);
 }
 
 int main_of(bool quick) {
@@ -122,6 +174,8 @@ int main_of(bool quick) {
     return 1;
   }
   for (bool into_file : {false, true}) compare_loads(quick ? 300000 : 1000000, quick ? 1 : 3, into_file);
+  compare_updates(100000, quick ? 1 : 5);
+  if (!quick) compare_updates(1000000, 3);
   return 0;
 }
 

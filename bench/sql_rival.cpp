@@ -35,6 +35,22 @@ void Rival::load() {
   db_.run("COMMIT");
 }
 
+void Rival::move(Statement& object, Statement& box, std::size_t row, double dx, double dy) {
+  const auto id = static_cast<std::int64_t>(row + 1);
+  const double* position = workload_.bodies().row(row);
+  object.bind(1, position[0] + dx);
+  object.bind(2, position[1] + dy);
+  object.bind(3, id);
+  object.step();
+  const Box<2>& swept = boxes_[row];
+  box.bind(1, swept.lower[0] + dx);
+  box.bind(2, swept.upper[0] + dx);
+  box.bind(3, swept.lower[1] + dy);
+  box.bind(4, swept.upper[1] + dy);
+  box.bind(5, id);
+  box.step();
+}
+
 // LIMIT -1 keeps SQLite from flattening the subquery, which would call the function twice for every hit.
 const char* Rival::join_sql() {
   return "SELECT a, b, t FROM (SELECT p.id AS a, q.id AS b,"

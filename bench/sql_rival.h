@@ -23,6 +23,11 @@ class Rival {
   /// Single-row INSERTs into both tables, in one transaction. The swept boxes are ready.
   void load();
 
+  /// The object of this row, moved on by (dx, dy), in both tables.
+  void move(Statement& object, Statement& box, std::size_t row, double dx, double dy);
+  static constexpr const char* move_object_sql = "UPDATE base SET x = ?, y = ? WHERE id = ?";
+  static constexpr const char* move_box_sql = "UPDATE boxes SET x0 = ?, x1 = ?, y0 = ?, y1 = ? WHERE id = ?";
+
   /// Rows (a, b, t) of the self-join over the workload's horizon.
   static const char* join_sql();
 

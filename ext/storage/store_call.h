@@ -15,7 +15,7 @@ class Store::OwnStatements {
     ++store_.own_statements_;
   }
   ~OwnStatements() {
-    sqlite3_set_last_insert_rowid(store_.db_, rowid_);
+    if (sqlite3_last_insert_rowid(store_.db_) != rowid_) sqlite3_set_last_insert_rowid(store_.db_, rowid_);
     if (--store_.own_statements_ > 0 || !store_.rolled_back_) return;
     store_.rolled_back_ = false;
     store_.rollback();
@@ -55,7 +55,6 @@ class Store::Call {
 
  private:
   OwnStatements own_;
-  FloatEnvironment environment_;  // bounds are rounded outward
   Store& store_;
   std::shared_ptr<LooseObjects> loose_;
   std::size_t loose_position_;
@@ -63,9 +62,11 @@ class Store::Call {
   bool done_ = false;
 };
 
-/// Whatever nodes say about one another in vain becomes the table's error.
+/// Work of the tree, which rounds its bounds outward. Where nodes contradict one another it is the table's
+/// error.
 template <class Body>
 auto Store::with_sound_tree(Body body) {
+  const FloatEnvironment environment;
   try {
     return body();
   } catch (const BrokenTree& error) {

@@ -162,7 +162,8 @@ double Store::newest_t() {
 std::vector<std::string> Store::check(Interrupt& interrupt) {
   flush();
   cache_.forget_clean();
-  return check_tables(rows(), cache_, format_, name_, has_auxiliaries(), interrupt);
+  return with_sound_tree(
+      [&] { return check_tables(rows(), cache_, format_, name_, has_auxiliaries(), interrupt); });
 }
 
 }  // namespace foresee

@@ -1,0 +1,143 @@
+// Nodes that are sound one by one, checksum and all, and contradict one another: integrity-check names each,
+// and 'rebuild' mends whatever the leaves do not suffer from.
+#include <algorithm>
+
+#include "storage/database.h"
+#include "storage/inner_node.h"
+#include "storage/leaf_node.h"
+
+namespace foresee {
+namespace {
+
+class TreeDamage : public ::testing::Test {
+ protected:
+  TreeDamage() : format(ships().layout, 4032), store(make_store(db)) {
+    begin(db, *store);
+    for (int id = 1; id <= 3000; ++id) store->insert(id, ship(id), {});
+    commit(db, *store);
+    root = db.number("SELECT value FROM ships_meta WHERE key = 'root'");
+  }
+
+  Node node(std::int64_t number) {
+    Statement select(db, "SELECT data FROM ships_node WHERE nodeno = ?");
+    Statement::Run run(select);
+    run.bind(1, number);
+    EXPECT_TRUE(run.step());
+    const auto blob = run.blob(0);
+    return blob[NodeFormat::level_at] == std::byte{0} ? decode_leaf(format, blob)
+                                                      : decode_inner(format, blob);
+  }
+  void write(std::int64_t number, const Node& node) {
+    const auto blob = node.is_leaf() ? encode_leaf(format, number, node) : encode_inner(format, number, node);
+    Statement insert(db, "INSERT OR REPLACE INTO ships_node VALUES(?, ?)");
+    Statement::Run run(insert);
+    run.bind(1, number);
+    run.bind(2, std::span<const std::byte>(blob));
+    run.step();
+  }
+  template <class Change>
+  void change(std::int64_t number, Change change_node) {
+    Node changed = node(number);
+    change_node(changed);
+    write(number, changed);
+  }
+  /// integrity-check says so; rebuild makes it good, and nothing is lost.
+  void expect_found_and_mended(const std::string& words) {
+    db.run("UPDATE ships_meta SET value = random() WHERE key = 'stamp'");
+    const std::vector<std::string> found = faults(*store);
+    EXPECT_TRUE(std::ranges::any_of(
+        found, [&](const std::string& fault) { return fault.find(words) != std::string::npos; }))
+        << words << ", found: " << (found.empty() ? "nothing" : found.front());
+    begin(db, *store);
+    expect_store_error(SQLITE_CORRUPT_VTAB, "", [&] { store->optimize(never); });
+    store->rebuild(never);
+    commit(db, *store);
+    EXPECT_EQ(faults(*store), std::vector<std::string>{});
+    EXPECT_EQ(contents(*store).size(), 3000u);
+  }
+
+  NeverInterrupt never;
+  Database db;
+  NodeFormat format;
+  std::shared_ptr<ObjectStore> store;
+  std::int64_t root = 0;
+};
+
+TEST_F(TreeDamage, BoundsThatDoNotContainWhatIsBeneath) {
+  constexpr std::size_t first_bound = 3;
+  for (const std::size_t bound : {0, 2, 4, 6}) {  // lower x, upper x, lower vx, upper vx
+    change(root, [&](Node& n) {
+      n.values[first_bound + bound] = n.values[first_bound + bound] + (bound % 4 == 0 ? 0.1 : -0.1);
+      const std::size_t other = first_bound + (bound ^ 2);
+      if (bound % 4 == 0) n.values[other] = std::max(n.values[other], n.values[first_bound + bound]);
+      if (bound % 4 != 0) n.values[other] = std::min(n.values[other], n.values[first_bound + bound]);
+    });
+    expect_found_and_mended("which an entry above does not contain");
+    root = db.number("SELECT value FROM ships_meta WHERE key = 'root'");
+  }
+}
+
+TEST_F(TreeDamage, TimesThatDoNotContainWhatIsBeneath) {
+  change(root, [](Node& n) { n.values[0] = 100.5, n.values[1] = 101; });
+  expect_found_and_mended("has another greatest t than its entry");
+  root = db.number("SELECT value FROM ships_meta WHERE key = 'root'");
+  change(root, [](Node& n) { n.values[2] = 1000; });
+  expect_found_and_mended("which an entry above does not contain");
+}
+
+TEST_F(TreeDamage, AParentThatIsNotTheParent) {
+  change(1, [](Node& n) { n.parent = 2; });
+  expect_found_and_mended("node 1: names a parent that is not its own");
+}
+
+TEST_F(TreeDamage, AChildReachedTwice) {
+  change(root, [](Node& n) { n.keys[1] = n.keys[0]; });
+  expect_found_and_mended("is reached twice");
+}
+
+TEST_F(TreeDamage, AChildThatIsMissing) {
+  change(root, [](Node& n) { n.keys[1] = 4444; });
+  expect_found_and_mended("node 4444 is missing");
+}
+
+TEST_F(TreeDamage, AChildOfTheWrongLevel) {
+  change(root, [&](Node& n) { n.level += 1; });
+  expect_found_and_mended("has level");
+}
+
+TEST_F(TreeDamage, ANodeThatNoWayLeadsTo) {
+  change(node(root).keys[0], [](Node& n) {
+    n.keys.pop_back();
+    n.values.resize(n.values.size() - static_cast<std::size_t>(entry_size(2)));
+  });
+  expect_found_and_mended("nodes that are not part of the tree");
+}
+
+TEST_F(TreeDamage, ARootThatIsNotTheRoot) {
+  for (const char* other : {"0", "1", "777777"}) {
+    db.run(std::string("UPDATE ships_meta SET value = ") + other + " WHERE key = 'root'");
+    expect_found_and_mended("");
+  }
+  for (const char* other : {"-1", "'text'", "NULL"}) {
+    db.run(std::string("UPDATE ships_meta SET value = ") + other + " WHERE key = 'root'");
+    expect_found_and_mended("the root is no node");
+  }
+}
+
+TEST_F(TreeDamage, ReadersAndWritersGetAnErrorAndChangeNothing) {
+  change(root, [](Node& n) { std::fill(n.keys.begin(), n.keys.end(), 4444); });
+  db.run("UPDATE ships_meta SET value = random() WHERE key = 'stamp'");
+  const auto before = contents(*store);
+  begin(db, *store);
+  for (int id = 1; id <= 3000; id += 100)
+    expect_store_error(SQLITE_CORRUPT_VTAB, "ships: ", [&] { store->update(id, id, ship(-9e9), {}); });
+  EXPECT_EQ(contents(*store), before);
+  store->insert(9000, ship(1), {});
+  expect_store_error(SQLITE_CORRUPT_VTAB, "ships: node 4444 is missing", [&] { store->snapshot(); });
+  expect_store_error(SQLITE_CORRUPT_VTAB, "ships: node 4444 is missing", [&] { store->sync(); });
+  roll_back(db, *store);
+  EXPECT_EQ(contents(*store), before);
+}
+
+}  // namespace
+}  // namespace foresee
