@@ -122,12 +122,19 @@ TEST_F(Faults, AFullDatabaseLosesTheTransactionAndNothingElse) {
   }
 }
 
+/// Much of it in few objects.
+Declaration boxes() {
+  return {
+      .layout = {.axes = 3, .law = Law::accelerated, .shape = Shape::box, .has_t = true, .has_until = true}};
+}
+
+std::vector<double> box(double x) {
+  return {0, x, 1, 2, 0, 0, 0, 0, 0, 0, 1, 1, 1, 9};
+}
+
 TEST(Memory, MoreThanMayWaitIsWrittenEarlyAndStillRollsBack) {
   Database db;
-  auto store = make_store(
-      db, {.layout = {
-               .axes = 3, .law = Law::accelerated, .shape = Shape::box, .has_t = true, .has_until = true}});
-  const auto box = [](double x) { return std::vector<double>{0, x, 1, 2, 0, 0, 0, 0, 0, 0, 1, 1, 1, 9}; };
+  auto store = make_store(db, boxes());
   begin(db, *store);
   for (int id = 1; id <= 100; ++id) store->insert(id, box(id), {});
   commit(db, *store);
@@ -145,6 +152,30 @@ TEST(Memory, MoreThanMayWaitIsWrittenEarlyAndStillRollsBack) {
   EXPECT_EQ(faults(*store), std::vector<std::string>{});
   roll_back(db, *store);
   EXPECT_EQ(store->read(7)->at(1), 7);
+  EXPECT_EQ(faults(*store), std::vector<std::string>{});
+}
+
+TEST(Memory, ALoadThatFailsAfterItsFirstRowsAreWrittenCanOnlyBeRolledBack) {
+  Database db;
+  auto store = make_store(db, boxes());
+  begin(db, *store);
+  for (int id = 1; id <= 100; ++id) store->insert(id, box(id), {});
+  commit(db, *store);
+  const auto before = contents(*store);
+  db.run(
+      "CREATE TRIGGER stop BEFORE INSERT ON ships_node WHEN new.nodeno = 9 BEGIN SELECT raise(ABORT, "
+      "'stopped'); END");
+  begin(db, *store);
+  for (int id = 101; id <= 700'000; ++id) store->insert(id, box(id), {});
+  expect_store_error(SQLITE_CONSTRAINT, "stopped", [&] { store->snapshot(); });
+  const std::string words = "ships: a write failed half-way; roll back";
+  expect_store_error(SQLITE_ABORT, words, [&] { store->snapshot(); });
+  expect_store_error(SQLITE_ABORT, words, [&] { store->read(2); });
+  expect_store_error(SQLITE_ABORT, words, [&] { store->insert(-1, box(1), {}); });
+  expect_store_error(SQLITE_ABORT, words, [&] { store->savepoint(0); });
+  expect_store_error(SQLITE_ABORT, words, [&] { store->sync(); });
+  roll_back(db, *store);
+  EXPECT_EQ(contents(*store), before);
   EXPECT_EQ(faults(*store), std::vector<std::string>{});
 }
 
