@@ -39,7 +39,7 @@ Wide Wide::of(bool negative, Uint128 bits, std::uint64_t error, int exponent) {
   }
   int shift = bits == 0 ? 127 : leading_zeros(bits);
   if (error != 0) shift = std::min(shift, std::countl_zero(error) - (64 - most_error_bits));
-  w.bits_ = bits << shift, w.error_ = error << shift;
+  w.bits_ = bits << shift, w.error_ = error == 0 ? 0 : error << shift;
   w.exponent_ = exponent - shift;
   w.negative_ = negative;
   return w;
