@@ -24,8 +24,8 @@ namespace foresee {
 
 class NodeCache final : public Pages {
  public:
-  static constexpr std::size_t most_memory = 64 << 20;  ///< bytes of nodes that are kept, roughly
-  static constexpr std::size_t most_dirty = 64 << 20;   ///< … that wait to be written
+  static constexpr std::size_t most_memory = 128 << 20;  ///< bytes of nodes that are kept, roughly
+  static constexpr std::size_t most_dirty = 80 << 20;    ///< … that wait to be written
 
   /// `name` is what messages call the table; it must outlive the cache.
   NodeCache(const NodeFormat& format, const QualifiedName& name) : format_(format), name_(name) {}
