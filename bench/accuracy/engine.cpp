@@ -63,7 +63,7 @@ class Stages {
 
   template <class T>
   auto sizes(std::size_t i) const {
-    return Kind::template sizes<T>(raw_sizes_of<T, 3>(setup_, a(i), b(i)), T{}, T{});
+    return Kind::template sizes<T>(raw_sizes_of<T, 3>(setup_, a(i), b(i)), setup_);
   }
   const double* a(std::size_t i) const { return setup_.a.row(i); }
   const double* b(std::size_t i) const { return setup_.b.row(i); }

@@ -15,8 +15,8 @@ struct BallBall {
   };
 
   template <class T>
-  static Sizes<T> sizes(const RawSizes<T, D>& raw, const T& within, const T&) {
-    return {raw.radius + within};
+  static Sizes<T> sizes(const RawSizes<T, D>& raw, const Setup& setup) {
+    return {raw.radius + Exactly<T>::number(setup.within)};
   }
 
   template <class T, class Visitor>

@@ -16,10 +16,10 @@ struct BoxBall {
   };
 
   template <class T>
-  static Sizes<T> sizes(const RawSizes<T, D>& raw, const T& within, const T&) {
+  static Sizes<T> sizes(const RawSizes<T, D>& raw, const Setup& setup) {
     Sizes<T> s;
     std::copy_n(raw.half, D, s.half);
-    s.radius = raw.radius + within;
+    s.radius = raw.radius + Exactly<T>::number(setup.within);
     return s;
   }
 

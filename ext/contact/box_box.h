@@ -15,9 +15,9 @@ struct BoxBox {
   };
 
   template <class T>
-  static Sizes<T> sizes(const RawSizes<T, D>& raw, const T& within, const T&) {
+  static Sizes<T> sizes(const RawSizes<T, D>& raw, const Setup& setup) {
     Sizes<T> s;
-    for (int j = 0; j < D; ++j) s.half[j] = raw.half[j] + within;
+    for (int j = 0; j < D; ++j) s.half[j] = raw.half[j] + Exactly<T>::number(setup.within);
     if constexpr (D == 1) s.half[0] = s.half[0] + raw.radius;  // a ball in one dimension is an interval
     return s;
   }

@@ -1,12 +1,13 @@
 // Signs that hold for certain, over a stretch of time, from double arithmetic.
 //
 // Every primitive of contact is a polynomial p with p <= 0 meaning "inside": a slab |x| <= H (two of them), a
-// disc or ball |x|^2 <= R^2. Seen from a moment, apart(...) answers for how long the primitive is certainly
-// not met, within(...) for how long it certainly is; -1 where the sign at the moment itself is in doubt.
-// Where only that sign is asked for, now_apart(...) and now_within(...) save the square roots. Only values at
-// one moment and their error bounds are used: roots are never trusted, only stayed short of.
+// window's face x >= B or x <= B, a disc or ball |x|^2 <= R^2. Seen from a moment, apart(...) answers for how
+// long the primitive is certainly not met, within(...) for how long it certainly is; -1 where the sign at the
+// moment itself is in doubt. Where only that sign is asked for, now_apart(...) and now_within(...) save the
+// square roots. Only values at one moment and their error bounds are used: roots are never trusted, only
+// stayed short of.
 //
-// Sizes (H, R, offsets) are sums of at most four non-negative doubles: within 4u of the exact sum.
+// Sizes (H, R, B, offsets) are sums of at most four numbers of one sign: within 4u of the exact sum.
 #pragma once
 
 #include <array>
@@ -62,6 +63,36 @@ inline double slab_within(const AxisView& w, double half) {
   const double until_high = positive_for(below, -w.q - w.eq, -w.a - w.ea);
   const double until_low = positive_for(above, w.q - w.eq, w.a - w.ea);
   return until_high < until_low ? until_high : until_low;
+}
+
+/// One face of a window: inside is x >= bound (lower) or x <= bound (upper).
+enum class Face : std::uint8_t { lower, upper };
+
+/// How far outside the face, and how much that can be off.
+inline double face_gap(const AxisView& w, Face which, double bound) {
+  return which == Face::upper ? w.p - bound : bound - w.p;
+}
+
+inline bool face_now_apart(const AxisView& w, Face which, double bound) {
+  return face_gap(w, which, bound) - slab_error(w, std::abs(bound)) > 0;
+}
+
+inline bool face_now_within(const AxisView& w, Face which, double bound) {
+  return -face_gap(w, which, bound) - slab_error(w, std::abs(bound)) > 0;
+}
+
+inline double face_apart(const AxisView& w, Face which, double bound) {
+  const double side = which == Face::upper ? 1 : -1;
+  const double p0 = face_gap(w, which, bound) - slab_error(w, std::abs(bound));
+  if (!(p0 > 0)) return not_certain;
+  return positive_for(p0, side * w.q - w.eq, side * w.a - w.ea);
+}
+
+inline double face_within(const AxisView& w, Face which, double bound) {
+  const double side = which == Face::upper ? -1 : 1;
+  const double p0 = -face_gap(w, which, bound) - slab_error(w, std::abs(bound));
+  if (!(p0 > 0)) return not_certain;
+  return positive_for(p0, side * w.q - w.eq, side * w.a - w.ea);
 }
 
 /// f(s) = |x + q s + a s^2|^2 - R^2 seen from a moment: f + f1 s + c2 s^2 + c3 s^3 + c4 s^4, with error

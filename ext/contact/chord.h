@@ -46,7 +46,16 @@ class ChordVisitor {
     if (b.none()) return a;
     return {a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
   }
+  Spell always() const { return asked_; }
   Spell slab(int axis, double half) const { return around(axis, 0, half); }
+  Spell face(int axis, Face which, double bound) const {
+    const double width = std::abs(bound) * 0x1p-40 + room_[axis];
+    if (!(width < 0x1p1000)) return asked_;
+    const double steep = 1 / slope_[axis];
+    const double crossing = (bound + (which == Face::upper ? width : -width) - at_[axis]) * steep;
+    if ((which == Face::upper) == (steep > 0)) return all(asked_, {-for_ever, crossing});
+    return all(asked_, {crossing, for_ever});
+  }
   template <std::size_t N>
   Spell ball(const std::array<Centre<double>, N>& centre, double radius) const {
     Spell spell = asked_;

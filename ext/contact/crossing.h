@@ -107,6 +107,23 @@ class CrossingVisitor {
                         width_);
   }
 
+  Instant always() const { return always_inside(); }
+
+  Instant face(int axis, Face which, DoubleDouble bound) const {
+    const AxisView& w = view_[axis];
+    const double size = std::abs(bound.high);
+    const double gap = face_gap(w, which, bound.high),
+                 moved = width_ * (std::abs(w.q) + w.eq + width_ * (std::abs(w.a) + w.ea));
+    const double certain = slab_error(w, size) + 2 * moved;
+    if (gap < -certain || face_within(w, which, bound.high) > width_) return always_inside();
+    if (gap > certain || face_apart(w, which, bound.high) > width_) return always_outside();
+    const DoubleDouble beyond = place(axis) - bound;
+    const bool upper = which == Face::upper;
+    return root_of<way>(
+        {upper ? beyond : -beyond, fine(w.ep, w.p, size), upper ? w.q : -w.q, w.eq, std::abs(w.a) + w.ea},
+        now_, base_, width_);
+  }
+
   template <std::size_t N>
   Instant ball(const std::array<Centre<DoubleDouble>, N>& centre, DoubleDouble radius) const {
     std::array<Centre<double>, N> rough;

@@ -16,8 +16,10 @@ struct CylinderBox {
   };
 
   template <class T>
-  static Sizes<T> sizes(const RawSizes<T, 3>& raw, const T& within, const T& within_z) {
-    return {{raw.half[0], raw.half[1]}, raw.radius + within, raw.half[2] + raw.height + within_z};
+  static Sizes<T> sizes(const RawSizes<T, 3>& raw, const Setup& setup) {
+    return {{raw.half[0], raw.half[1]},
+            raw.radius + Exactly<T>::number(setup.within),
+            raw.half[2] + raw.height + Exactly<T>::number(setup.within_z)};
   }
 
   template <class T, class Visitor>

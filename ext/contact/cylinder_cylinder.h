@@ -14,8 +14,8 @@ struct CylinderCylinder {
   };
 
   template <class T>
-  static Sizes<T> sizes(const RawSizes<T, 3>& raw, const T& within, const T& within_z) {
-    return {raw.radius + within, raw.height + within_z};
+  static Sizes<T> sizes(const RawSizes<T, 3>& raw, const Setup& setup) {
+    return {raw.radius + Exactly<T>::number(setup.within), raw.height + Exactly<T>::number(setup.within_z)};
   }
 
   template <class T, class Visitor>

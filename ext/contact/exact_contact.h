@@ -58,8 +58,7 @@ class PairPolynomials final : public PolynomialSource {
  private:
   template <class T>
   auto sizes() const {
-    return Kind::template sizes<T>(raw_sizes_of<T, Kind::axes>(setup_, row_a_, row_b_), T{setup_.within},
-                                   T{setup_.within_z});
+    return Kind::template sizes<T>(raw_sizes_of<T, Kind::axes>(setup_, row_a_, row_b_), setup_);
   }
 
   const Setup& setup_;

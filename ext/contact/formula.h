@@ -1,9 +1,10 @@
 // The contact set of a pair as polynomials: a union of pieces, in each of which every polynomial is at most
 // 0.
 //
-// A slab |x| <= H is two polynomials, a disc or ball one. "any" joins unions, "all" crosses them. A disc or
-// ball of an accelerated pair is preceded by the slabs around it: they change no set, but their roots are
-// quadratic, and mostly they leave little or nothing of the time in which those of a quartic must be sought.
+// A slab |x| <= H is two polynomials, a window's face one, a disc or ball one; what always holds is -1 <= 0.
+// "any" joins unions, "all" crosses them. A disc or ball of an accelerated pair is preceded by the slabs
+// around it: they change no set, but their roots are quadratic, and mostly they leave little or nothing of
+// the time in which those of a quartic must be sought.
 #pragma once
 
 #include <array>
@@ -46,6 +47,19 @@ std::array<T, 5> slab_polynomial(const Course<T, D>& course, const Centre<T>& ce
   return {-x - half, -v, -a, T{}, T{}};
 }
 
+/// x - bound <= 0 (upper) or bound - x <= 0 (lower)
+template <class T, int D>
+std::array<T, 5> face_polynomial(const Course<T, D>& course, int axis, Face which, const T& bound) {
+  const T &x = course.x[axis], &v = course.v[axis], &a = course.a[axis];
+  if (which == Face::upper) return {x - bound, v, a, T{}, T{}};
+  return {bound - x, -v, -a, T{}, T{}};
+}
+
+template <class T>
+std::array<T, 5> below_zero() {
+  return {T{-1.0}, T{}, T{}, T{}, T{}};
+}
+
 template <class T, int D, std::size_t N>
 std::array<T, 5> ball_polynomial(const Course<T, D>& course, const std::array<Centre<T>, N>& centre,
                                  const T& radius) {
@@ -85,6 +99,11 @@ class PiecesVisitor {
     return joined;
   }
 
+  Pieces always() { return one_curve(below_zero<Wide>()); }
+  Pieces face(int axis, Face which, const Wide& bound) {
+    return one_curve(face_polynomial(course_, axis, which, bound));
+  }
+
   Pieces slab(int axis, const Wide& half) {
     Pieces pieces = one_piece();
     add_slab(pieces.list[0].curves, {axis, Wide()}, half);
@@ -117,6 +136,12 @@ class PiecesVisitor {
     Pieces pieces;
     pieces.list[0] = {};
     pieces.count = 1;
+    return pieces;
+  }
+
+  Pieces one_curve(const std::array<Wide, 5>& polynomial) {
+    Pieces pieces = one_piece();
+    pieces.list[0].curves.add(add(polynomial));
     return pieces;
   }
 
@@ -158,6 +183,10 @@ class PolynomialVisitor {
   Nothing all(Nothing, Nothing) const { return {}; }
   Nothing any(Nothing, Nothing) const { return {}; }
 
+  Nothing always() { return asked(below_zero<Dyadic>()); }
+  Nothing face(int axis, Face which, const Dyadic& bound) {
+    return asked(face_polynomial(course_, axis, which, bound));
+  }
   Nothing slab(int axis, const Dyadic& half) { return slab_around({axis, Dyadic()}, half); }
   template <std::size_t N>
   Nothing ball(const std::array<Centre<Dyadic>, N>& centre, const Dyadic& radius) {
@@ -167,6 +196,10 @@ class PolynomialVisitor {
   }
 
  private:
+  Nothing asked(const std::array<Dyadic, 5>& polynomial) {
+    if (calls_++ == number_) polynomial_ = Polynomial(polynomial);
+    return {};
+  }
   Nothing slab_around(const Centre<Dyadic>& centre, const Dyadic& half) {
     for (int side : {1, -1})
       if (calls_++ == number_) polynomial_ = Polynomial(slab_polynomial(course_, centre, half, side));

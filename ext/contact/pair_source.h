@@ -13,13 +13,16 @@
 
 namespace foresee {
 
+struct WindowFaces;
+
 /// Two tables and a question; `within` is the limit in x and y (or along all axes), `within_z` the one along
-/// z.
+/// z. Where the first table is a window, `window` says where its faces are.
 struct Setup {
   Bodies a, b;
   Horizon horizon;
   double within = 0;
   double within_z = 0;
+  const WindowFaces* window = nullptr;
 };
 
 inline double value_or(const double* row, int place, double otherwise) {

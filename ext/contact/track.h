@@ -24,7 +24,9 @@ struct ApartVisitor {
 
   double all(double a, double b) const { return a > b ? a : b; }
   double any(double a, double b) const { return a < b ? a : b; }
+  double always() const { return not_certain; }
   double slab(int axis, double half) const { return slab_apart(view[axis], half); }
+  double face(int axis, Face which, double bound) const { return face_apart(view[axis], which, bound); }
   template <std::size_t N>
   double ball(const std::array<Centre<double>, N>& centre, double radius) const {
     return ball_apart<Degree>(ball_view<Degree>(view, centre, radius, underflow), room);
@@ -39,7 +41,9 @@ struct WithinVisitor {
 
   double all(double a, double b) const { return a < b ? a : b; }
   double any(double a, double b) const { return a > b ? a : b; }
+  double always() const { return for_ever; }
   double slab(int axis, double half) const { return slab_within(view[axis], half); }
+  double face(int axis, Face which, double bound) const { return face_within(view[axis], which, bound); }
   template <std::size_t N>
   double ball(const std::array<Centre<double>, N>& centre, double radius) const {
     return ball_within<Degree>(ball_view<Degree>(view, centre, radius, underflow), room);
@@ -54,7 +58,11 @@ struct NowWithinVisitor {
 
   double all(double a, double b) const { return a < b ? a : b; }
   double any(double a, double b) const { return a > b ? a : b; }
+  double always() const { return 0; }
   double slab(int axis, double half) const { return slab_now_within(view[axis], half) ? 0 : not_certain; }
+  double face(int axis, Face which, double bound) const {
+    return face_now_within(view[axis], which, bound) ? 0 : not_certain;
+  }
   template <std::size_t N>
   double ball(const std::array<Centre<double>, N>& centre, double radius) const {
     return ball_now_within(ball_view<Degree>(view, centre, radius, underflow)) ? 0 : not_certain;
@@ -68,7 +76,11 @@ struct NowApartVisitor {
 
   double all(double a, double b) const { return a > b ? a : b; }
   double any(double a, double b) const { return a < b ? a : b; }
+  double always() const { return not_certain; }
   double slab(int axis, double half) const { return slab_now_apart(view[axis], half) ? 0 : not_certain; }
+  double face(int axis, Face which, double bound) const {
+    return face_now_apart(view[axis], which, bound) ? 0 : not_certain;
+  }
   template <std::size_t N>
   double ball(const std::array<Centre<double>, N>& centre, double radius) const {
     return ball_now_apart(ball_view<Degree>(view, centre, radius, underflow)) ? 0 : not_certain;
@@ -89,8 +101,7 @@ class Track {
 
   Track(const Setup& setup, const double* row_a, const double* row_b, const Moments& moments)
       : relative_(relative_of<D, Degree>(setup, row_a, row_b)),
-        sizes_(Kind::template sizes<double>(raw_sizes_of<double, D>(setup, row_a, row_b), setup.within,
-                                            setup.within_z)) {
+        sizes_(Kind::template sizes<double>(raw_sizes_of<double, D>(setup, row_a, row_b), setup)) {
     constexpr double u = unit_roundoff;
     const double begin = moments.dt_begin, end = moments.dt_end;
     begin_ = moments.begin_exact ? begin : begin * (1 - 2 * u);

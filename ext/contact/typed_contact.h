@@ -110,8 +110,7 @@ class TypedContact final : public Contact {
 
   template <class T>
   auto sizes(const double* row_a, const double* row_b) const {
-    return Kind::template sizes<T>(raw_sizes_of<T, D>(setup_, row_a, row_b),
-                                   Exactly<T>::number(setup_.within), Exactly<T>::number(setup_.within_z));
+    return Kind::template sizes<T>(raw_sizes_of<T, D>(setup_, row_a, row_b), setup_);
   }
 
   Setup setup_;

@@ -2,17 +2,24 @@
 
 #include <charconv>
 #include <cmath>
-#include <string>
 
 #include "motion/error.h"
 
 namespace foresee {
 namespace {
 
-[[noreturn]] void reject(const char* name, const char* kind, double value) {
+std::string written(double value) {
   char digits[32];
-  const std::string written(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
-  throw Error(std::string(name) + " must be " + kind + ", not " + written);
+  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
+}
+
+[[noreturn]] void reject(const char* name, const char* kind, double value) {
+  throw Error(std::string(name) + " must be " + kind + ", not " + written(value));
+}
+
+std::string axes_in_words(const Searched& objects) {
+  const char* axes[] = {"1 axis (x)", "2 axes (x, y)", "3 axes (x, y, z)"};
+  return objects.name + " has " + axes[objects.layout().axes - 1];
 }
 
 }  // namespace
@@ -23,6 +30,28 @@ void check_not_negative(const char* name, double value) {
 
 void check_finite(const char* name, double value) {
   if (!std::isfinite(value)) reject(name, "a finite number", value);
+}
+
+void check_lower_bound(const char* name, double value) {
+  if (!(value < HUGE_VAL)) reject(name, "a finite number, or left out for no bound", value);
+}
+
+void check_upper_bound(const char* name, double value) {
+  if (!(value > -HUGE_VAL)) reject(name, "a finite number, or left out for no bound", value);
+}
+
+void check_order(const char* lower_name, double lower, const char* upper_name, double upper) {
+  if (lower <= upper) return;
+  throw Error(std::string(lower_name) + " must not be greater than " + upper_name + ": " + lower_name +
+              " is " + written(lower) + ", " + upper_name + " is " + written(upper));
+}
+
+void reject_axis(const Searched& objects, const std::string& given) {
+  throw Error(axes_in_words(objects) + ": leave out " + given);
+}
+
+void reject_missing(const Searched& objects, const std::string& coordinate) {
+  throw Error(axes_in_words(objects) + ": " + coordinate + " is missing; give one number for each axis");
 }
 
 }  // namespace foresee

@@ -1,0 +1,160 @@
+#include "query/nearest.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <tuple>
+
+#include "contact/closest_approach.h"
+#include "contact/window_contact.h"
+#include "index/tpr_tree/nearest_walk.h"
+#include "motion/float_environment.h"
+#include "query/checks.h"
+
+namespace foresee {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// The best k so far.
+class Best {
+ public:
+  explicit Best(std::int64_t k) : k_(static_cast<std::uint64_t>(k)) {}
+
+  void offer(const NearestRow& row) {
+    if (rows_.size() == k_) {
+      if (!before(row, rows_.front())) return;
+      std::pop_heap(rows_.begin(), rows_.end(), before);
+      rows_.pop_back();
+    }
+    rows_.push_back(row);
+    std::push_heap(rows_.begin(), rows_.end(), before);
+  }
+
+  /// Whatever is farther than this has no place. One double more than the last distance: what rounds to it
+  /// may still come before it by its id.
+  double reach() const {
+    return rows_.size() == k_ ? std::nextafter(rows_.front().distance, infinity) : infinity;
+  }
+
+  std::vector<NearestRow> ranked() && {
+    std::sort_heap(rows_.begin(), rows_.end(), before);
+    return std::move(rows_);
+  }
+
+ private:
+  static bool before(const NearestRow& a, const NearestRow& b) {
+    return std::tie(a.distance, a.id) < std::tie(b.distance, b.id);
+  }
+
+  std::uint64_t k_;
+  std::vector<NearestRow> rows_;  ///< a heap with the worst on top
+};
+
+template <int D>
+class Search {
+ public:
+  Search(const NearestQuestion& question, Interrupt& interrupt)
+      : interrupt_(interrupt),
+        horizon_{question.now, question.h},
+        best_(question.k),
+        point_(faces_of(question), D, question.now) {
+    setup_.a = point_.bodies();
+    setup_.horizon = horizon_;
+  }
+
+  std::vector<NearestRow> in_scene(const Scene& scene) && {
+    const Bodies bodies = scene.bodies();
+    setup_.b = bodies;
+    const MovingBox<D> question = moving_window<D>(place(), place(), velocity(), horizon_);
+    for (std::size_t i = 0; i < bodies.count; ++i) {
+      if (i % 256 == 0) interrupt_.check();
+      const MovingBox<D> box =
+          moving_box<D>(motion_of<D>(bodies, i), Vec<D>::Zero(), horizon_, Vec<D>::Zero());
+      if (box.span.is_empty() || least_distance(box, question, box.span) > best_.reach()) continue;
+      offer(scene.ids[i], bodies.row(i));
+    }
+    return std::move(best_).ranked();
+  }
+
+  std::vector<NearestRow> in_tree(NodeSource& tree) && {
+    setup_.b = Bodies(tree.layout(), nullptr, 0);
+    const auto record_size = static_cast<std::size_t>(record_offsets(tree.layout()).size);
+    std::vector<double> row(static_cast<std::size_t>(setup_.b.at.size));
+    NearestWalk<D> walk(tree, place(), velocity(), horizon_, interrupt_);
+    for (LeafHits hits; walk.next(best_.reach(), hits);)
+      for (const std::uint32_t slot : hits.slots) {
+        row_from_record(tree.layout(), hits.leaf->values.data() + slot * record_size, row.data());
+        offer(hits.leaf->keys[slot], row.data());
+      }
+    return std::move(best_).ranked();
+  }
+
+ private:
+  static WindowFaces faces_of(const NearestQuestion& question) {
+    WindowFaces faces{.velocity = question.velocity};
+    for (std::size_t axis = 0; axis < D; ++axis)
+      faces.lower[axis] = faces.upper[axis] = *question.point[axis];
+    return faces;
+  }
+  Vec<D> place() const { return Eigen::Map<const Vec<D>>(point_.faces().lower.data()); }
+  Vec<D> velocity() const { return Eigen::Map<const Vec<D>>(point_.faces().velocity.data()); }
+
+  void offer(std::int64_t id, const double* row) {
+    const double* from = point_.bodies().row(0);
+    if (moments_of(setup_, from, row).none) return;
+    const ClosestApproach near = closest_approach_of<D>(setup_, from, row);
+    best_.offer({id, near.d, near.t, near.dt});
+  }
+
+  Interrupt& interrupt_;
+  Horizon horizon_;
+  Best best_;
+  MovingWindow point_;
+  Setup setup_;
+};
+
+template <int D>
+std::vector<NearestRow> search(const NearestQuestion& question, Interrupt& interrupt) {
+  Search<D> search(question, interrupt);
+  const Searched& objects = question.objects;
+  return objects.scene ? std::move(search).in_scene(*objects.scene)
+                       : std::move(search).in_tree(*objects.tree);
+}
+
+void check(const NearestQuestion& question) {
+  check_not_negative("h", question.h);
+  check_finite("now", question.now);
+  if (question.k < 1) throw Error("k must be a whole number >= 1, not " + std::to_string(question.k));
+  const int axes = question.objects.layout().axes;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto j = static_cast<std::size_t>(axis);
+    const std::string letter(1, "xyz"[axis]);
+    const auto& at = question.point[j];
+    if (axis < axes) {
+      if (!at) reject_missing(question.objects, letter);
+      check_finite(letter.c_str(), *at);
+      check_finite(("qv" + letter).c_str(), question.velocity[j]);
+    } else {
+      if (at) reject_axis(question.objects, letter);
+      if (question.velocity[j] != 0) reject_axis(question.objects, "qv" + letter);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<NearestRow> nearest(const NearestQuestion& question, Interrupt& interrupt) {
+  const FloatEnvironment environment;
+  check(question);
+  switch (question.objects.layout().axes) {
+    case 1:
+      return search<1>(question, interrupt);
+    case 2:
+      return search<2>(question, interrupt);
+    default:
+      return search<3>(question, interrupt);
+  }
+}
+
+}  // namespace foresee

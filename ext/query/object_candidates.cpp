@@ -1,0 +1,110 @@
+#include "query/object_candidates.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "index/tpr_tree/window_walk.h"
+#include "motion/float_environment.h"
+
+namespace foresee {
+namespace {
+
+constexpr std::uint32_t batch_size = 256;
+
+class AllOfScene final : public ObjectCandidates {
+ public:
+  AllOfScene(std::shared_ptr<const Scene> scene, Interrupt& interrupt)
+      : scene_(std::move(scene)), bodies_(scene_->bodies()), interrupt_(interrupt) {}
+
+  const Bodies& bodies() const override { return bodies_; }
+  std::int64_t id(std::uint32_t row) const override { return scene_->ids[row]; }
+
+  bool next(std::vector<std::uint32_t>& rows) override {
+    interrupt_.check();
+    const auto count = static_cast<std::uint32_t>(scene_->size());
+    rows.resize(std::min(batch_size, count - next_));
+    std::iota(rows.begin(), rows.end(), next_);
+    next_ += static_cast<std::uint32_t>(rows.size());
+    return !rows.empty();
+  }
+
+ private:
+  std::shared_ptr<const Scene> scene_;
+  Bodies bodies_;
+  Interrupt& interrupt_;
+  std::uint32_t next_ = 0;
+};
+
+template <int D>
+Vec<D> vector_of(const std::array<double, 3>& values) {
+  return Eigen::Map<const Vec<D>>(values.data());
+}
+
+/// Leaf by leaf; the rows of a batch are decoded into one buffer.
+template <int D>
+class WindowOfTree final : public ObjectCandidates {
+ public:
+  WindowOfTree(std::shared_ptr<NodeSource> tree, const WindowFaces& faces, const Horizon& horizon,
+               Interrupt& interrupt)
+      : tree_(std::move(tree)),
+        walk_(*tree_,
+              moving_window<D>(vector_of<D>(faces.lower), vector_of<D>(faces.upper),
+                               vector_of<D>(faces.velocity), horizon),
+              horizon, Vec<D>::Zero(), interrupt) {
+    const Layout& layout = tree_->layout();
+    record_size_ = static_cast<std::size_t>(record_offsets(layout).size);
+    rows_.resize(batch_size * static_cast<std::size_t>(row_offsets(layout).size));
+    ids_.resize(batch_size);
+    bodies_ = Bodies(layout, rows_.data(), batch_size);
+  }
+
+  const Bodies& bodies() const override { return bodies_; }
+  std::int64_t id(std::uint32_t row) const override { return ids_[row]; }
+
+  bool next(std::vector<std::uint32_t>& rows) override {
+    const FloatEnvironment environment;
+    rows.clear();
+    while (rows.size() < batch_size) {
+      if (slot_ == hits_.slots.size()) {
+        slot_ = 0;
+        if (!walk_.next(hits_)) break;
+      }
+      rows.push_back(static_cast<std::uint32_t>(rows.size()));
+      take(hits_.slots[slot_++], rows.back());
+    }
+    return !rows.empty();
+  }
+
+ private:
+  void take(std::uint32_t slot, std::uint32_t row) {
+    ids_[row] = hits_.leaf->keys[slot];
+    row_from_record(bodies_.layout, hits_.leaf->values.data() + slot * record_size_,
+                    rows_.data() + row * static_cast<std::size_t>(bodies_.at.size));
+  }
+
+  std::shared_ptr<NodeSource> tree_;
+  WindowWalk<D> walk_;
+  LeafHits hits_;
+  std::size_t slot_ = 0, record_size_;
+  std::vector<double> rows_;
+  std::vector<std::int64_t> ids_;
+  Bodies bodies_;
+};
+
+}  // namespace
+
+std::unique_ptr<ObjectCandidates> window_candidates(const Searched& objects, const WindowFaces& faces,
+                                                    const Horizon& horizon, Interrupt& interrupt) {
+  const FloatEnvironment environment;
+  if (objects.scene) return std::make_unique<AllOfScene>(objects.scene, interrupt);
+  switch (objects.layout().axes) {
+    case 1:
+      return std::make_unique<WindowOfTree<1>>(objects.tree, faces, horizon, interrupt);
+    case 2:
+      return std::make_unique<WindowOfTree<2>>(objects.tree, faces, horizon, interrupt);
+    default:
+      return std::make_unique<WindowOfTree<3>>(objects.tree, faces, horizon, interrupt);
+  }
+}
+
+}  // namespace foresee

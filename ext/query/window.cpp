@@ -1,0 +1,75 @@
+#include "query/window.h"
+
+#include <limits>
+#include <utility>
+
+#include "motion/float_environment.h"
+#include "query/checks.h"
+
+namespace foresee {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+void check_axis(const WindowFaces& faces, int axis) {
+  const auto j = static_cast<std::size_t>(axis);
+  const std::string letter(1, "xyz"[axis]);
+  check_lower_bound((letter + "0").c_str(), faces.lower[j]);
+  check_upper_bound((letter + "1").c_str(), faces.upper[j]);
+  check_order((letter + "0").c_str(), faces.lower[j], (letter + "1").c_str(), faces.upper[j]);
+  check_finite(("wv" + letter).c_str(), faces.velocity[j]);
+}
+
+/// What the objects do not have must be left out.
+void check_no_axis(const WindowQuestion& question, int axis) {
+  const auto j = static_cast<std::size_t>(axis);
+  const std::string letter(1, "xyz"[axis]);
+  const WindowFaces& faces = question.faces;
+  const std::string given = faces.lower[j] != -infinity  ? letter + "0"
+                            : faces.upper[j] != infinity ? letter + "1"
+                            : faces.velocity[j] != 0     ? "wv" + letter
+                                                         : "";
+  if (!given.empty()) reject_axis(question.objects, given);
+}
+
+WindowQuestion checked(WindowQuestion question) {
+  check_not_negative("h", question.h);
+  check_finite("now", question.now);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (axis < question.objects.layout().axes)
+      check_axis(question.faces, axis);
+    else
+      check_no_axis(question, axis);
+  }
+  return question;
+}
+
+}  // namespace
+
+Window::Window(WindowQuestion question, Interrupt& interrupt)
+    : question_(checked(std::move(question))),
+      interrupt_(interrupt),
+      window_(question_.faces, question_.objects.layout().axes, question_.now),
+      candidates_(
+          window_candidates(question_.objects, question_.faces, {question_.now, question_.h}, interrupt)),
+      contact_(make_window_contact(window_, candidates_->bodies(), {question_.now, question_.h})) {}
+
+std::span<const WindowRow> Window::next() {
+  const FloatEnvironment environment;
+  rows_.clear();
+  std::vector<std::uint32_t> batch;
+  while (rows_.empty() && candidates_->next(batch)) {
+    interrupt_.check();
+    pairs_.clear(), hits_.clear();
+    for (const std::uint32_t row : batch) pairs_.push_back({0, row});
+    contact_->decide(pairs_, hits_);
+    times_.resize(hits_.size());
+    const WindowWants& wants = question_.wants;
+    if (wants.begins || wants.ends)
+      contact_->times(hits_, times_, wants.ends ? TimesWanted::both : TimesWanted::begins);
+    for (std::size_t i = 0; i < hits_.size(); ++i) rows_.push_back({candidates_->id(hits_[i].b), times_[i]});
+  }
+  return rows_;
+}
+
+}  // namespace foresee

@@ -1,0 +1,62 @@
+// Which objects touch a moving window, and when? predictive_window as a library call.
+//
+//   Window window({.objects = {"ships", scene, nullptr}, .now = 600, .h = 300,
+//                  .faces = {.lower = {0, 0, -infinity}, .upper = {100, 100, infinity}}}, interrupt);
+//   while (auto rows = window.next(); !rows.empty())
+//     for (const WindowRow& row : rows) use(row.id, row.contact.t);
+//
+// Guarantee: every object whose shape touches the closed window at a moment of [now, now + h] at which it
+// exists comes exactly once, whatever is searched; decision and times are exact (contact/window_contact.h).
+// Rows come in no particular order. Times are computed only where `wants` asks for them. Cost: a tree reads
+// the nodes that can meet the window; a scene is looked at whole. Memory: some hundred rows.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/window_contact.h"
+#include "motion/error.h"
+#include "query/object_candidates.h"
+
+namespace foresee {
+
+struct WindowWants {
+  bool begins = true;  ///< t, dt
+  bool ends = true;    ///< t_end, dt_end
+};
+
+struct WindowQuestion {
+  Searched objects;
+  double now = 0;
+  double h = 0;
+  WindowFaces faces = {};  ///< infinite: no bound
+  WindowWants wants = {};
+};
+
+struct WindowRow {
+  std::int64_t id;
+  ContactTimes contact;
+};
+
+class Window {
+ public:
+  /// Throws Error for a wrong question: h negative or not finite; now or a velocity not finite; a lower bound
+  /// above its upper one; a bound or velocity on an axis that the objects do not have. `interrupt` must
+  /// outlive the window.
+  Window(WindowQuestion question, Interrupt& interrupt);
+
+  /// The next rows, some hundreds at most; empty once there are none left. Valid until the next call.
+  std::span<const WindowRow> next();
+
+ private:
+  WindowQuestion question_;
+  Interrupt& interrupt_;
+  MovingWindow window_;
+  std::unique_ptr<ObjectCandidates> candidates_;
+  std::unique_ptr<Contact> contact_;
+  std::vector<Pair> pairs_, hits_;
+  std::vector<ContactTimes> times_;
+  std::vector<WindowRow> rows_;
+};
+
+}  // namespace foresee
