@@ -47,6 +47,12 @@ double Call::required_number(int input) const {
   throw Error(name + " is missing: write " + usage(function_));
 }
 
+std::int64_t Call::required_integer(int input) const {
+  const double number = required_number(input);
+  if (!(std::abs(number) < two_to_63 && std::trunc(number) == number)) reject(input, "a whole number");
+  return static_cast<std::int64_t>(number);
+}
+
 std::optional<std::string> Call::text(int input) const {
   sqlite3_value* value = inputs_[static_cast<std::size_t>(input)];
   if (!value) return std::nullopt;

@@ -47,6 +47,7 @@ class Call {
 
   std::optional<double> number(int input) const;
   double required_number(int input) const;
+  std::int64_t required_integer(int input) const;
   std::optional<std::string> text(int input) const;
 
   bool reads(int output) const { return (outputs_read_ >> output & 1) != 0; }

@@ -51,6 +51,8 @@ const TableFunction& predictive_explain() {
                                          .inputs = join_inputs(),
                                          .key = "stage",
                                          .hinted = 0,
+                                         .cost = 1e6,
+                                         .rows = 10,
                                          .start = start};
   return function;
 }

@@ -73,6 +73,8 @@ const TableFunction& predictive_join() {
       .inputs = join_inputs(),
       .key = "a, b",
       .hinted = 1u << out_a | 1u << out_b | 1u << out_dt,
+      .cost = 1e6,
+      .rows = 1e5,
       .start = start};
   return function;
 }

@@ -50,6 +50,8 @@ const TableFunction& predictive_position() {
       .inputs = {"at", "tbl", "schema"},
       .key = "id",
       .hinted = 0,
+      .cost = 1e6,
+      .rows = 1e5,
       .start = start};
   return function;
 }

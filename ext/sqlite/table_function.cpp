@@ -127,11 +127,11 @@ void take(Plan& plan, const FunctionTable& table, const sqlite3_index_info& info
   info.aConstraintUsage[i].omit = is_input;
 }
 
-/// A call looks at every object once whatever is asked; all pairs' rows come on top. Without its first input
+/// A join or position looks at every object once whatever is asked. Without its first input
 /// a call fails, so any other plan is better; but to plan `a = 42 OR b = 42` SQLite shows one side of the OR
 /// alone and adds the inputs only when it runs the plan.
-void estimate(const Plan& plan, sqlite3_index_info& info) {
-  double cost = 1e6, rows = 1e5;
+void estimate(const TableFunction& function, const Plan& plan, sqlite3_index_info& info) {
+  double cost = function.cost, rows = function.rows;
   if (plan.equalities > 0) cost = 1e5, rows = plan.equalities > 1 ? 1 : 10;
   if (plan.inequalities > 0) rows = std::max(1.0, rows / 4);
   if (!(plan.inputs_given & 1) && plan.equalities == 0) cost = 1e50;
@@ -149,7 +149,7 @@ int function_best_index(sqlite3_vtab* vtab, sqlite3_index_info* info) noexcept {
     info->idxStr = sqlite3_mprintf("%s", plan.arguments.c_str());
     if (!info->idxStr) return SQLITE_NOMEM;
     info->needToFreeIdxStr = 1;
-    estimate(plan, *info);
+    estimate(table.function(), plan, *info);
     return SQLITE_OK;
   });
 }

@@ -6,6 +6,8 @@
 //       .inputs = {"at", "tbl"},                // hidden columns, in call order; the first one is required
 //       .key = "id",
 //       .hinted = 0,
+//       .cost = 1e6,
+//       .rows = 1e5,
 //       .start = [](const Call& call) -> std::unique_ptr<Rows> { … }};
 //
 // All functions are read-only, need no CREATE, and may be used in views and triggers that nobody vouches for.
@@ -40,6 +42,8 @@ struct TableFunction {
   std::vector<const char*> inputs;   ///< names
   const char* key;                   ///< the outputs that tell the rows of one call apart
   std::uint32_t hinted;              ///< bit set: constraints on these outputs make the call cheaper
+  double cost;                       ///< of a call, in the planner's unit: about one row looked at
+  double rows;                       ///< how many rows a call gives, roughly
   std::unique_ptr<Rows> (*start)(const Call& call);
 };
 

@@ -5,7 +5,8 @@
 namespace foresee {
 
 int register_table_functions(sqlite3* db, const std::shared_ptr<Connection>& connection) {
-  for (const TableFunction* function : {&predictive_join(), &predictive_explain(), &predictive_position()})
+  for (const TableFunction* function : {&predictive_join(), &predictive_explain(), &predictive_window(),
+                                        &predictive_nearest(), &predictive_position()})
     if (const int rc = register_table_function(db, *function, connection); rc != SQLITE_OK) return rc;
   return SQLITE_OK;
 }

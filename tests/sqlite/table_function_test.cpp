@@ -44,6 +44,8 @@ const TableFunction countdown = {.name = "countdown",
                                  .inputs = {"start", "step", "label"},
                                  .key = "n",
                                  .hinted = 0b11,
+                                 .cost = 1e6,
+                                 .rows = 1e5,
                                  .start = [](const Call& call) -> std::unique_ptr<Rows> {
                                    ++seen.calls;
                                    seen.reads_half = call.reads(1);
