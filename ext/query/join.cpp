@@ -13,9 +13,10 @@ namespace foresee {
 JoinMethod join_method(std::string_view name) {
   if (name == "auto") return JoinMethod::automatic;
   if (name == "grid") return JoinMethod::grid;
+  if (name == "tree") return JoinMethod::tree;
   if (name == "scan") return JoinMethod::scan;
   if (name == "gpcd") return JoinMethod::gpcd;
-  throw Error("method must be 'auto', 'grid', 'scan' or 'gpcd', not '" + std::string(name) + "'");
+  throw Error("method must be 'auto', 'grid', 'tree', 'scan' or 'gpcd', not '" + std::string(name) + "'");
 }
 
 const char* name_of(JoinMethod method) {
@@ -24,6 +25,8 @@ const char* name_of(JoinMethod method) {
       return "auto";
     case JoinMethod::grid:
       return "grid";
+    case JoinMethod::tree:
+      return "tree";
     case JoinMethod::scan:
       return "scan";
     case JoinMethod::gpcd:

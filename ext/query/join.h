@@ -24,7 +24,7 @@
 
 namespace foresee {
 
-enum class JoinMethod : std::uint8_t { automatic, grid, scan, gpcd };
+enum class JoinMethod : std::uint8_t { automatic, grid, tree, scan, gpcd };
 
 /// Throws Error for an unknown name, listing the known ones.
 JoinMethod join_method(std::string_view name);
@@ -43,7 +43,7 @@ struct JoinQuestion {
   double h = 0;
   double within = 0;
   std::optional<double> within_z = {};
-  JoinMethod method = JoinMethod::automatic;
+  JoinMethod method = JoinMethod::automatic;  ///< tree: both scenes have an outline
   std::optional<std::int64_t> only_a = {};  ///< only pairs whose column a has this id: linear in the objects
   std::optional<std::int64_t> only_b = {};
   bool skip_touching = false;  ///< leave out pairs that touch at `now` already: dt = 0

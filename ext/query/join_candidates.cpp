@@ -6,6 +6,7 @@
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "index/one_with_all.h"
 #include "index/paper_grid/paper_candidates.h"
+#include "index/tpr_tree/tree_join.h"
 #include "motion/float_environment.h"
 #include "query/join_question.h"
 
@@ -33,10 +34,21 @@ std::unique_ptr<Candidates> scan(const Scene& a, const Scene* b, Interrupt& inte
 }
 
 template <int D>
-std::unique_ptr<Candidates> grid(const JoinQuestion& question, const Contact::Reach& reach,
-                                 Interrupt& interrupt) {
+std::unique_ptr<Candidates> tree(const JoinQuestion& question, const Vec<D>& margin, Interrupt& interrupt) {
+  const Horizon horizon{question.now, question.h};
+  const Scene& a = *question.a;
+  if (!question.b) return make_tree_join<D>(a.bodies(), a.outline.value(), horizon, margin, interrupt);
+  const Scene& b = *question.b;
+  return make_tree_join<D>(a.bodies(), a.outline.value(), b.bodies(), b.outline.value(), horizon, margin,
+                           interrupt);
+}
+
+template <int D>
+std::unique_ptr<Candidates> by_index(const JoinQuestion& question, const Contact::Reach& reach,
+                                     Interrupt& interrupt) {
   const Horizon horizon{question.now, question.h};
   const Vec<D> margin = margin_of<D>(reach);
+  if (question.method == JoinMethod::tree) return tree<D>(question, margin, interrupt);
   if (question.method == JoinMethod::gpcd) {
     const Scene& b = question.b ? *question.b : *question.a;
     return make_paper_candidates<D>(question.a->bodies(), b.bodies(), question.b != nullptr, horizon, margin,
@@ -48,15 +60,15 @@ std::unique_ptr<Candidates> grid(const JoinQuestion& question, const Contact::Re
   return make_gpcd_grid<D>(boxes_a, boxes_b, interrupt);
 }
 
-std::unique_ptr<Candidates> grid_of_axes(const JoinQuestion& question, const Contact::Reach& reach,
-                                         Interrupt& interrupt) {
+std::unique_ptr<Candidates> by_index_of_axes(const JoinQuestion& question, const Contact::Reach& reach,
+                                             Interrupt& interrupt) {
   switch (question.a->layout.axes) {
     case 1:
-      return grid<1>(question, reach, interrupt);
+      return by_index<1>(question, reach, interrupt);
     case 2:
-      return grid<2>(question, reach, interrupt);
+      return by_index<2>(question, reach, interrupt);
     default:
-      return grid<3>(question, reach, interrupt);
+      return by_index<3>(question, reach, interrupt);
   }
 }
 
@@ -78,7 +90,7 @@ std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, const 
   if (question.only_a) return one_row(a, *question.only_a, Side::a, b.size(), interrupt);
   if (question.only_b) return one_row(b, *question.only_b, Side::b, a.size(), interrupt);
   if (choose_method(question).method == JoinMethod::scan) return scan(a, question.b.get(), interrupt);
-  return grid_of_axes(question, reach, interrupt);
+  return by_index_of_axes(question, reach, interrupt);
 }
 
 }  // namespace foresee

@@ -6,9 +6,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "index/tpr_tree/tree_join.h"
 #include "motion/bodies.h"
 
 namespace foresee {
@@ -17,7 +19,8 @@ struct Scene {
   std::string name;  ///< what messages call it
   Layout layout;
   std::vector<std::int64_t> ids;
-  std::vector<double> rows;  ///< ids.size() rows of row_offsets(layout).size doubles
+  std::vector<double> rows;                 ///< ids.size() rows of row_offsets(layout).size doubles
+  std::optional<TreeOutline> outline = {};  ///< where a join by the tree is asked: rows are in leaf order
 
   std::size_t size() const { return ids.size(); }
   Bodies bodies() const { return {layout, rows.data(), ids.size()}; }

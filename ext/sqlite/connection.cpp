@@ -30,16 +30,24 @@ const Connection::OpenTable* Connection::find(std::int64_t number) const {
   return open == tables_.end() ? nullptr : &open->second;
 }
 
-std::shared_ptr<const Scene> Connection::scene(const OpenTable& table) {
+std::shared_ptr<const Scene> Connection::scene(const OpenTable& table, bool outlined) {
   const ContentVersion version = table.store->version();
   const auto cached = scenes_.find(table.store);
-  if (cached != scenes_.end() && cached->second.version == version) return cached->second.scene;
+  if (cached != scenes_.end() && cached->second.version == version &&
+      (!outlined || cached->second.scene->outline))
+    return cached->second.scene;
   if (cached != scenes_.end()) scenes_.erase(cached);  // before the next one is decoded: memory holds one
   auto scene = std::make_shared<Scene>();
   scene->name = table.table;
   scene->layout = table.store->declaration().layout;
   const FloatEnvironment environment;  // accelerations are computed on loading
-  table.store->load(scene->ids, scene->rows, interrupt_);
+  if (outlined) {
+    TreeScene tree = read_tree(*table.store->snapshot(), interrupt_);
+    scene->ids = std::move(tree.ids), scene->rows = std::move(tree.rows);
+    scene->outline = std::move(tree.outline);
+  } else {
+    table.store->load(scene->ids, scene->rows, interrupt_);
+  }
   scenes_[table.store] = {version, scene};
   return scene;
 }

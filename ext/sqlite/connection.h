@@ -40,13 +40,17 @@ class Connection {
   const OpenTable* find(std::int64_t number) const;
 
   /// The table's contents as they are now, decoded at most once per version.
-  std::shared_ptr<const Scene> scene(const OpenTable& table);
+  std::shared_ptr<const Scene> scene(const OpenTable& table) { return scene(table, false); }
+  /// The same with the outline of its tree.
+  std::shared_ptr<const Scene> scene_with_outline(const OpenTable& table) { return scene(table, true); }
 
  private:
   struct CachedScene {
     ContentVersion version;
     std::shared_ptr<const Scene> scene;
   };
+
+  std::shared_ptr<const Scene> scene(const OpenTable& table, bool outlined);
 
   sqlite3* db_;
   StatementInterrupt interrupt_;

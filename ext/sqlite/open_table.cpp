@@ -54,14 +54,13 @@ void explain(sqlite3* db, const std::string& table, const std::optional<std::str
 }
 
 /// Null if the table that SQLite finds is none of ours.
-std::optional<OpenScene> ask(Connection& connection, const std::string& table, const std::string& from) {
+const Connection::OpenTable* ask(Connection& connection, const std::string& table, const std::string& from) {
   const char* t = table.c_str();
   Select select(connection.db(), "SELECT \"%w\" FROM %s\"%w\" WHERE \"%w\" MATCH 'foresee-handle'", t,
                 from.c_str(), t, t);
   const auto number = select.step() ? select.integer(0) : std::nullopt;
   const Connection::OpenTable* open = number ? connection.find(*number) : nullptr;
-  if (!open || !same_name(open->table, table)) return std::nullopt;
-  return OpenScene{*number, connection.scene(*open)};
+  return open && same_name(open->table, table) ? open : nullptr;
 }
 
 std::string quoted_schema(const std::string& schema) {
@@ -72,11 +71,11 @@ std::string quoted_schema(const std::string& schema) {
 
 }  // namespace
 
-OpenScene open_scene(Connection& connection, const AskedTable& asked) {
+const Connection::OpenTable& open_table(Connection& connection, const AskedTable& asked) {
   const AskedTable name = asked.table ? asked : only_table(connection.db(), asked.schema);
   try {
-    auto scene = ask(connection, *name.table, name.schema ? quoted_schema(*name.schema) : "");
-    if (scene) return *std::move(scene);
+    const std::string from = name.schema ? quoted_schema(*name.schema) : "";
+    if (const auto* open = ask(connection, *name.table, from)) return *open;
   } catch (const StoreError& error) {
     if ((error.code & 0xff) == SQLITE_ERROR) explain(connection.db(), *name.table, name.schema);
     throw;

@@ -1,25 +1,23 @@
-// Which table is meant, and what does it hold right now?
+// Which table is meant?
 //
-//   OpenScene ships = open_scene(connection, {.table = call.text(input_tbl), .schema = {}});
+//   const auto& ships = open_table(connection, {.table = call.text(input_tbl), .schema = {}});
+//   connection.scene(ships);  ships.store->snapshot();         // all of it, or its tree
 //
 // A name resolves as SQLite resolves it (temp, main, attached) unless a schema is given; without a name the
 // connection must see exactly one moving_objects table. SQLite itself looks the name up, connects the table
-// and begins to read that database: open_scene runs
+// and begins to read that database: open_table runs
 //
 //   SELECT "ships" FROM "ships" WHERE "ships" MATCH 'foresee-handle'
 //
-// which the table answers with the number under which it announced itself. The scene is a snapshot and that
-// statement is closed before open_scene returns, so the table can be written under a running call;
+// which the table answers with the number under which it announced itself. Scenes and trees are snapshots and
+// that statement is closed before open_table returns, so the table can be written under a running call;
 // against other connections SQLite keeps its read lock until the statement that calls ends, as for any
 // reader.
 #pragma once
 
-#include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 
-#include "query/scene.h"
 #include "sqlite/connection.h"
 
 namespace foresee {
@@ -29,12 +27,8 @@ struct AskedTable {
   std::optional<std::string> schema;
 };
 
-struct OpenScene {
-  std::int64_t number;  ///< equal for equal tables
-  std::shared_ptr<const Scene> scene;
-};
-
-/// Throws Error where no such table is to be found or where the choice is not clear; it lists what there is.
-OpenScene open_scene(Connection& connection, const AskedTable& name);
+/// Equal tables have equal stores. Throws Error where no such table is to be found or where the choice is not
+/// clear; it lists what there is.
+const Connection::OpenTable& open_table(Connection& connection, const AskedTable& name);
 
 }  // namespace foresee

@@ -53,9 +53,7 @@ class JoinRows final : public Rows {
 };
 
 std::unique_ptr<Rows> start(const Call& call) {
-  JoinQuestion question = read_join_inputs(call);
-  question.only_a = call.only(out_a);
-  question.only_b = call.only(out_b);
+  JoinQuestion question = read_join_inputs(call, {call.only(out_a), call.only(out_b)});
   question.skip_touching = call.only_positive(out_dt);
   question.wants.ends = call.reads(out_t_end) || call.reads(out_dt_end);
   question.wants.contact = question.wants.ends || call.reads(out_t) || call.reads(out_dt);

@@ -6,11 +6,17 @@ namespace foresee {
 
 SearchedTable searched_table(const Call& call, const SearchInputs& inputs) {
   const std::string method = call.text(inputs.method).value_or("auto");
-  if (method != "auto" && method != "scan")
-    throw Error("method must be 'auto' or 'scan', not '" + method + "'");
+  if (method != "auto" && method != "tree" && method != "scan")
+    throw Error("method must be 'auto', 'tree' or 'scan', not '" + method + "'");
   const auto now = call.number(inputs.now);
-  const OpenScene open = open_scene(call.connection(), {call.text(inputs.tbl), call.text(inputs.schema)});
-  return {{open.scene->name, open.scene, nullptr}, now ? *now : newest_t(*open.scene)};
+  Connection& connection = call.connection();
+  const auto& table = open_table(connection, {call.text(inputs.tbl), call.text(inputs.schema)});
+  SearchedTable searched{{table.table, nullptr, nullptr}, now ? *now : table.store->newest_t()};
+  if (method == "scan")
+    searched.objects.scene = connection.scene(table);
+  else
+    searched.objects.tree = table.store->snapshot();
+  return searched;
 }
 
 }  // namespace foresee

@@ -127,12 +127,12 @@ void take(Plan& plan, const FunctionTable& table, const sqlite3_index_info& info
   info.aConstraintUsage[i].omit = is_input;
 }
 
-/// A join or position looks at every object once whatever is asked. Without its first input
-/// a call fails, so any other plan is better; but to plan `a = 42 OR b = 42` SQLite shows one side of the OR
-/// alone and adds the inputs only when it runs the plan.
+/// A join about one id looks into the tree. Without its first input a call fails, so any other plan is
+/// better; but to plan `a = 42 OR b = 42` SQLite shows one side of the OR alone and adds the inputs only when
+/// it runs the plan.
 void estimate(const TableFunction& function, const Plan& plan, sqlite3_index_info& info) {
   double cost = function.cost, rows = function.rows;
-  if (plan.equalities > 0) cost = 1e5, rows = plan.equalities > 1 ? 1 : 10;
+  if (plan.equalities > 0) cost = 1e3, rows = plan.equalities > 1 ? 1 : 10;
   if (plan.inequalities > 0) rows = std::max(1.0, rows / 4);
   if (!(plan.inputs_given & 1) && plan.equalities == 0) cost = 1e50;
   info.estimatedCost = cost;

@@ -92,7 +92,7 @@ void change_tables(Connection& db, FuzzedDataProvider& bytes) {
 }
 
 void ask_and_write(Connection& db, FuzzedDataProvider& bytes, const FuzzTable& table) {
-  const std::string question = fuzz_question(bytes);
+  const std::string question = fuzz_question(bytes, table);
   for (const char* method : fuzz_methods) db.rows(with_method(question, method));
   db.rows("SELECT * FROM ships");
   db.rows("SELECT * FROM ships WHERE id = " + fuzz_id(bytes));

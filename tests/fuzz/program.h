@@ -122,19 +122,40 @@ inline std::string fuzz_id(FuzzedDataProvider& bytes) {
   return std::to_string(bytes.ConsumeIntegralInRange(-4, 60));
 }
 
-/// Questions that every method must answer alike; METHOD stands for its name.
-inline std::string fuzz_question(FuzzedDataProvider& bytes) {
+/// Three numbers for the axes that the table has, NULL for the others.
+inline std::string fuzz_axes(FuzzedDataProvider& bytes, const FuzzTable& table) {
+  std::string list;
+  for (int axis = 0; axis < 3; ++axis)
+    list += (axis ? ", " : "") + (axis < table.axes ? literal(fuzz_number(bytes)) : std::string("NULL"));
+  return list;
+}
+
+/// A question that every method must answer alike; METHOD stands for its name.
+inline std::string fuzz_question(FuzzedDataProvider& bytes, const FuzzTable& table) {
   const std::string h = literal(std::fabs(fuzz_number(bytes)));
+  const int kind = bytes.ConsumeIntegralInRange(0, 3);
+  if (kind == 0) {
+    const double x = fuzz_number(bytes);
+    return "SELECT * FROM predictive_window(" + h + ", 'ships', " + literal(x) + ", " +
+           literal(x + std::fabs(fuzz_number(bytes))) + ", NULL, NULL, NULL, NULL, NULL, " +
+           fuzz_axes(bytes, table) + ", METHOD) ORDER BY id";
+  }
+  if (kind == 1)
+    return "SELECT * FROM predictive_nearest(" + h + ", 'ships', " +
+           std::to_string(bytes.ConsumeIntegralInRange(0, 9)) + ", " + fuzz_axes(bytes, table) + ", NULL, " +
+           fuzz_axes(bytes, table) + ", METHOD) ORDER BY rank";
   const std::string within = literal(std::fabs(fuzz_number(bytes)));
   const std::string now = bytes.ConsumeBool() ? "NULL" : literal(fuzz_number(bytes));
+  const std::string probe = kind == 2 ? " WHERE a = " + fuzz_id(bytes) : "";
   return "SELECT a, b, t, t_end, dt, dt_end FROM predictive_join(" + h + ", 'ships', " + within + ", NULL, " +
-         now + ", METHOD) ORDER BY a, b";
+         now + ", METHOD)" + probe + " ORDER BY a, b";
 }
 
 inline std::string with_method(std::string question, const std::string& method) {
   return question.replace(question.find("METHOD"), 6, "'" + method + "'");
 }
 
-inline constexpr const char* fuzz_methods[] = {"auto", "grid"};
+/// The methods of the join; a window or nearest refuses "grid".
+inline constexpr const char* fuzz_methods[] = {"auto", "tree", "grid"};
 
 }  // namespace foresee::testing

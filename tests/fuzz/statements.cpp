@@ -104,11 +104,13 @@ class Twins {
   }
 
   void ask() {
-    const std::string question = fuzz_question(bytes_);
+    const std::string question = fuzz_question(bytes_, table_);
     const std::string right = db_.rows(with_method(question, "scan"));
-    for (const char* method : fuzz_methods)
+    for (const char* method : fuzz_methods) {
+      if (std::string(method) == "grid" && question.find("join") == std::string::npos) continue;
       if (const std::string found = db_.rows(with_method(question, method)); found != right)
         fail(question + ": " + method + "\n" + found + "scan\n" + right);
+    }
   }
 
   FuzzedDataProvider& bytes_;

@@ -32,7 +32,7 @@ TEST_F(JoinErrors, QuoteTheWrongInput) {
   EXPECT_EQ(error("predictive_join(1) WHERE now = 'now'"),
             "predictive_join: now must be a number, not 'now'");
   EXPECT_EQ(error("predictive_join(1) WHERE method = 'quick'"),
-            "predictive_join: method must be 'auto', 'grid', 'scan' or 'gpcd', not 'quick'");
+            "predictive_join: method must be 'auto', 'grid', 'tree', 'scan' or 'gpcd', not 'quick'");
   EXPECT_EQ(error("predictive_join(1) WHERE method = 2"),
             "predictive_join: method must be a name in quotes, not 2");
   EXPECT_EQ(error("predictive_join(1) WHERE other = 2"),

@@ -13,7 +13,7 @@ std::string rows_by(Database& db, const std::string& method, const RandomScene& 
 
 class JoinInSqlOfEveryLayout : public ::testing::TestWithParam<Layout> {};
 
-TEST_P(JoinInSqlOfEveryLayout, GridAgreesWithScan) {
+TEST_P(JoinInSqlOfEveryLayout, EveryMethodAgreesWithScan) {
   std::size_t size = 0;
   for (SceneKind kind : all_scene_kinds) {
     Database db;
@@ -21,6 +21,7 @@ TEST_P(JoinInSqlOfEveryLayout, GridAgreesWithScan) {
     build_table(db, "objects", scene);
     const std::string scanned = rows_by(db, "scan", scene);
     EXPECT_EQ(rows_by(db, "grid", scene), scanned) << name_of(kind);
+    EXPECT_EQ(rows_by(db, "tree", scene), scanned) << name_of(kind);
     EXPECT_EQ(rows_by(db, "gpcd", scene), scanned) << name_of(kind);
     EXPECT_EQ(rows_by(db, "auto", scene), scanned) << name_of(kind);
     size += scanned.size();
@@ -30,7 +31,7 @@ TEST_P(JoinInSqlOfEveryLayout, GridAgreesWithScan) {
 
 INSTANTIATE_TEST_SUITE_P(AxesLawShapeTimes, JoinInSqlOfEveryLayout, ::testing::ValuesIn(all_layouts()));
 
-TEST(JoinInSqlOfManyObjects, GridAgreesWithScan) {
+TEST(JoinInSqlOfManyObjects, GridAndTreeAgreeWithScan) {
   const std::pair<Layout, SceneKind> cases[] = {
       {{.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true}, SceneKind::uniform},
       {{.axes = 3, .law = Law::forced, .shape = Shape::cylinder}, SceneKind::clustered},
@@ -39,8 +40,9 @@ TEST(JoinInSqlOfManyObjects, GridAgreesWithScan) {
     Database db;
     const RandomScene scene = random_scene({.layout = layout, .kind = kind, .count = 5000, .seed = 22});
     build_table(db, "objects", scene);
-    EXPECT_EQ(rows_by(db, "grid", scene), rows_by(db, "scan", scene))
-        << name_of(layout) << ", " << name_of(kind);
+    const std::string scanned = rows_by(db, "scan", scene);
+    EXPECT_EQ(rows_by(db, "grid", scene), scanned) << name_of(layout) << ", " << name_of(kind);
+    EXPECT_EQ(rows_by(db, "tree", scene), scanned) << name_of(layout) << ", " << name_of(kind);
   }
 }
 

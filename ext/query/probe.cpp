@@ -1,0 +1,56 @@
+#include "query/probe.h"
+
+#include "index/tpr_tree/window_walk.h"
+#include "motion/float_environment.h"
+#include "query/join_question.h"
+
+namespace foresee {
+namespace {
+
+void take(Scene& near, const Node& leaf, std::uint32_t slot) {
+  const auto record_size = static_cast<std::size_t>(record_offsets(near.layout).size);
+  const auto row_size = static_cast<std::size_t>(row_offsets(near.layout).size);
+  near.ids.push_back(leaf.keys[slot]);
+  near.rows.resize(near.rows.size() + row_size);
+  row_from_record(near.layout, leaf.values.data() + slot * record_size,
+                  near.rows.data() + near.rows.size() - row_size);
+}
+
+template <int D>
+void walk(const Scene& one, NodeSource& tree, const Horizon& horizon, const Contact::Reach& reach,
+          Interrupt& interrupt, const std::function<bool(std::int64_t)>& keep, Scene& near) {
+  const Bodies body = one.bodies();
+  // The object's box grows by one half of the reach, those in the tree by the other.
+  const Vec<D> margin = margin_of<D>(reach);
+  WindowWalk<D> found(tree,
+                      moving_box<D>(motion_of<D>(body, 0), half_extents_of<D>(body, 0), horizon, margin),
+                      horizon, margin, interrupt);
+  for (LeafHits hits; found.next(hits);)
+    for (const std::uint32_t slot : hits.slots)
+      if (keep(hits.leaf->keys[slot])) take(near, *hits.leaf, slot);
+}
+
+}  // namespace
+
+std::shared_ptr<const Scene> objects_near(const Scene& one, NodeSource& tree, const std::string& name,
+                                          const Horizon& horizon, const Contact::Reach& reach,
+                                          Interrupt& interrupt,
+                                          const std::function<bool(std::int64_t)>& keep) {
+  const FloatEnvironment environment;
+  auto near = std::make_shared<Scene>();
+  near->name = name, near->layout = tree.layout();
+  if (one.size() == 0) return near;
+  switch (near->layout.axes) {
+    case 1:
+      walk<1>(one, tree, horizon, reach, interrupt, keep, *near);
+      break;
+    case 2:
+      walk<2>(one, tree, horizon, reach, interrupt, keep, *near);
+      break;
+    default:
+      walk<3>(one, tree, horizon, reach, interrupt, keep, *near);
+  }
+  return near;
+}
+
+}  // namespace foresee

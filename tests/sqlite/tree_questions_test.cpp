@@ -1,0 +1,173 @@
+// The tree answers what a look at every object answers: windows, nearest, joins and joins about one id, while
+// rows are inserted, moved and erased, within transactions and after going back to savepoints.
+#include "sqlite/scene_table.h"
+
+namespace foresee::testing {
+namespace {
+
+std::string literal(double number) {
+  char text[40];
+  sqlite3_snprintf(sizeof text, text, "%!.17g", number);
+  return text;
+}
+
+/// A table of a scene, asked by two methods.
+class Asked {
+ public:
+  Asked(const Layout& layout, SceneKind kind, std::size_t count, std::uint64_t seed)
+      : scene_(random_scene({.layout = layout, .kind = kind, .count = count, .seed = seed})),
+        random_(seed),
+        tail_(", " + literal(scene_.now)) {
+    db.exec("PRAGMA page_size = 512");  // some levels
+    build_table(db, "objects", scene_);
+    std::tie(lower_, upper_) = extent("x");
+  }
+
+  void expect_same_answers(int questions) {
+    for (int i = 0; i < questions && !::testing::Test::HasFailure(); ++i) {
+      expect_same_window();
+      expect_same_nearest();
+      expect_same_probe("a = ");
+      expect_same_probe("b = ");
+    }
+    expect_same("SELECT * FROM predictive_join(" + h() + ", 'objects', " + literal(scene_.within) + ", NULL" +
+                    tail_ + ", METHOD) ORDER BY a, b",
+                "tree");
+  }
+
+  /// Some rows move, some go, some come, some get another id.
+  void change() {
+    const std::string some = std::to_string(random_.below(7));
+    db.exec("UPDATE objects SET x = x + " + literal(random_.in(-2, 2)) + " WHERE id % 7 = " + some);
+    db.exec("DELETE FROM objects WHERE id % 31 = " + some);
+    db.exec("INSERT OR REPLACE INTO objects SELECT id + 100000, " + columns_of(scene_.layout) +
+            " FROM objects WHERE id % 23 = " + some + " AND id < 100000");
+    db.exec("UPDATE OR REPLACE objects SET id = -id WHERE id % 37 = " + some + " AND id > 0");
+  }
+
+  Database db;
+  std::size_t answered = 0;
+
+ private:
+  std::pair<double, double> extent(const std::string& axis) {
+    const std::string range = db.rows("SELECT min(" + axis + "), max(" + axis + ") FROM objects");
+    return {std::stod(range), std::stod(range.substr(range.find('|') + 1))};
+  }
+  std::string h() const { return literal(scene_.h); }
+  std::string place() { return literal(random_.in(lower_, upper_)); }
+
+  void expect_same(std::string question, const std::string& method) {
+    const auto rows_by = [&](const std::string& name) {
+      return db.rows(std::string(question).replace(question.find("METHOD"), 6, "'" + name + "'"));
+    };
+    const std::string found = rows_by(method), right = rows_by("scan");
+    EXPECT_EQ(found.substr(0, 6) == "error:", false) << found;
+    EXPECT_TRUE(found == right) << method << ": " << question << "\n"
+                                << found.substr(0, 300) << "\nscan:\n"
+                                << right.substr(0, 300);
+    answered += right.size();
+  }
+
+  void expect_same_window() {
+    const double x = random_.in(lower_, upper_), width = (upper_ - lower_) * random_.unit() * 0.3;
+    std::string bounds = literal(x) + ", " + literal(x + width);
+    if (scene_.layout.axes > 1) bounds += ", " + literal(lower_) + ", NULL";
+    for (int axis = scene_.layout.axes > 1 ? 2 : 1; axis < 3; ++axis) bounds += ", NULL, NULL";
+    const std::string velocity = random_.below(2) ? ", 0.5, NULL, NULL" : ", NULL, NULL, NULL";
+    expect_same("SELECT * FROM predictive_window(" + h() + ", 'objects', " + bounds + tail_ + velocity +
+                    ", METHOD) ORDER BY id",
+                "tree");
+  }
+  void expect_same_nearest() {
+    std::string point = place();
+    for (int axis = 1; axis < 3; ++axis) point += axis < scene_.layout.axes ? ", " + place() : ", NULL";
+    expect_same("SELECT * FROM predictive_nearest(" + std::string(random_.below(3) ? h() : "0") +
+                    ", 'objects', " + std::to_string(1 + random_.below(12)) + ", " + point + tail_ +
+                    ", 0.25, NULL, NULL, METHOD) ORDER BY rank",
+                "auto");
+  }
+  void expect_same_probe(const std::string& column) {
+    const std::string other = random_.below(2) ? "'objects'" : "NULL";
+    expect_same("SELECT * FROM predictive_join(" + h() + ", 'objects', " + literal(scene_.within) + ", " +
+                    other + tail_ + ", METHOD) WHERE " + column +
+                    "(SELECT id FROM objects ORDER BY id LIMIT 1 OFFSET " +
+                    std::to_string(random_.below(40)) + ") ORDER BY a, b",
+                random_.below(2) ? "auto" : "tree");
+  }
+
+  RandomScene scene_;
+  Random random_;
+  std::string tail_;  ///< of a call: now
+  double lower_ = 0, upper_ = 0;
+};
+
+class TreeQuestionsOfEveryLayout : public ::testing::TestWithParam<Layout> {};
+
+TEST_P(TreeQuestionsOfEveryLayout, AgreeWithALookAtEveryObject) {
+  std::size_t answered = 0;
+  for (const SceneKind kind : all_scene_kinds) {
+    Asked asked(GetParam(), kind, 120, 5);
+    asked.expect_same_answers(2);
+    asked.change();
+    asked.expect_same_answers(1);
+    answered += asked.answered;
+  }
+  EXPECT_GT(answered, 0u);
+}
+
+INSTANTIATE_TEST_SUITE_P(AxesLawShapeTimes, TreeQuestionsOfEveryLayout, ::testing::ValuesIn(all_layouts()));
+
+TEST(TreeQuestions, AgreeThroughTransactionsAndSavepoints) {
+  Asked asked({.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true}, SceneKind::clustered,
+              800, 6);
+  for (int round = 0; round < 6; ++round) {
+    asked.db.exec("BEGIN");
+    asked.change();
+    asked.expect_same_answers(2);
+    asked.db.exec("SAVEPOINT a");
+    asked.change();
+    asked.expect_same_answers(1);
+    asked.db.exec("SAVEPOINT b; DELETE FROM objects WHERE id % 2 = 0");
+    asked.expect_same_answers(1);
+    asked.db.exec("ROLLBACK TO b");
+    asked.expect_same_answers(1);
+    if (round % 3 == 0) asked.db.exec("ROLLBACK TO a");
+    asked.expect_same_answers(1);
+    asked.db.exec(round % 2 ? "COMMIT" : "ROLLBACK");
+    asked.expect_same_answers(1);
+  }
+  asked.db.exec("INSERT INTO objects(objects) VALUES('integrity-check')");
+}
+
+TEST(TreeQuestions, ALoopThatWritesSeesTheTreeAsItWas) {
+  Database db;
+  db.exec(
+      "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y, vx, vy, r);"
+      "WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 2000)"
+      "INSERT INTO ships SELECT i, i % 50, i / 50, 0, 0, 0.5 FROM n");
+  const char* question = "SELECT id FROM predictive_window(5, 'ships', 10, 39)";
+  const std::string right = db.rows("SELECT count(*), sum(id) FROM (" + std::string(question) + ")");
+  sqlite3_stmt* reading = nullptr;
+  ASSERT_EQ(sqlite3_prepare_v2(db.handle(), question, -1, &reading, nullptr), SQLITE_OK);
+  std::int64_t count = 0, sum = 0;
+  while (sqlite3_step(reading) == SQLITE_ROW) {
+    const std::string id = std::to_string(sqlite3_column_int64(reading, 0));
+    sum += sqlite3_column_int64(reading, 0), ++count;
+    if (count % 3 == 0) db.exec("UPDATE ships SET x = x + 100 WHERE id = " + id + " + 1");
+    if (count % 3 == 1) db.exec("DELETE FROM ships WHERE id = " + id + " + 2");
+    if (count == 50) db.exec("INSERT INTO ships(ships) VALUES('rebuild')");
+  }
+  sqlite3_finalize(reading);
+  EXPECT_EQ(std::to_string(count) + "|" + std::to_string(sum), right);
+}
+
+TEST(TreeQuestions, NowAfterTheNewestRowIsGone) {
+  Database db;
+  db.exec(
+      "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, vx);"
+      "INSERT INTO ships VALUES(1, 10, 0, 1), (2, 20, 0, 1), (3, 30, 0, 1); DELETE FROM ships WHERE id = 3");
+  EXPECT_EQ(db.rows("SELECT id, t FROM predictive_window(5, 'ships', 0) ORDER BY id"), "1|20.0\n2|20.0");
+}
+
+}  // namespace
+}  // namespace foresee::testing
