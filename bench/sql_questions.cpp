@@ -1,0 +1,238 @@
+// Small questions through SQL: windows and nearest neighbours, and the first row after opening a file.
+//
+//   bench_sql_questions [--quick]
+//
+//   window  S-100000 and S-1000000: prepared windows of about 100 objects over the next 3 seconds, ids only
+//   and
+//           with t, against base table + R*Tree of swept boxes + a textbook's test in plain double as an SQL
+//           function. Both stand ready in memory.
+//   nearest S-100000: the 10 nearest during the next 3 seconds (the R*Tree has no such question).
+//   open    the same tables in files: open, ask one window, take one row. Warm file cache.
+//
+// Processor time, medians; a ratio is the rival's time over ours in the same repetition. Fails if a window
+// holds other objects there than here. (--quick: without S-1000000.)
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <random>
+
+#include "measure.h"
+#include "sql_rival.h"
+#include "sqlite/foresee.h"
+
+namespace foresee::bench {
+namespace {
+
+constexpr double window_side = 33;  // about 100 objects in S
+
+/// When a box (x, y, vx, vy, ax, ay, hx, hy) first touches the window (x0, x1, y0, y1) within h seconds: the
+/// earliest of `now` and of the moments at which a side passes, at which all sides let it in. NULL: never.
+void first_in_window(sqlite3_context* context, int, sqlite3_value** values) {
+  double in[13];
+  for (int i = 0; i < 13; ++i) in[i] = sqlite3_value_double(values[i]);
+  const double h = in[12];
+  // Four sides: c + b s + a s²/2 <= 0 inside.
+  double c[4], b[4], a[4], first[9] = {0};
+  int moments = 1;
+  for (int side = 0; side < 4; ++side) {
+    const int axis = side / 2;
+    const double sign = side % 2 ? 1 : -1;
+    c[side] = sign * (in[axis] - in[8 + side]) - in[6 + axis];
+    b[side] = sign * in[2 + axis], a[side] = sign * in[4 + axis];
+    const double root = b[side] * b[side] - 2 * a[side] * c[side];
+    if (root < 0) continue;  // never passes
+    const double q = -(b[side] + std::copysign(std::sqrt(root), b[side]));
+    for (const double s : {q / a[side], 2 * c[side] / q})
+      if (s >= 0 && s <= h) first[moments++] = s;
+  }
+  double earliest = HUGE_VAL;
+  for (int i = 0; i < moments; ++i) {
+    bool inside = first[i] < earliest;
+    for (int side = 0; side < 4 && inside; ++side)
+      inside = c[side] + first[i] * (b[side] + 0.5 * a[side] * first[i]) <= 1e-9;
+    if (inside) earliest = first[i];
+  }
+  if (earliest <= h) sqlite3_result_double(context, earliest);
+}
+
+const char* rival_sql(bool with_t) {
+  return with_t
+             ? "SELECT id, t FROM (SELECT p.id, first_in_window(x, y, vx, vy, ax, ay, hx, hy, ?1, ?2, ?3, "
+               "?4, 3)"
+               " AS t FROM boxes i CROSS JOIN base p WHERE i.x0 <= ?2 AND i.x1 >= ?1 AND i.y0 <= ?4 AND i.y1 "
+               ">= ?3"
+               " AND p.id = i.id LIMIT -1) WHERE t IS NOT NULL"
+             : "SELECT p.id FROM boxes i CROSS JOIN base p WHERE i.x0 <= ?2 AND i.x1 >= ?1 AND i.y0 <= ?4 AND"
+               " i.y1 >= ?3 AND p.id = i.id"
+               " AND first_in_window(x, y, vx, vy, ax, ay, hx, hy, ?1, ?2, ?3, ?4, 3) IS NOT NULL";
+}
+
+const char* our_sql(bool with_t) {
+  return with_t ? "SELECT id, t FROM predictive_window(3, 'ships', ?1, ?2, ?3, ?4)"
+                : "SELECT id FROM predictive_window(3, 'ships', ?1, ?2, ?3, ?4)";
+}
+
+/// Both tables of one workload.
+struct Tables {
+  Tables(const Workload& w, const std::string& ours, const std::string& theirs)
+      : our_db(ours), rival_db(theirs), rival(rival_db, w) {
+    our_db.check(sqlite3_foresee_init(our_db.handle(), nullptr, nullptr));
+    our_db.run("CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y, vx, vy, ax, ay, hx, hy)");
+    rival.load();
+    Statement insert(our_db, "INSERT INTO ships VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    our_db.run("BEGIN");
+    for (std::size_t i = 0; i < w.count; ++i) {
+      insert.bind(1, static_cast<std::int64_t>(i + 1));
+      for (int k = 0; k < 8; ++k) insert.bind(2 + k, w.bodies().row(i)[k]);
+      insert.step();
+    }
+    our_db.run("COMMIT");
+  }
+
+  Database our_db, rival_db;
+  Rival rival;
+};
+
+void add_rival_function(Database& db) {
+  db.check(sqlite3_create_function(db.handle(), "first_in_window", 13, SQLITE_UTF8 | SQLITE_DETERMINISTIC,
+                                   nullptr, first_in_window, nullptr, nullptr));
+}
+
+class Places {
+ public:
+  explicit Places(std::size_t count) : random_(11), place_(0, std::sqrt(14.0 * static_cast<double>(count))) {}
+  double next() { return place_(random_); }
+
+ private:
+  std::mt19937_64 random_;
+  std::uniform_real_distribution<double> place_;
+};
+
+struct Answer {
+  std::int64_t rows = 0, ids = 0;
+  friend bool operator==(const Answer&, const Answer&) = default;
+};
+
+Answer ask(Statement& window, double x, double y) {
+  window.bind(1, x), window.bind(2, x + window_side), window.bind(3, y), window.bind(4, y + window_side);
+  Answer answer;
+  while (window.step()) ++answer.rows, answer.ids += window.integer(0);
+  return answer;
+}
+
+void print(const char* what, double ours, double rivals, double ratio, double mark) {
+  std::printf("%-28s foresee %8.1f   rival %8.1f us   %6.2fx (mark: %gx)\n", what, ours * 1e6, rivals * 1e6,
+              ratio, mark);
+  std::fflush(stdout);
+}
+
+bool compare_windows(Tables& tables, const Workload& w, int repetitions) {
+  constexpr int windows = 1000;
+  add_rival_function(tables.rival_db);
+  for (const bool with_t : {false, true}) {
+    Statement ours(tables.our_db, our_sql(with_t)), rivals(tables.rival_db, rival_sql(with_t));
+    std::vector<double> our_times, rival_times, ratios;
+    std::int64_t rows = 0;
+    for (int i = 0; i < repetitions; ++i) {
+      std::vector<Answer> here, there;
+      const auto run = [&](Statement& statement, std::vector<Answer>& answers) {
+        Places places(w.count);
+        return seconds_of([&] {
+          for (int k = 0; k < windows; ++k) {
+            const double x = places.next(), y = places.next();
+            answers.push_back(ask(statement, x, y));
+          }
+        });
+      };
+      our_times.push_back(run(ours, here) / windows);
+      rival_times.push_back(run(rivals, there) / windows);
+      ratios.push_back(rival_times.back() / our_times.back());
+      if (here != there) return false;
+      rows = 0;
+      for (const Answer& answer : here) rows += answer.rows;
+    }
+    print(("window " + w.name + (with_t ? ", id and t" : ", id")).c_str(), median(our_times),
+          median(rival_times), median(ratios), 2.5);
+    std::printf("  %.1f rows a window, equal\n", static_cast<double>(rows) / windows);
+  }
+  return true;
+}
+
+void measure_nearest(Tables& tables, const Workload& w, int repetitions) {
+  constexpr int questions = 1000;
+  Statement nearest(tables.our_db, "SELECT id, distance FROM predictive_nearest(3, 'ships', 10, ?1, ?2)");
+  std::vector<double> times;
+  for (int i = 0; i < repetitions; ++i) {
+    Places places(w.count);
+    times.push_back(seconds_of([&] {
+                      for (int k = 0; k < questions; ++k) {
+                        nearest.bind(1, places.next()), nearest.bind(2, places.next());
+                        while (nearest.step()) {
+                        }
+                      }
+                    }) /
+                    questions);
+  }
+  std::printf("%-28s foresee %8.1f us: %.0f questions a second (mark: 20000)\n",
+              ("nearest 10, " + w.name).c_str(), median(times) * 1e6, 1 / median(times));
+}
+
+/// From opening the file to the first row of a window.
+void compare_opening(const Workload& w, int repetitions) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  const std::string ours = folder / "foresee-bench-ours.db", theirs = folder / "foresee-bench-rival.db";
+  for (const std::string& path : {ours, theirs}) std::filesystem::remove(path);
+  { Tables tables(w, ours, theirs); }
+  std::vector<double> our_times, rival_times, ratios;
+  const auto first_row = [&](const std::string& path, bool is_ours) {
+    return seconds_of([&] {
+      Database db(path);
+      if (is_ours)
+        db.check(sqlite3_foresee_init(db.handle(), nullptr, nullptr));
+      else
+        add_rival_function(db);
+      Statement window(db, is_ours ? our_sql(true) : rival_sql(true));
+      const double x = 0.4 * std::sqrt(14.0 * static_cast<double>(w.count));
+      window.bind(1, x), window.bind(2, x + window_side), window.bind(3, x), window.bind(4, x + window_side);
+      window.step();
+    });
+  };
+  for (int i = 0; i < repetitions; ++i) {
+    our_times.push_back(first_row(ours, true));
+    rival_times.push_back(first_row(theirs, false));
+    ratios.push_back(rival_times.back() / our_times.back());
+  }
+  print(("first row, " + w.name).c_str(), median(our_times), median(rival_times), median(ratios), 0.5);
+  for (const std::string& path : {ours, theirs}) std::filesystem::remove(path);
+}
+
+int main_of(bool quick) {
+  std::vector<std::size_t> counts{100000};
+  if (!quick) counts.push_back(1000000);
+  for (const std::size_t count : counts) {
+    const Workload w = make_workload("S-" + std::to_string(count));
+    {
+      Tables tables(w, ":memory:", ":memory:");
+      if (!compare_windows(tables, w, quick ? 3 : 9)) {
+        std::fprintf(stderr, "the windows differ\n");
+        return 1;
+      }
+      measure_nearest(tables, w, quick ? 3 : 9);
+    }
+    compare_opening(w, quick ? 9 : 25);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace foresee::bench
+
+int main(int count, char** arguments) {
+  try {
+    return foresee::bench::main_of(count > 1 && std::strcmp(arguments[1], "--quick") == 0);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
