@@ -88,7 +88,6 @@ inline constexpr FuzzTable fuzz_tables[] = {
 };
 
 inline std::string literal(double number) {
-  if (std::isnan(number)) return "NULL";
   if (std::isinf(number)) return number > 0 ? "9e999" : "-9e999";
   char digits[40];
   std::snprintf(digits, sizeof digits, "%.17g", number);
@@ -101,7 +100,7 @@ inline double fuzz_number(FuzzedDataProvider& bytes) {
       const auto bits = bytes.ConsumeIntegral<std::uint64_t>();
       double number;
       std::memcpy(&number, &bits, sizeof number);
-      return number;
+      return std::isnan(number) ? 0 : number;
     }
     case 1:
       return std::ldexp(bytes.ConsumeIntegral<std::int8_t>(), bytes.ConsumeIntegralInRange(-80, 80));

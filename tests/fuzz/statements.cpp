@@ -34,8 +34,7 @@ class Twins {
       case 2:
         return db_.must("SAVEPOINT s" + std::to_string(savepoints_++));
       case 3:
-        if (savepoints_ > 0) db_.must("ROLLBACK TO s" + std::to_string(which_savepoint()));
-        return;
+        return roll_back_to_savepoint();
       case 4:
         if (savepoints_ > 0)
           savepoints_ = which_savepoint(), db_.must("RELEASE s" + std::to_string(savepoints_));
@@ -67,6 +66,13 @@ class Twins {
       default:
         return both("INSERT INTO TABLE VALUES(" + fuzz_id(bytes_) + ", " + fuzz_values(bytes_, table_) + ")");
     }
+  }
+
+  void roll_back_to_savepoint() {
+    if (savepoints_ == 0) return;
+    const int kept = which_savepoint();
+    db_.must("ROLLBACK TO s" + std::to_string(kept));
+    savepoints_ = kept + 1;
   }
 
   int which_savepoint() { return bytes_.ConsumeIntegralInRange(0, savepoints_ - 1); }
