@@ -1,11 +1,12 @@
-// Who might touch? Every index answers with candidates: pairs of row numbers whose swept boxes meet, pulled
-// in batches.
+// Who might touch? Every index answers with candidates: pairs of row numbers that may touch during the
+// horizon, pulled in batches.
 //
-//   auto candidates = make_gpcd_grid<2>(boxes, interrupt);
+//   auto candidates = make_gpcd_grid<2>({ships, horizon, margin}, nullptr, interrupt);
 //   std::vector<Pair> batch;
 //   while (candidates->next(batch)) { …; batch.clear(); }
 //
-// Guarantee: every pair whose swept boxes meet comes exactly once; other pairs may come too, none twice. In a
+// Guarantee: every pair that touches comes exactly once; other pairs may come too, none twice. What an index
+// knows decides how many those are: swept boxes that meet (space), or beams that do (space and time). In a
 // self-join the two row numbers of a pair differ and come in any order. Empty boxes meet nothing.
 #pragma once
 

@@ -12,6 +12,7 @@
 #include <limits>
 
 #include "motion/layout.h"
+#include "motion/pair.h"
 #include "motion/vec.h"
 
 namespace foresee {
@@ -27,15 +28,6 @@ struct Bodies {
   Offsets at;
   const double* rows = nullptr;
   std::size_t count = 0;
-};
-
-/// Row numbers of two objects, the first among the bodies a, the second among the bodies b (or a again).
-struct Pair {
-  std::uint32_t a;
-  std::uint32_t b;
-
-  friend bool operator==(const Pair&, const Pair&) = default;
-  friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 
 /// The moments that a question asks about: the closed interval [now, now + h], its end being the exact real

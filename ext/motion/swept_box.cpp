@@ -21,48 +21,16 @@
 #include <cmath>
 
 #include "motion/float_environment.h"
+#include "motion/life.h"
 
 namespace foresee {
 namespace {
 
 constexpr double u = 0x1p-53;
-constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr std::size_t objects_per_check = 4096;
 
-/// When the object exists, as time since its own t; `reach` is S above.
-struct Life {
-  double begin, end, reach;
-  bool none;
-};
-
-Life life_of(double t, double until, const Horizon& horizon) {
-  const double since = horizon.now - t;
-  Life life;
-  life.begin = std::max(since, 0.0);
-  life.end = std::min(since + horizon.h, until - t);
-  life.reach = std::abs(since) + horizon.h;
-  // Rounding keeps order: if t - now, rounded, exceeds the double h, then so does the exact difference.
-  life.none = t - horizon.now > horizon.h || until < horizon.now;
-  return life;
-}
-
-struct Bounds {
-  double lower, upper;
-};
-
-/// [lower - grow, upper + grow], rounded outward; infinite where no double holds it.
-Bounds grown(double lower, double upper, double grow) {
-  const double g = grow + 8 * u * grow;
-  const double low = lower - g, high = upper + g;
-  const double safe_low = low - (4 * u * std::abs(low) + 0x1p-1022);
-  const double safe_high = high + (4 * u * std::abs(high) + 0x1p-1022);
-  const bool sound = std::isfinite(lower) && std::isfinite(upper) && std::isfinite(g);
-  return {sound && std::isfinite(safe_low) ? safe_low : -inf,
-          sound && std::isfinite(safe_high) ? safe_high : inf};
-}
-
 /// What the centre covers on one axis; `size` is half extent and margin together.
-Bounds swept_axis(double x, double v, double a, const Life& life, double size) {
+Ends swept_axis(double x, double v, double a, const Life& life, double size) {
   if (v == 0 && a == 0) return grown(x, x, size);
   auto place = [=](double s) { return x + s * (v + a * s * 0.5); };
   const double first = place(life.begin), last = place(life.end);
@@ -89,7 +57,7 @@ Box<D> swept_box(const Bodies& bodies, std::size_t i, const Horizon& horizon, co
   const Vec<D> half = half_extents_of<D>(bodies, i);
   Box<D> box;
   for (int axis = 0; axis < D; ++axis) {
-    const Bounds bounds =
+    const Ends bounds =
         swept_axis(motion.x[axis], motion.v[axis], motion.a[axis], life, half[axis] + margin[axis]);
     box.lower[axis] = bounds.lower;
     box.upper[axis] = bounds.upper;

@@ -54,10 +54,10 @@ std::unique_ptr<Candidates> by_index(const JoinQuestion& question, const Contact
     return make_paper_candidates<D>(question.a->bodies(), b.bodies(), question.b != nullptr, horizon, margin,
                                     interrupt);
   }
-  const std::vector<Box<D>> boxes_a = swept_boxes<D>(question.a->bodies(), horizon, margin, interrupt);
-  if (!question.b) return make_gpcd_grid<D>(boxes_a, interrupt);
-  const std::vector<Box<D>> boxes_b = swept_boxes<D>(question.b->bodies(), horizon, margin, interrupt);
-  return make_gpcd_grid<D>(boxes_a, boxes_b, interrupt);
+  const MovingBoxes<D> a{question.a->bodies(), horizon, margin};
+  if (!question.b) return make_gpcd_grid<D>(a, nullptr, interrupt);
+  const MovingBoxes<D> b{question.b->bodies(), horizon, margin};
+  return make_gpcd_grid<D>(a, &b, interrupt);
 }
 
 std::unique_ptr<Candidates> by_index_of_axes(const JoinQuestion& question, const Contact::Reach& reach,

@@ -1,5 +1,6 @@
 #include "sqlite/version.h"
 
+#include "index/simd.h"
 #include "storage/sqlite_api.h"
 
 namespace foresee {
@@ -15,15 +16,7 @@ std::string debug_report() {
 #else
   report += "\nCompiler: GCC " __VERSION__;
 #endif
-#if defined(__AVX2__)
-  report += "\nSIMD: AVX2";
-#elif defined(__SSE4_2__)
-  report += "\nSIMD: SSE4.2";
-#elif defined(__ARM_NEON)
-  report += "\nSIMD: NEON";
-#else
-  report += "\nSIMD: baseline";
-#endif
+  report += std::string("\nSIMD: ") + name_of(simd_in_use());
   report += std::string("\nSQLite: ") + sqlite3_libversion();
   return report;
 }

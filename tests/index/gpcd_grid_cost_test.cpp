@@ -1,4 +1,5 @@
 // What the grid costs, in counts that are the same on every machine: entries, steps of the kernel, checks.
+#include "index/gpcd_grid/beam_sources.h"
 #include "index/gpcd_grid/grid.h"
 #include "pairs.h"
 
@@ -20,7 +21,8 @@ struct Cost {
 
 template <int D>
 Cost cost_of(const std::vector<Box<D>>& boxes) {
-  gpcd::Grid<D> grid(boxes, {}, false, never);
+  GridSpace space;
+  gpcd::Grid<D> grid(gpcd::RestingSource<D>(boxes), nullptr, space, never);
   const std::size_t candidates = drain(grid).size();
   return {grid.entry_count(), grid.giant_count(), grid.steps_taken(), candidates};
 }
@@ -69,7 +71,7 @@ TEST(GpcdGridCost, StaysBoundedWhenAllAreAtOneSpot) {
   const Cost cost = cost_of<2>(boxes_of<2>(SceneKind::one_spot, count));
   EXPECT_LE(cost.entries, 6 * count);
   // Entries share stripes with all others, so steps follow the pairs there are.
-  EXPECT_LE(cost.steps * gpcd::lanes_per_step, 6 * count * (count - 1) / 2);
+  EXPECT_LE(cost.steps * gpcd::lanes_max, 6 * count * (count - 1) / 2);
 }
 
 TEST(GpcdGridCost, IsMovedLittleByObjectsFarAway) {
@@ -114,14 +116,16 @@ TEST(GpcdGridInterrupt, IsSeenDuringTheBuild) {
   const std::vector<Box<2>> boxes = boxes_of<2>(SceneKind::uniform, 100000);
   for (int checks : {0, 1, 5, 20}) {
     StopAt stop(checks);
-    EXPECT_THROW(gpcd::Grid<2>(boxes, {}, false, stop), Interrupted);
+    GridSpace space;
+    EXPECT_THROW(gpcd::Grid<2>(gpcd::RestingSource<2>(boxes), nullptr, space, stop), Interrupted);
   }
 }
 
 TEST(GpcdGridInterrupt, IsSeenInEveryBatch) {
   const std::vector<Box<2>> boxes(20000, Box<2>{Vec<2>::Zero(), Vec<2>::Constant(1)});
   StopAt stop(1000);
-  gpcd::Grid<2> grid(boxes, {}, false, stop);
+  GridSpace space;
+  gpcd::Grid<2> grid(gpcd::RestingSource<2>(boxes), nullptr, space, stop);
   std::vector<Pair> batch;
   ASSERT_TRUE(grid.next(batch));
   stop.checks_left = 0;

@@ -1,6 +1,8 @@
 // The harness itself: what it prints is what the other tests compare.
 #include "database.h"
 
+#include "index/simd.h"
+
 namespace foresee::testing {
 namespace {
 
@@ -22,6 +24,17 @@ TEST(Scalars, AreRegisteredByTheEntryPoint) {
   Database db;
   EXPECT_EQ(db.rows("SELECT foresee_version()"), "0.1.0");
   EXPECT_EQ(db.rows("SELECT instr(foresee_debug(), 'SQLite: ') > 0"), "1");
+}
+
+TEST(Scalars, DebugNamesTheInstructionsInUse) {
+  Database db;
+  const Simd usual = simd_in_use();
+  for (Simd simd : available_simd()) {
+    use_simd(simd);
+    const std::string line = std::string("SIMD: ") + name_of(simd) + "\n";
+    EXPECT_EQ(db.rows("SELECT instr(foresee_debug(), '" + line + "') > 0"), "1") << line;
+  }
+  use_simd(usual);
 }
 
 }  // namespace

@@ -21,12 +21,12 @@ double typical_distance(std::vector<double>& distances, double largest) {
 }  // namespace
 
 template <int D>
-Frame<D> frame_of(std::span<const Box<D>> sample) {
+Frame<D> frame_of(std::span<const Beam<D>> sample) {
   Frame<D> frame;
   for (int axis = 0; axis < D; ++axis) {
     std::vector<double> centres, distances;
     double largest = 0;
-    for (const Box<D>& box : sample) {
+    for (const auto& [box, travel, begin, end] : sample) {
       const double half = box.upper[axis] * 0.5 - box.lower[axis] * 0.5;
       if (box.is_empty() || !std::isfinite(half)) continue;
       centres.push_back(box.lower[axis] + half);
@@ -48,8 +48,8 @@ Frame<D> frame_of(std::span<const Box<D>> sample) {
   return frame;
 }
 
-template Frame<1> frame_of(std::span<const Box<1>>);
-template Frame<2> frame_of(std::span<const Box<2>>);
-template Frame<3> frame_of(std::span<const Box<3>>);
+template Frame<1> frame_of(std::span<const Beam<1>>);
+template Frame<2> frame_of(std::span<const Beam<2>>);
+template Frame<3> frame_of(std::span<const Beam<3>>);
 
 }  // namespace foresee::gpcd

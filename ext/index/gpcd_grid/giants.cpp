@@ -5,7 +5,7 @@ namespace foresee::gpcd {
 template <int D>
 Giants<D>::Giants(const Partition<D>& partition, const Stripes<D>& stripes, Interrupt& interrupt) {
   for (std::uint32_t id : stripes.giants()) {
-    const FloatBox<D>& box = stripes.boxes()[id];
+    const FloatBox<D> box = stripes.rows().box(id);
     Place place{key_of(box.lower[0], id), {0, 0}, {0, 0}};
     if constexpr (D > 1) place.y = stripe_range(partition, box, 1);
     if constexpr (D > 2) place.z = stripe_range(partition, box, 2);

@@ -1,18 +1,36 @@
-// GPCD's grid (Yu and Wong, steps 1 to 5a; DESIGN.md section 6), laid out as stripes.
+// GPCD's grid (Yu and Wong, steps 1 to 5c; DESIGN.md section 6), laid out as stripes.
+//
+//   auto candidates = make_gpcd_grid<2>({ships, horizon, margin}, nullptr, interrupt);
 //
 // Space is cut into stripes along every axis but x. A box is entered into each stripe that it meets, sorted
 // by the lower end of its x-interval (counting sort), so that a stripe is scanned from left to right with
 // contiguous loads. A pair that shares several stripes is reported in exactly one of them, by position and
 // without a set. Boxes far larger than the rest stay outside the grid and visit the stripes that they cross.
+// What moves is compared as beams too (motion/beam.h), so that most candidates come close at the same time.
 //
 // Cost: about linear in objects + candidates; memory follows the number of boxes, never the number of pairs.
 #pragma once
 
 #include "index/candidates.h"
+#include "index/gpcd_grid/work_space.h"
 
 namespace foresee {
 
-/// Pairs among `boxes`. The grid keeps no reference to them. `interrupt` must outlive the grid.
+/// Boxes in motion: what bodies sweep during the horizon, grown by `margin` on both sides of every axis.
+template <int D>
+struct MovingBoxes {
+  Bodies bodies;
+  Horizon horizon;
+  Vec<D> margin;
+};
+
+/// Pairs among the objects of `a`, or between `a` and `b` if that is not null. The bodies are read before
+/// this returns. `interrupt` must outlive the grid. `space` saves fresh memory; null: the grid has its own.
+template <int D>
+std::unique_ptr<Candidates> make_gpcd_grid(const MovingBoxes<D>& a, const MovingBoxes<D>* b,
+                                           Interrupt& interrupt, std::shared_ptr<GridSpace> space = nullptr);
+
+/// Pairs among boxes at rest. The grid keeps no reference to them.
 template <int D>
 std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>> boxes, Interrupt& interrupt);
 

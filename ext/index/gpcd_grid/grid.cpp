@@ -1,58 +1,54 @@
 #include "index/gpcd_grid/grid.h"
 
-#include "index/gpcd_grid/gpcd_grid.h"
-
 namespace foresee::gpcd {
 namespace {
 
 constexpr std::size_t sample_max = 512;
-constexpr std::size_t sample_share =
-    8;  // at most every eighth box, so that small scenes do not pay for statistics
+/// At most every eighth box, so that small scenes do not pay for statistics.
+constexpr std::size_t sample_share = 8;
 constexpr std::size_t sample_enough = 64;
 constexpr std::size_t pairs_per_batch = 4096;
 constexpr std::size_t steps_per_batch = 1 << 17;  // about a millisecond
-constexpr std::size_t boxes_per_check = 8192;
 
-/// Non-empty boxes of both sides, one from each of some hundred equal parts, not at equal distances.
+/// Non-empty beams of both sides, one from each of some hundred equal parts, not at equal distances.
 template <int D>
-std::vector<Box<D>> sample_of(std::span<const Box<D>> a, std::span<const Box<D>> b) {
-  const std::size_t count = a.size() + b.size(),
+std::vector<Beam<D>> sample_of(const BeamSource<D>& a, const BeamSource<D>* b) {
+  const std::size_t count_a = a.count(), count = count_a + (b ? b->count() : 0),
                     aim = std::clamp(count / sample_share, sample_enough, sample_max),
                     wanted = std::min(count, aim);
-  std::vector<Box<D>> sample;
+  std::vector<Beam<D>> sample;
   for (std::size_t part = 0; part < wanted; ++part) {
     const std::size_t begin = part * count / wanted, end = (part + 1) * count / wanted;
     const std::size_t i = begin + (part * 0x9e3779b97f4a7c15u >> 33) % (end - begin);
-    const Box<D>& box = i < a.size() ? a[i] : b[i - a.size()];
-    if (!box.is_empty()) sample.push_back(box);
+    Beam<D> beam;
+    i < count_a ? a.read(i, {&beam, 1}) : b->read(i - count_a, {&beam, 1});
+    if (!beam.box.is_empty()) sample.push_back(beam);
   }
   return sample;
 }
 
 template <int D>
-std::vector<FloatBox<D>> to_floats(const Frame<D>& frame, std::span<const Box<D>> boxes,
-                                   Interrupt& interrupt) {
-  std::vector<FloatBox<D>> out(boxes.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    if (i % boxes_per_check == 0) interrupt.check();
-    out[i] = frame.round_outward(boxes[i]);
-  }
-  return out;
+Columns columns_of(const BeamSource<D>& a, const BeamSource<D>* b, const Frame<D>& frame) {
+  const Columns first = a.columns(), second = b ? b->columns() : Columns{};
+  const bool travel = frame.resolves_time() && (first.travel || second.travel);
+  return {travel, travel && (first.life || second.life)};
 }
 
 }  // namespace
 
 template <int D>
-Grid<D>::Grid(std::span<const Box<D>> boxes_a, std::span<const Box<D>> boxes_b, bool between,
-              Interrupt& interrupt)
-    : interrupt_(interrupt), batch_(pairs_per_batch + lanes_per_step) {
-  const std::vector<Box<D>> sample = sample_of(boxes_a, boxes_b);
-  const Frame<D> frame = frame_of(std::span<const Box<D>>(sample));
-  const std::vector<FloatBox<D>> small_sample = to_floats(frame, std::span<const Box<D>>(sample), interrupt);
-  partition_ = choose_partition(std::span<const FloatBox<D>>(small_sample), boxes_a.size() + boxes_b.size());
-  sides_.reserve(2);  // scans point into the sides
-  sides_.emplace_back(partition_, to_floats(frame, boxes_a, interrupt), interrupt);
-  if (between) sides_.emplace_back(partition_, to_floats(frame, boxes_b, interrupt), interrupt);
+Grid<D>::Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, Interrupt& interrupt)
+    : interrupt_(interrupt), batch_(space.batch.room(pairs_per_batch + lanes_max)) {
+  const std::vector<Beam<D>> sample = sample_of(a, b);
+  const Frame<D> frame = frame_of(std::span<const Beam<D>>(sample));
+  const Columns columns = columns_of(a, b, frame);
+  std::vector<FloatBox<D>> boxes;
+  for (const Beam<D>& beam : sample) boxes.push_back(frame.round_outward(beam, columns.travel));
+  partition_ = choose_partition(std::span<const FloatBox<D>>(boxes), a.count() + (b ? b->count() : 0));
+  for (const BeamSource<D>* source : {&a, b})
+    if (source)
+      sides_.push_back(
+          std::make_unique<Side>(*source, frame, columns, partition_, space.sides[sides_.size()], interrupt));
 }
 
 template <int D>
@@ -65,11 +61,11 @@ bool Grid<D>::next(std::vector<Pair>& out) {
       more = open_next();
       continue;
     }
-    written += run(scans_[scan_], batch_.data() + written, batch_.size() - written, steps);
+    written += run(scans_[scan_], batch_ + written, pairs_per_batch + lanes_max - written, steps);
     if (scans_[scan_].done()) ++scan_;
   }
   steps_taken_ += steps_per_batch - steps;
-  out.insert(out.end(), batch_.begin(), batch_.begin() + static_cast<std::ptrdiff_t>(written));
+  out.insert(out.end(), batch_, batch_ + written);
   return more || written > 0;
 }
 
@@ -89,11 +85,11 @@ bool Grid<D>::open_next() {
 
 template <int D>
 void Grid<D>::open_giants() {
-  for (Side& side : sides_) side.crossing.gather(side.giants.all(), side.stripes.boxes(), interrupt_);
+  for (auto& side : sides_) side->crossing.gather(side->giants.all(), side->rows, interrupt_);
   if (sides_.size() == 1)
-    scans_.push_back(scan_within(sides_[0].crossing));
+    scans_.push_back(scan_within(side(0).crossing.view()));
   else
-    scans_.push_back(scan_between(sides_[0].crossing, sides_[1].crossing, false));
+    scans_.push_back(scan_between(side(0).crossing.view(), side(1).crossing.view(), false));
 }
 
 template <int D>
@@ -104,33 +100,34 @@ void Grid<D>::open_stripe(std::size_t number) {
     const auto across = static_cast<std::size_t>(partition_.axis[2].count);
     stripe[1] = static_cast<int>(number / across), stripe[2] = static_cast<int>(number % across);
   }
-  for (Side& side : sides_) {
-    const std::span<Key> keys = side.stripes.entries(number);
+  for (auto& side : sides_) {
+    const std::span<Key> keys = side->stripes.entries(number);
     sort_keys(keys, interrupt_);
-    side.inside.gather(keys, side.stripes.boxes(), partition_, stripe, interrupt_);
-    side.crossing.gather(side.giants.crossing(stripe), side.stripes.boxes(), partition_, stripe, interrupt_);
+    side->inside.gather(keys, side->rows, partition_, stripe, interrupt_);
+    side->crossing.gather(side->giants.crossing(stripe), side->rows, partition_, stripe, interrupt_);
   }
+  const LaneView<D>&inside = side(0).inside.view(), &crossing = side(0).crossing.view();
   if (sides_.size() == 1) {
-    scans_.push_back(scan_within(sides_[0].inside));
-    scans_.push_back(scan_between(sides_[0].crossing, sides_[0].inside, false));
+    scans_.push_back(scan_within(inside));
+    scans_.push_back(scan_between(crossing, inside, false));
   } else {
-    scans_.push_back(scan_between(sides_[0].inside, sides_[1].inside, false));
-    scans_.push_back(scan_between(sides_[0].crossing, sides_[1].inside, false));
-    scans_.push_back(scan_between(sides_[1].crossing, sides_[0].inside, true));
+    scans_.push_back(scan_between(inside, side(1).inside.view(), false));
+    scans_.push_back(scan_between(crossing, side(1).inside.view(), false));
+    scans_.push_back(scan_between(side(1).crossing.view(), inside, true));
   }
 }
 
 template <int D>
 std::size_t Grid<D>::entry_count() const {
   std::size_t sum = 0;
-  for (const Side& side : sides_) sum += side.stripes.entry_count();
+  for (const auto& side : sides_) sum += side->stripes.entry_count();
   return sum;
 }
 
 template <int D>
 std::size_t Grid<D>::giant_count() const {
   std::size_t sum = 0;
-  for (const Side& side : sides_) sum += side.stripes.giants().size();
+  for (const auto& side : sides_) sum += side->stripes.giants().size();
   return sum;
 }
 
@@ -148,28 +145,3 @@ template class Grid<2>;
 template class Grid<3>;
 
 }  // namespace foresee::gpcd
-
-namespace foresee {
-
-template <int D>
-std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>> boxes, Interrupt& interrupt) {
-  return std::make_unique<gpcd::Grid<D>>(boxes, std::span<const Box<D>>(), false, interrupt);
-}
-
-template <int D>
-std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>> boxes_a, std::span<const Box<D>> boxes_b,
-                                           Interrupt& interrupt) {
-  return std::make_unique<gpcd::Grid<D>>(boxes_a, boxes_b, true, interrupt);
-}
-
-template std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<1>>, Interrupt&);
-template std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<2>>, Interrupt&);
-template std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<3>>, Interrupt&);
-template std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<1>>, std::span<const Box<1>>,
-                                                    Interrupt&);
-template std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<2>>, std::span<const Box<2>>,
-                                                    Interrupt&);
-template std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<3>>, std::span<const Box<3>>,
-                                                    Interrupt&);
-
-}  // namespace foresee

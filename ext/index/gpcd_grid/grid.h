@@ -23,8 +23,9 @@ namespace foresee::gpcd {
 template <int D>
 class Grid final : public Candidates {
  public:
-  /// `boxes_b` empty and `between` false: pairs among `boxes_a`.
-  Grid(std::span<const Box<D>> boxes_a, std::span<const Box<D>> boxes_b, bool between, Interrupt& interrupt);
+  /// Pairs among the objects of `a`, or between them and those of `b` if that is not null. What is read from
+  /// them is kept in `space`, which must outlive the grid; so must `interrupt`.
+  Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, Interrupt& interrupt);
 
   bool next(std::vector<Pair>& out) override;
 
@@ -38,13 +39,20 @@ class Grid final : public Candidates {
  private:
   /// The objects of one side of the join and what is gathered of them.
   struct Side {
-    Side(const Partition<D>& partition, std::vector<FloatBox<D>> boxes, Interrupt& interrupt)
-        : stripes(partition, std::move(boxes), interrupt), giants(partition, stripes, interrupt) {}
+    Side(const BeamSource<D>& source, const Frame<D>& frame, Columns columns, const Partition<D>& partition,
+         GridSpace::Side& memory, Interrupt& interrupt)
+        : rows(source, frame, columns, memory.rows, interrupt),
+          stripes(partition, rows, memory, interrupt),
+          giants(partition, stripes, interrupt),
+          inside(memory.inside),
+          crossing(memory.crossing) {}
+    FloatRows<D> rows;
     Stripes<D> stripes;
     Giants<D> giants;
     Lanes<D> inside, crossing;
   };
 
+  Side& side(std::size_t i) { return *sides_[i]; }
   /// Puts the scans of the next stripe into scans_; false behind the last one.
   bool open_next();
   void open_giants();
@@ -52,12 +60,12 @@ class Grid final : public Candidates {
 
   Interrupt& interrupt_;
   Partition<D> partition_;
-  std::vector<Side> sides_;  // one side, or two
+  std::vector<std::unique_ptr<Side>> sides_;  // one side, or two
   std::vector<Scan<D>> scans_;
   std::size_t scan_ = 0;
   bool giants_met_ = false;
   std::size_t next_stripe_ = 0;
-  std::vector<Pair> batch_;
+  Pair* batch_;
   std::size_t steps_taken_ = 0;
 };
 

@@ -9,30 +9,36 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "index/gpcd_grid/scan.h"
 #include "index/gpcd_grid/stripes.h"
 
 namespace foresee::gpcd {
 
-/// How many boxes one step of a scan looks at.
-inline constexpr std::size_t lanes_per_step = 8;
-
 template <int D>
-struct Lanes {
-  std::vector<float> lower[D], upper[D];
-  std::vector<std::uint32_t> classes, ids;
-  std::size_t size = 0;
-  double longest = 0;  ///< no box is longer along x; rounded up
+class Lanes {
+ public:
+  explicit Lanes(GridSpace::Side::Lanes& memory) : memory_(memory) {}
 
   /// Takes the boxes of `keys`, in that order, as they are seen from one stripe (its numbers along y and z).
-  void gather(std::span<const Key> keys, const std::vector<FloatBox<D>>& boxes, const Partition<D>& partition,
+  void gather(std::span<const Key> keys, const FloatRows<D>& rows, const Partition<D>& partition,
               const int (&stripe)[D], Interrupt& interrupt);
   /// The same without stripes: every pair counts.
-  void gather(std::span<const Key> keys, const std::vector<FloatBox<D>>& boxes, Interrupt& interrupt);
+  void gather(std::span<const Key> keys, const FloatRows<D>& rows, Interrupt& interrupt);
+
+  /// Valid until the next gather().
+  const LaneView<D>& view() const { return view_; }
 
  private:
+  void make_room(std::size_t count, Columns columns);
   void classify(const Partition<D>& partition, const int (&stripe)[D]);
+
+  GridSpace::Side::Lanes& memory_;
+  LaneView<D> view_;
+  float* floats_ = nullptr;
+  std::uint32_t* classes_ = nullptr;
+  std::uint32_t* ids_ = nullptr;
+  std::size_t room_ = 0;  // lanes in a column
 };
 
 }  // namespace foresee::gpcd

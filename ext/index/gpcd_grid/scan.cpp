@@ -1,90 +1,67 @@
-#include "index/gpcd_grid/scan.h"
+// The scan kernel for the CPU that the build asks for, four lanes at a time in plain C++, and the choice of a
+// wider one.
+#include "index/gpcd_grid/scan_kernel.h"
+#include "index/gpcd_grid/scan_variants.h"
+#include "index/simd.h"
+
+#if defined(__SSE__)
+#include <xmmintrin.h>
+#endif
 
 namespace foresee::gpcd {
 namespace {
 
-/// One row against the lanes from `lane` on; every pointer is a lane array.
-template <int D>
-struct Row {
-  float lower[D], upper[D];
-  std::uint32_t classes, id;
+struct FourLanes {
+  static constexpr std::size_t width = 4;
+  using Floats = float __attribute__((vector_size(16)));
+  using Mask = std::int32_t __attribute__((vector_size(16)));
 
-  Row(const Lanes<D>& rows, std::size_t i) : classes(rows.classes[i]), id(rows.ids[i]) {
-    for (int axis = 0; axis < D; ++axis) lower[axis] = rows.lower[axis][i], upper[axis] = rows.upper[axis][i];
+  static Floats all(float x) { return Floats{x, x, x, x}; }
+  static Floats load(const float* x) {
+    Floats lanes;
+    __builtin_memcpy(&lanes, x, sizeof lanes);
+    return lanes;
+  }
+  static Floats abs(Floats x) { return as_floats(as_mask(x) & 0x7fffffff); }
+  static Floats max(Floats x, Floats y) { return chosen(x > y, x, y); }
+  static Floats min(Floats x, Floats y) { return chosen(x < y, x, y); }
+  static Mask greater(Floats x, Floats y) { return x > y; }
+  static Mask share(const std::uint32_t* classes, std::uint32_t row) {
+    Mask lanes;
+    __builtin_memcpy(&lanes, classes, sizeof lanes);
+    return (lanes & static_cast<std::int32_t>(row)) != 0;
+  }
+  static Pair* emit(Mask apart, std::uint32_t row, const std::uint32_t* ids, Pair* out) {
+#if defined(__SSE__)
+    const auto bits = static_cast<unsigned>(_mm_movemask_ps(as_floats(apart)));
+#else
+    unsigned bits = 0;
+    for (int l = 0; l < 4; ++l) bits |= static_cast<unsigned>(apart[l] & 1) << l;
+#endif
+    return emit_bits(~bits & 0xf, row, ids, out);
+  }
+
+ private:
+  static Floats as_floats(Mask x) {
+    return reinterpret_cast<Floats>(x);
+  }
+  static Mask as_mask(Floats x) {
+    return reinterpret_cast<Mask>(x);
+  }
+  static Floats chosen(Mask first, Floats x, Floats y) {
+    return as_floats((as_mask(x) & first) | (as_mask(y) & ~first));
   }
 };
-
-/// 1 for each of the next lanes whose box overlaps the row and whose pair belongs to this stripe. `sorted`:
-/// lanes begin no earlier than the row, so that one comparison along x is enough.
-template <int D, bool sorted>
-inline void overlaps(const Row<D>& row, const Lanes<D>& lanes, std::size_t lane,
-                     std::uint32_t (&hit)[lanes_per_step]) {
-  const float* lower[D];
-  const float* upper[D];
-  for (int axis = 0; axis < D; ++axis) {
-    lower[axis] = lanes.lower[axis].data() + lane;
-    upper[axis] = lanes.upper[axis].data() + lane;
-  }
-  const std::uint32_t* classes = lanes.classes.data() + lane;
-  for (std::size_t l = 0; l < lanes_per_step; ++l) {
-    std::uint32_t h = lower[0][l] <= row.upper[0];
-    if constexpr (!sorted) h &= upper[0][l] >= row.lower[0];
-    for (int axis = 1; axis < D; ++axis) {
-      h &= lower[axis][l] <= row.upper[axis];
-      h &= upper[axis][l] >= row.lower[axis];
-    }
-    if constexpr (D > 1) h &= (classes[l] & row.classes) == 0;
-    hit[l] = h;
-  }
-}
-
-/// The first lane that can reach the row.
-template <int D>
-std::size_t first_lane(Scan<D>& scan, float row_lower) {
-  const Lanes<D>& lanes = *scan.lanes;
-  while (scan.left < lanes.size &&
-         static_cast<double>(lanes.lower[0][scan.left]) + lanes.longest < static_cast<double>(row_lower))
-    ++scan.left;
-  return scan.left;
-}
-
-template <int D, bool sorted, bool swap>
-std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
-  const Lanes<D>& lanes = *scan.lanes;
-  const float* begins = lanes.lower[0].data();
-  const std::uint32_t* ids = lanes.ids.data();
-  const std::size_t full = room < lanes_per_step ? 0 : room - lanes_per_step + 1;
-  std::size_t written = 0;
-  for (; scan.row < scan.rows->size; ++scan.row, scan.begun = false) {
-    const Row<D> row(*scan.rows, scan.row);
-    std::size_t lane = scan.begun ? scan.lane : sorted ? scan.row + 1 : first_lane(scan, row.lower[0]);
-    for (std::size_t left = steps;; --left, lane += lanes_per_step) {
-      if (left == 0 || written >= full) {
-        steps = left, scan.lane = lane, scan.begun = true;
-        return written;
-      }
-      if (begins[lane] > row.upper[0]) {
-        steps = left - 1;
-        break;
-      }
-      std::uint32_t hit[lanes_per_step];
-      overlaps<D, sorted>(row, lanes, lane, hit);
-      for (std::size_t l = 0; l < lanes_per_step; ++l) {
-        out[written] = swap ? Pair{ids[lane + l], row.id} : Pair{row.id, ids[lane + l]};
-        written += hit[l];
-      }
-    }
-  }
-  return written;
-}
 
 }  // namespace
 
 template <int D>
 std::size_t run(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
-  if (scan.rows == scan.lanes) return run_rows<D, true, false>(scan, out, room, steps);
-  if (scan.swap) return run_rows<D, false, true>(scan, out, room, steps);
-  return run_rows<D, false, false>(scan, out, room, steps);
+#if defined(__x86_64__)
+  if (simd_in_use() == Simd::avx512) return run_avx512(scan, out, room, steps);
+  if (simd_in_use() == Simd::avx2) return run_avx2(scan, out, room, steps);
+#endif
+  return run_with<FourLanes>(scan, out, room, steps);
 }
 
 template std::size_t run(Scan<1>&, Pair*, std::size_t, std::size_t&);

@@ -1,26 +1,41 @@
-// Which boxes of a stripe overlap? GPCD steps 4 and 5a: the scan kernel, from left to right.
+// Which beams of a stripe could touch? GPCD steps 4, 5a and 5c: the scan kernel, from left to right.
 //
-//   Scan<2> scan = scan_within(members);
+//   Scan<2> scan = scan_within(lanes);
 //   while (!scan.done()) written += run(scan, pairs + written, room - written, steps);
 //
-// Each row is compared with the boxes that begin before it ends, lanes_per_step at a time; the loop is
-// written so that compilers turn it into vector instructions, and hits are stored without a branch. A scan
-// can pause after any step. All the time of a dense join is spent here, so the file has no other purpose: a
-// kernel for another instruction set replaces run() and nothing else.
+// Each row is compared with the boxes that begin before it ends, as many at a time as a vector register
+// holds: first the boxes (space), then, where something moves, the beams (time). A scan can pause after any
+// step. Every instruction set gives the same pairs in the same order (scan_kernel.h; simd.h chooses).
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
-#include "index/gpcd_grid/lanes.h"
-#include "motion/bodies.h"
+#include "motion/pair.h"
 
 namespace foresee::gpcd {
 
+/// The most lanes that one step looks at; behind the last lane stand so many sentinels that begin at
+/// infinity.
+inline constexpr std::size_t lanes_max = 16;
+
+/// Beams as contiguous arrays, sorted by lower[0].
+template <int D>
+struct LaneView {
+  const float *lower[D] = {}, *upper[D] = {};
+  const float* travel[D] = {};                   ///< null where nothing moves
+  const float *begin = nullptr, *end = nullptr;  ///< null where all exist throughout
+  const std::uint32_t *classes = nullptr, *ids = nullptr;
+  std::size_t size = 0;
+  double longest = 0;  ///< no box is longer along x; rounded up
+};
+
+/// Requires: both views have the same columns.
 template <int D>
 struct Scan {
-  const Lanes<D>* rows = nullptr;
-  const Lanes<D>* lanes = nullptr;  ///< the same as rows: each pair among them once
-  bool swap = false;                ///< report {lane, row} in place of {row, lane}
+  const LaneView<D>* rows = nullptr;
+  const LaneView<D>* lanes = nullptr;  ///< the same as rows: each pair among them once
+  bool swap = false;                   ///< report {lane, row} in place of {row, lane}
   std::size_t row = 0;
   std::size_t lane = 0;  ///< where the row goes on, once it has begun
   std::size_t left = 0;  ///< lanes before this one end before the row, and every later row, begins
@@ -31,19 +46,18 @@ struct Scan {
 
 /// Each pair among `lanes` once.
 template <int D>
-Scan<D> scan_within(const Lanes<D>& lanes) {
+Scan<D> scan_within(const LaneView<D>& lanes) {
   return {&lanes, &lanes};
 }
 
 /// Each pair of one of `rows` and one of `lanes`.
 template <int D>
-Scan<D> scan_between(const Lanes<D>& rows, const Lanes<D>& lanes, bool swap) {
+Scan<D> scan_between(const LaneView<D>& rows, const LaneView<D>& lanes, bool swap) {
   return {&rows, &lanes, swap};
 }
 
-/// Goes on with a scan until it is done, `room` has fewer than lanes_per_step places left, or `steps` is used
-/// up; writes the pairs to `out` and answers how many. Every row costs a step, every lanes_per_step boxes
-/// another.
+/// Goes on with a scan until it is done, `room` has fewer than lanes_max places left, or `steps` is used up;
+/// writes the pairs to `out` and answers how many. A step is a row begun, or lanes_max boxes looked at.
 template <int D>
 std::size_t run(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps);
 

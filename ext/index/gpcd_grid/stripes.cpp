@@ -41,9 +41,14 @@ void sort_keys(std::span<Key> keys, Interrupt& interrupt) {
 }
 
 template <int D>
-Stripes<D>::Stripes(const Partition<D>& partition, std::vector<FloatBox<D>> boxes, Interrupt& interrupt)
-    : partition_(partition), boxes_(std::move(boxes)), cells_(partition.stripes() * partition.buckets() + 1) {
+Stripes<D>::Stripes(const Partition<D>& partition, const FloatRows<D>& rows, GridSpace::Side& memory,
+                    Interrupt& interrupt)
+    : partition_(partition), rows_(rows) {
+  const std::size_t cells = partition.stripes() * partition.buckets() + 1;
+  cells_ = memory.cells.room(cells);
+  std::fill_n(cells_, cells, 0);
   count(interrupt);
+  keys_ = memory.keys.room(entry_count_);
   place(interrupt);
 }
 
@@ -68,9 +73,9 @@ void Stripes<D>::for_each_cell(const FloatBox<D>& box, Visit visit) const {
 
 template <int D>
 void Stripes<D>::count(Interrupt& interrupt) {
-  for (std::size_t i = 0; i < boxes_.size(); ++i) {
+  for (std::size_t i = 0; i < rows_.count(); ++i) {
     if (i % objects_per_check == 0) interrupt.check();
-    const FloatBox<D>& box = boxes_[i];
+    const FloatBox<D> box = rows_.box(i);
     if (box.is_empty()) continue;
     if (partition_.is_giant(box)) {
       giants_.push_back(static_cast<std::uint32_t>(i));
@@ -78,17 +83,16 @@ void Stripes<D>::count(Interrupt& interrupt) {
     }
     for_each_cell(box, [this](std::size_t cell) { ++cells_[cell]; });
   }
+  const std::size_t cells = partition_.stripes() * partition_.buckets() + 1;
+  for (std::size_t i = 0; i < cells; ++i) cells_[i] = static_cast<std::uint32_t>(entry_count_ += cells_[i]);
+  if (entry_count_ > std::numeric_limits<std::uint32_t>::max()) throw Error("too many objects for one grid");
 }
 
 template <int D>
 void Stripes<D>::place(Interrupt& interrupt) {
-  std::size_t total = 0;
-  for (std::uint32_t& cell : cells_) cell = static_cast<std::uint32_t>(total += cell);
-  if (total > std::numeric_limits<std::uint32_t>::max()) throw Error("too many objects for one grid");
-  keys_.resize(total);
-  for (std::size_t i = boxes_.size(); i-- > 0;) {
+  for (std::size_t i = rows_.count(); i-- > 0;) {
     if (i % objects_per_check == 0) interrupt.check();
-    const FloatBox<D>& box = boxes_[i];
+    const FloatBox<D> box = rows_.box(i);
     if (box.is_empty() || partition_.is_giant(box)) continue;
     const Key key = key_of(box.lower[0], static_cast<std::uint32_t>(i));
     for_each_cell(box, [this, key](std::size_t cell) { keys_[--cells_[cell]] = key; });
@@ -99,7 +103,7 @@ template <int D>
 std::span<Key> Stripes<D>::entries(std::size_t stripe) {
   const std::size_t begin = cells_[stripe * partition_.buckets()];
   const std::size_t end = cells_[(stripe + 1) * partition_.buckets()];
-  return std::span(keys_).subspan(begin, end - begin);
+  return {keys_ + begin, end - begin};
 }
 
 template class Stripes<1>;

@@ -1,8 +1,7 @@
 // Which boxes lie in which stripe? GPCD step 3: every box is entered into the stripes that it meets.
 //
-//   Stripes<2> stripes(partition, boxes, interrupt);
-//   for (Key key : stripes.entries(7)) …                 // the boxes that meet stripe 7, by lower end along
-//   x
+//   Stripes<2> stripes(partition, rows, memory, interrupt);
+//   for (Key key : stripes.entries(7)) …                 // the boxes that meet stripe 7, by lower end in x
 //
 // A counting sort over (stripe, bucket along x): one pass counts, one pass places. Boxes are replicated
 // across stripes only, a handful of times at most, because giants are left out and listed apart. Memory: a
@@ -14,7 +13,7 @@
 #include <vector>
 
 #include "index/gpcd_grid/cell_size.h"
-#include "motion/error.h"
+#include "index/gpcd_grid/float_rows.h"
 
 namespace foresee::gpcd {
 
@@ -42,15 +41,17 @@ StripeRange stripe_range(const Partition<D>& partition, const FloatBox<D>& box, 
 template <int D>
 class Stripes {
  public:
-  /// Requires: boxes.size() < 2^32. Throws Error if there are more entries than 2^32.
-  Stripes(const Partition<D>& partition, std::vector<FloatBox<D>> boxes, Interrupt& interrupt);
+  /// Requires: rows.count() < 2^32; rows and memory outlive the stripes. Throws Error if there are more
+  /// entries than 2^32.
+  Stripes(const Partition<D>& partition, const FloatRows<D>& rows, GridSpace::Side& memory,
+          Interrupt& interrupt);
 
-  const std::vector<FloatBox<D>>& boxes() const { return boxes_; }
+  const FloatRows<D>& rows() const { return rows_; }
   /// Row numbers of the boxes outside the grid.
   const std::vector<std::uint32_t>& giants() const { return giants_; }
   /// The boxes in one stripe, in bucket order; the caller may sort them.
   std::span<Key> entries(std::size_t stripe);
-  std::size_t entry_count() const { return keys_.size(); }
+  std::size_t entry_count() const { return entry_count_; }
 
  private:
   template <class Visit>
@@ -59,11 +60,11 @@ class Stripes {
   void place(Interrupt& interrupt);
 
   Partition<D> partition_;
-  std::vector<FloatBox<D>> boxes_;
+  const FloatRows<D>& rows_;
   std::vector<std::uint32_t> giants_;
-  std::vector<std::uint32_t>
-      cells_;  // first counts, then where the cell begins in keys_; one more at the end
-  std::vector<Key> keys_;
+  std::uint32_t* cells_;  // first counts, then where the cell begins in keys_; one more at the end
+  Key* keys_ = nullptr;
+  std::size_t entry_count_ = 0;
 };
 
 }  // namespace foresee::gpcd

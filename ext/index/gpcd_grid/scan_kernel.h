@@ -1,0 +1,165 @@
+// The scan kernel, once for every instruction set: a file that is compiled for one includes this and gives a
+// Vector type (lanes as floats, their comparisons as a mask; scan_avx2.cpp is an example).
+//
+// The test of time
+// ----------------
+// Seen from the row, a lane's beam is a point that moves along a segment, and the row a box as large as both:
+// they touch only if the segment meets the box. A segment and a box are apart exactly if they are so along an
+// axis or along the cross product of an axis and the segment (separating axes). With m the middle of the
+// segment, d half of it and r the half extents of the box, all times two, they are apart if
+//
+//   |m_i| > r_i + |d_i|     or     |m_i d_j - m_j d_i| > r_i |d_j| + r_j |d_i|
+//
+// for some axes i, j: no division, no case for d = 0, and NaN keeps the pair. Where objects exist for a part
+// of the horizon, the segment is cut to the time that both do.
+//
+// Nothing is lost to rounding. All terms are sums of at most three products of at most three factors, and a
+// pair that touches has |m_i| <= r_i + |d_i|: so each side is off by less than 2^-21 (r_i + |w_i|)(|d_j|) and
+// the same for i and j exchanged, w being the travel of both. r contains 2^-20 of all this already
+// (float_box.h). There too, travel below 2^-40 is 0 and r at least 2^-40, which keeps products from
+// vanishing, and numbers beyond 2^60 are NaN, which keeps them from overflowing.
+//
+// Every operation is one of IEEE 754 and none is contracted, so all instruction sets keep the same pairs.
+// Only pointers and built-in types are used here: a function shared with code for older CPUs must not be
+// emitted with newer instructions.
+#pragma once
+
+#include "index/gpcd_grid/scan.h"
+
+namespace foresee::gpcd {
+namespace {
+
+enum class Time { none, horizon, life };
+
+/// Beams side by side as the test of time sees them: twice the centre in the middle of the horizon, travel,
+/// and twice the half extents of what moves.
+template <class V, int D, Time time>
+struct Beams {
+  using F = typename V::Floats;
+  F lower[D], upper[D], centre[D], travel[D], size[D], begin, end;
+
+  /// `load` gives the floats of one column.
+  template <class Load>
+  [[gnu::always_inline]] inline Beams(const LaneView<D>& view, Load load) {
+    for (int k = 0; k < D; ++k) lower[k] = load(view.lower[k]), upper[k] = load(view.upper[k]);
+    if constexpr (time == Time::life) begin = load(view.begin), end = load(view.end);
+    if constexpr (time != Time::none)
+      for (int k = 0; k < D; ++k) {
+        travel[k] = load(view.travel[k]);
+        centre[k] = lower[k] + upper[k];
+        size[k] = upper[k] - lower[k];
+        if constexpr (time == Time::horizon) {
+          size[k] = size[k] - V::abs(travel[k]);
+        } else {
+          centre[k] = centre[k] - travel[k] * ((begin + end) * 0.5f);
+          size[k] = size[k] - V::abs(travel[k]) * ((end - begin) * 0.5f);
+        }
+      }
+  }
+};
+
+/// Lanes whose boxes do not meet.
+template <class V, int D, Time time>
+[[gnu::always_inline]] inline typename V::Mask apart_in_space(const Beams<V, D, time>& a,
+                                                              const Beams<V, D, time>& b) {
+  typename V::Mask apart = V::greater(b.lower[0], a.upper[0]);
+  apart |= V::greater(a.lower[0], b.upper[0]);
+  for (int k = 1; k < D; ++k) {
+    apart |= V::greater(b.lower[k], a.upper[k]);
+    apart |= V::greater(a.lower[k], b.upper[k]);
+  }
+  return apart;
+}
+
+/// Lanes that are never where the other is.
+template <class V, int D, Time time>
+[[gnu::always_inline]] inline typename V::Mask apart_in_time(const Beams<V, D, time>& a,
+                                                             const Beams<V, D, time>& b) {
+  using F = typename V::Floats;
+  F middle[D], half[D], size[D], abs_half[D];
+  typename V::Mask apart = {};
+  F at = {}, part = {};
+  if constexpr (time == Time::life) {
+    const F begin = V::max(a.begin, b.begin), end = V::min(a.end, b.end);
+    apart = V::greater(begin, end);
+    at = (begin + end) * 0.5f, part = (end - begin) * 0.5f;
+  }
+  for (int k = 0; k < D; ++k) {
+    middle[k] = b.centre[k] - a.centre[k];
+    half[k] = b.travel[k] - a.travel[k];
+    if constexpr (time == Time::life) middle[k] = middle[k] + half[k] * at, half[k] = half[k] * part;
+    size[k] = a.size[k] + b.size[k];
+    abs_half[k] = V::abs(half[k]);
+    apart |= V::greater(V::abs(middle[k]), size[k] + abs_half[k]);
+  }
+  for (int i = 0; i < D; ++i)
+    for (int j = i + 1; j < D; ++j)
+      apart |= V::greater(V::abs(middle[i] * half[j] - middle[j] * half[i]),
+                          size[i] * abs_half[j] + size[j] * abs_half[i]);
+  return apart;
+}
+
+/// The first lane that can reach the row.
+template <int D>
+std::size_t first_lane(Scan<D>& scan, double row_lower) {
+  const LaneView<D>& lanes = *scan.lanes;
+  while (scan.left < lanes.size && static_cast<double>(lanes.lower[0][scan.left]) + lanes.longest < row_lower)
+    ++scan.left;
+  return scan.left;
+}
+
+template <class V, int D, Time time>
+std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
+  const LaneView<D>&rows = *scan.rows, &lanes = *scan.lanes;
+  const bool within = scan.rows == scan.lanes;
+  std::size_t work = steps * lanes_max;
+  Pair* const begin = out;
+  Pair* const full = out + room - lanes_max;
+  for (; scan.row < rows.size; ++scan.row, scan.begun = false) {
+    const std::size_t i = scan.row;
+    const Beams<V, D, time> row(rows, [i](const float* column) { return V::all(column[i]); });
+    const float upper = rows.upper[0][i];
+    std::size_t lane = scan.begun ? scan.lane : within ? i + 1 : first_lane(scan, rows.lower[0][i]);
+    for (;; lane += V::width, work -= V::width) {
+      if (work < lanes_max || out > full) {
+        steps = work / lanes_max, scan.lane = lane, scan.begun = true;
+        return static_cast<std::size_t>(out - begin);
+      }
+      if (lanes.lower[0][lane] > upper) break;
+      const Beams<V, D, time> beams(lanes, [lane](const float* column) { return V::load(column + lane); });
+      typename V::Mask apart = apart_in_space(row, beams);
+      if constexpr (D > 1) apart |= V::share(lanes.classes + lane, rows.classes[i]);
+      if constexpr (time != Time::none) apart |= apart_in_time(row, beams);
+      out = V::emit(apart, rows.ids[i], lanes.ids + lane, out);
+    }
+    work -= lanes_max;
+  }
+  steps = work / lanes_max;
+  return static_cast<std::size_t>(out - begin);
+}
+
+/// run() of scan.h with the instructions of V.
+template <class V, int D>
+std::size_t run_with(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
+  if (room < lanes_max) return 0;
+  std::size_t written;
+  if (!scan.lanes->travel[0])
+    written = run_rows<V, D, Time::none>(scan, out, room, steps);
+  else if (!scan.lanes->begin)
+    written = run_rows<V, D, Time::horizon>(scan, out, room, steps);
+  else
+    written = run_rows<V, D, Time::life>(scan, out, room, steps);
+  if (scan.swap)
+    for (std::size_t i = 0; i < written; ++i) out[i] = {out[i].b, out[i].a};
+  return written;
+}
+
+/// Writes the pair of `row` and each lane whose bit is set, lowest first.
+[[gnu::always_inline]] inline Pair* emit_bits(unsigned bits, std::uint32_t row, const std::uint32_t* ids,
+                                              Pair* out) {
+  for (; bits != 0; bits &= bits - 1) *out++ = {row, ids[__builtin_ctz(bits)]};
+  return out;
+}
+
+}  // namespace
+}  // namespace foresee::gpcd

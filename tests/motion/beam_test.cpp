@@ -1,0 +1,104 @@
+// The judge is exact: at every moment of its life the object lies in its beam, in rational numbers.
+#include "motion/beam.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <random>
+
+namespace foresee {
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+struct Course1 {
+  double t, x, v, a, half, until;
+};
+
+Beam<1> beam_of(const Course1& o, const Horizon& horizon) {
+  const double row[] = {o.t, o.x, o.v, o.a, o.half, o.until};
+  const Layout layout{
+      .axes = 1, .law = Law::accelerated, .shape = Shape::box, .has_t = true, .has_until = true};
+  Beam<1> beam;
+  beams<1>({layout, row, 1}, 0, horizon, Vec<1>::Zero(), {&beam, 1});
+  return beam;
+}
+
+/// Whether the object lies in the beam at the fraction `f` of the horizon. The fractions of its life are
+/// rounded: what that moves is for those who use them to add, 2^-40 of the travel.
+bool holds(const Beam<1>& beam, const Course1& o, const Horizon& horizon, const Rational& f) {
+  if (!std::isfinite(beam.box.lower[0]) || !std::isfinite(beam.box.upper[0])) return true;
+  const Rational s = Rational(horizon.now) + f * Rational(horizon.h) - Rational(o.t);
+  const Rational place = Rational(o.x) + Rational(o.v) * s + Rational(o.a) * s * s / 2;
+  const Rational lower(beam.box.lower[0]), upper(beam.box.upper[0]), travel(beam.travel[0]);
+  const Rational begin(beam.begin), end(beam.end);
+  const Rational centre = (lower + upper) / 2 + travel * (f - (begin + end) / 2);
+  const Rational radius = (upper - lower) / 2 - abs(travel) * (end - begin) / 2;
+  return abs(place - centre) + Rational(o.half) <= radius + abs(travel) * Rational(0x1p-40);
+}
+
+void expect_inside(const Course1& o, const Horizon& horizon) {
+  const Rational now(horizon.now), h(horizon.h);
+  const Rational begins = std::max(Rational(o.t) - now, Rational(0));
+  const Rational ends = o.until == inf ? h : std::min(Rational(o.until) - now, h);
+  const Beam<1> beam = beam_of(o, horizon);
+  if (begins > ends) return;
+  ASSERT_FALSE(beam.box.is_empty());
+  for (int k = 0; k <= 8; ++k) {
+    const Rational f = h == 0 ? Rational(0) : (begins + (ends - begins) * k / 8) / h;
+    ASSERT_TRUE(holds(beam, o, horizon, f))
+        << k << ": t " << o.t << " x " << o.x << " v " << o.v << " a " << o.a << " half " << o.half
+        << " until " << o.until << " now " << horizon.now << " h " << horizon.h;
+  }
+}
+
+TEST(Beam, HoldsTheObjectAtEveryMoment) {
+  std::mt19937_64 random(7);
+  auto number = [&](double least, double most) {  // of any size, either sign, sometimes 0
+    if (random() % 8 == 0) return 0.0;
+    std::uniform_real_distribution<double> exponent(least, most), part(-2, 2);
+    return std::ldexp(part(random), static_cast<int>(exponent(random)));
+  };
+  for (int i = 0; i < 3000; ++i) {
+    const double size = i % 3 == 0 ? 6 : i % 3 == 1 ? 50 : 300;
+    const double t = number(-size, size);
+    const double until = random() % 2 ? inf : t + std::abs(number(-size, size));
+    const Course1 o{
+        t, number(-size, size), number(-size, size), number(-size, size), std::abs(number(-9, size)), until};
+    expect_inside(o, {number(-size, size), std::abs(number(-size, size))});
+  }
+}
+
+TEST(Beam, HoldsAtUnixTimesAndFarPlaces) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> some(-3, 3);
+  for (int i = 0; i < 1000; ++i) {
+    const double t = 1.7e9 + some(random);
+    expect_inside({t, 1e15 + some(random), some(random), some(random), 0.5, random() % 2 ? inf : t + 4},
+                  {1.7e9, 2 + some(random) / 2});
+  }
+}
+
+TEST(Beam, IsNoThickerThanABowAsksFor) {
+  const Beam<1> straight = beam_of({0, 5, 2, 0, 1, inf}, {0, 10});
+  EXPECT_NEAR(straight.box.lower[0], 4, 1e-12);
+  EXPECT_NEAR(straight.box.upper[0], 26, 1e-12);
+  EXPECT_EQ(straight.travel[0], 20);
+  const Beam<1> bent = beam_of({0, 0, -2, 1, 0, inf}, {0, 4});  // out to -2 and back
+  EXPECT_NEAR(bent.box.lower[0], -2, 1e-12);
+  EXPECT_NEAR(bent.box.upper[0], 0, 1e-12);
+  EXPECT_EQ(bent.travel[0], 0);
+}
+
+TEST(Beam, KnowsWhenTheObjectExists) {
+  const Beam<1> part = beam_of({2, 0, 1, 0, 0, 6}, {0, 8});
+  EXPECT_EQ(part.begin, 0.25);
+  EXPECT_EQ(part.end, 0.75);
+  EXPECT_EQ(part.travel[0], 8) << "of the whole horizon";
+  EXPECT_TRUE(beam_of({9, 0, 1, 0, 0, inf}, {0, 8}).box.is_empty());
+  EXPECT_EQ(beam_of({2, 0, 1, 0, 0, 2}, {0, 8}).travel[0], 0) << "a moment stands still";
+}
+
+}  // namespace
+}  // namespace foresee
