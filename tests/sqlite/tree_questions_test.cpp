@@ -161,6 +161,31 @@ TEST(TreeQuestions, ALoopThatWritesSeesTheTreeAsItWas) {
   EXPECT_EQ(std::to_string(count) + "|" + std::to_string(sum), right);
 }
 
+TEST(TreeQuestions, HorizonsOfEverySize) {
+  for (const char* motion : {"0, 0", "3, 0", "i % 3 - 1, 0", "i % 3 - 1, i % 2"})
+    for (const char* h :
+         {"0", "1e-300", "1e-12", "10", "1e12", "1e100", "1e153", "1e155", "1e200", "1e300", "1e308"}) {
+      Database db;
+      db.exec(
+          "PRAGMA page_size = 512; CREATE VIRTUAL TABLE ships USING moving_objects(id, x, vx, ax);"
+          "WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 60)"
+          "INSERT INTO ships SELECT i, i * 2, " +
+          std::string(motion) + " FROM n");
+      const auto rows_by = [&](const std::string& method) {
+        return db.rows("SELECT a, b, t FROM predictive_join(" + std::string(h) + ", 'ships', 3, NULL, 0, '" +
+                       method + "') ORDER BY a, b");
+      };
+      for (const char* method : {"grid", "tree", "gpcd"})
+        EXPECT_TRUE(rows_by(method) == rows_by("scan")) << method << ", h = " << h << ", " << motion;
+      for (const char* question : {"SELECT * FROM predictive_window(", "SELECT * FROM predictive_nearest("}) {
+        const std::string asked =
+            question + std::string(h) + ", 'ships', " + (question[26] == 'w' ? "7, 9" : "4, 8");
+        EXPECT_EQ(db.rows(asked + ") WHERE method = 'tree' ORDER BY 1, 2"),
+                  db.rows(asked + ") WHERE method = 'scan' ORDER BY 1, 2"));
+      }
+    }
+}
+
 TEST(TreeQuestions, NowAfterTheNewestRowIsGone) {
   Database db;
   db.exec(

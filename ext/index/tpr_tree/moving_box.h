@@ -58,7 +58,7 @@ void pad_outward(MovingBox<D>& box, const Vec<D>& size) {
 template <int D>
 MovingBox<D> moving_box(const Bounds<D>& bounds, double epoch, const TimeSpan& span, const Horizon& horizon) {
   const double s = horizon.now - epoch, duration = std::max(span.end, 0.0), reach = std::abs(s) + duration;
-  const double half_s = 0.5 * s, half_duration = 0.5 * duration, bulge = 0.125 * duration * duration;
+  const double half_s = 0.5 * s, half_duration = 0.5 * duration, eighth = 0.125 * duration;
   const bool before = s < 0;  // then the ends of velocity and acceleration change places (bounds.h)
   const Vec<D>&v_lower = before ? bounds.v_upper : bounds.v_lower,
         &v_upper = before ? bounds.v_lower : bounds.v_upper,
@@ -66,8 +66,10 @@ MovingBox<D> moving_box(const Bounds<D>& bounds, double epoch, const TimeSpan& s
         &a_upper = before ? bounds.a_lower : bounds.a_upper;
   MovingBox<D> box;
   box.span = span;
-  box.lower = bounds.x_lower + s * (v_lower + half_s * bounds.a_lower) - bulge * bounds.a_lower.max(0.0);
-  box.upper = bounds.x_upper + s * (v_upper + half_s * bounds.a_upper) - bulge * bounds.a_upper.min(0.0);
+  box.lower = bounds.x_lower + s * (v_lower + half_s * bounds.a_lower) -
+              eighth * (duration * bounds.a_lower.max(0.0));
+  box.upper = bounds.x_upper + s * (v_upper + half_s * bounds.a_upper) -
+              eighth * (duration * bounds.a_upper.min(0.0));
   box.v_lower = bounds.v_lower + s * a_lower + half_duration * bounds.a_lower;
   box.v_upper = bounds.v_upper + s * a_upper + half_duration * bounds.a_upper;
   pad_outward<D>(box, bounds.x_lower.abs() + bounds.x_upper.abs() +
@@ -83,11 +85,11 @@ MovingBox<D> moving_box(const Motion<D>& motion, const Vec<D>& half_extents, con
   const TimeSpan span = span_between(motion.t, motion.until, horizon);
   const double s = horizon.now - motion.t, duration = std::max(span.end, 0.0), reach = std::abs(s) + duration;
   const Vec<D> centre = motion.x + s * (motion.v + (0.5 * s) * motion.a), half = half_extents + margin;
-  const double bulge = 0.125 * duration * duration;
+  const double eighth = 0.125 * duration;  // its square may overflow where there is no acceleration
   MovingBox<D> box;
   box.span = span;
-  box.lower = centre - (half + bulge * motion.a.max(0.0));
-  box.upper = centre + (half - bulge * motion.a.min(0.0));
+  box.lower = centre - (half + eighth * (duration * motion.a.max(0.0)));
+  box.upper = centre + (half - eighth * (duration * motion.a.min(0.0)));
   box.v_lower = box.v_upper = motion.v + (s + 0.5 * duration) * motion.a;
   pad_outward<D>(box, motion.x.abs() + half + reach * (motion.v.abs() + (0.5 * reach) * motion.a.abs()));
   return box;
