@@ -139,10 +139,10 @@ int Root::sign_of(const Polynomial& q) {
     const Descartes count = descartes(q, low_, high_);
     if (count.variations == 0) return count.first;
     if (round == (few_digits ? 4 : 10)) {
-      // In doubt for long: a common root is a root of the common divisor, which divides p and so changes its
-      // sign.
+      // In doubt for long: a common root is a root of the common divisor, which divides p and so has none or
+      // this one here. The parity of the variations tells.
       const Polynomial common = common_divisor(*p_, q);
-      if (common.degree > 0 && descartes(common, low_, high_).variations == 1) return 0;
+      if (common.degree > 0 && descartes(common, low_, high_).variations % 2 == 1) return 0;
     }
     narrow(round);
   }
