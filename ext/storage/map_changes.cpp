@@ -38,6 +38,7 @@ void MapChanges::written(bool may_rewind) {
   if (stored_is_void_) log_change_of_void(true);
   stored_is_void_ = false;
   leaves_.reset();
+  held_after_writing_ = held();
 }
 
 void MapChanges::rewind(std::size_t position) noexcept {
@@ -48,11 +49,13 @@ void MapChanges::rewind(std::size_t position) noexcept {
     else
       leaves_.set(before.id, before.value);
   }
+  held_after_writing_ = std::min(held_after_writing_, held());
 }
 
 void MapChanges::clear() noexcept {
   leaves_.clear();
   log_.clear();
+  held_after_writing_ = 0;
   stored_is_void_ = false;
 }
 

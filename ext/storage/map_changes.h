@@ -9,6 +9,7 @@
 // what they said waits again.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "storage/id_table.h"
@@ -32,23 +33,29 @@ class MapChanges {
 
   bool stored_is_void() const { return stored_is_void_; }
   bool waits() const { return leaves_.size() != 0 || stored_is_void_; }
-  std::size_t memory() const { return leaves_.memory() + log_.capacity() * sizeof(IdTable::Entry); }
+  /// Bytes more than after the last write: what writing again would make worth its while.
+  std::size_t memory() const { return held() - held_after_writing_; }
   std::vector<IdTable::Entry> sorted() const { return leaves_.sorted(); }
   /// All that waited is in the stored map now. `may_rewind`: somebody may go back to before.
   void written(bool may_rewind);
 
   std::size_t position() const { return log_.size(); }
   void rewind(std::size_t position) noexcept;
-  void forget_log() noexcept { log_.clear(); }
+  void forget_log() noexcept {
+    log_.clear();
+    held_after_writing_ = std::min(held_after_writing_, held());
+  }
   /// After a commit, or after a rollback of everything.
   void clear() noexcept;
 
  private:
   void log_change_of_void(bool before);
+  std::size_t held() const { return leaves_.memory() + log_.size() * sizeof(IdTable::Entry); }
 
   IdTable leaves_;
   bool stored_is_void_ = false;
   std::vector<IdTable::Entry> log_;  // what was known before, oldest first
+  std::size_t held_after_writing_ = 0;
 };
 
 }  // namespace foresee
