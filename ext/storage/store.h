@@ -62,6 +62,11 @@ class Store final : public ObjectStore, public std::enable_shared_from_this<Stor
   void rename(const std::string& new_table) override;
   void drop() override;
 
+  // For a table that is connected again.
+  bool goes_by(const std::string& table) const { return name_.table == table; }
+  /// Everything that this transaction did here is gone, and nobody said so.
+  bool is_taken_back();
+
   // For snapshots.
   NodeCache& nodes();
   void give_up(Marks::Handle mark) noexcept { cache_.give_up(mark); }
@@ -114,9 +119,14 @@ class Store final : public ObjectStore, public std::enable_shared_from_this<Stor
     std::size_t loose_position;
     Largest largest;
     std::uint64_t change;
+    std::optional<std::int64_t> own_stamp;
+    std::string table;
+    bool waits;  ///< something that is not stored yet
   };
+  bool waits() const { return cache_.waits() || loose_->count() > 0; }
   void back_to(const Savepoint& savepoint);
   void back_to_begin() noexcept;
+  void go_by(const std::string& table);
   void give_up_savepoints(std::size_t from) noexcept;
   void end_transaction() noexcept;
   void note_change() noexcept { ++change_, changed_ = true; }
@@ -139,6 +149,8 @@ class Store final : public ObjectStore, public std::enable_shared_from_this<Stor
   std::vector<Savepoint> savepoints_;
   std::optional<std::int64_t> believed_stamp_;  ///< the cache is as the tables were under this stamp
   std::optional<std::int64_t> stamp_before_;    ///< … before this transaction
+  std::optional<std::int64_t> own_stamp_;       ///< what this transaction has written last and not taken back
+  std::string table_at_begin_;                  ///< the table's name then: renaming can be taken back
 
   Largest largest_;
 

@@ -67,8 +67,13 @@ void Store::load_all_anew() {
 
 // If it fails half-way what was not written waits on: writing the same again does no harm.
 void Store::flush() {
+  if (!waits()) return;
+  if (is_taken_back()) {
+    back_to_begin();
+    stamped_ = false;
+    return;
+  }
   settle();
-  if (!cache_.waits()) return;
   rows();
   const OwnStatements own(*this);
   ++change_;

@@ -29,7 +29,8 @@ std::shared_ptr<ObjectStore> ObjectStore::open(sqlite3* db, const std::string& s
   const QualifiedName name{schema, table};
   const NodeFormat format = read_node_format(db, name, declaration);
   if (auto live = find_open_store(db, name);
-      live && same_columns(live->declaration(), declaration) && live->format().node_size == format.node_size)
+      live && live->goes_by(name.table) && same_columns(live->declaration(), declaration) &&
+      live->format().node_size == format.node_size && !live->is_taken_back())
     return live;
   auto store = std::make_shared<Store>(db, name, declaration, format, false);
   remember_open_store(db, name, store);
@@ -46,7 +47,8 @@ Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const Nod
       cache_(format_, name_),
       tree_(make_tpr_tree(cache_, declaration_.horizon)),
       loose_(std::make_shared<LooseObjects>(static_cast<std::size_t>(format_.at.size))),
-      in_transaction_(is_new) {
+      in_transaction_(is_new),
+      table_at_begin_(name_.table) {
   cache_.connect(*rows_);
 }
 
@@ -92,6 +94,7 @@ std::shared_ptr<NodeSource> Store::snapshot() {
 
 void Store::begin() {
   if (in_transaction_) return;
+  table_at_begin_ = name_.table;
   cache_.begin();
   in_transaction_ = true;
 }
@@ -105,7 +108,20 @@ void Store::end_transaction() noexcept {
   give_up_savepoints(0);
   in_transaction_ = writing_ = stamped_ = torn_ = false;
   largest_ = {};
+  own_stamp_.reset();
   loose_->rewind(0);
+}
+
+// A table that was made after a savepoint is not told when SQLite goes back to it; but then the stamp that
+// this transaction wrote is gone, or all the tables are.
+bool Store::is_taken_back() {
+  if (!own_stamp_) return false;
+  try {
+    return rows().stamp() != own_stamp_;
+  } catch (const StoreError& error) {
+    if ((error.code & 0xff) != SQLITE_ERROR) throw;
+    return true;
+  }
 }
 
 void Store::commit() {
@@ -119,6 +135,7 @@ void Store::rollback() {
     rolled_back_ = true;
     return;
   }
+  go_by(table_at_begin_);
   back_to_begin();
   if (writing_) believed_stamp_ = stamp_before_;
   end_transaction();
@@ -141,8 +158,8 @@ void Store::savepoint(int level) {
   // Two virtual tables that share this store are both told.
   if (!savepoints_.empty() && savepoints_.back().level >= level) return;
   savepoints_.reserve(savepoints_.size() + 1);
-  savepoints_.push_back(
-      {level, cache_.mark(false), cache_.map_position(), loose_, loose_->position(), largest_, change_});
+  savepoints_.push_back({level, cache_.mark(false), cache_.map_position(), loose_, loose_->position(),
+                         largest_, change_, own_stamp_, name_.table, waits()});
 }
 
 void Store::give_up_savepoints(std::size_t from) noexcept {
@@ -169,7 +186,9 @@ void Store::rollback_to(int level) {
     give_up_savepoints(is_marked ? first + 1 : first);
     return;
   }
+  go_by(table_at_begin_);
   back_to_begin();  // the table joined the transaction after that savepoint
+  own_stamp_.reset();
   note_change();
   stamped_ = torn_ = false;
   largest_ = {};
@@ -178,6 +197,8 @@ void Store::rollback_to(int level) {
 void Store::back_to(const Savepoint& savepoint) {
   if (savepoint.change == change_ && !torn_) return;
   torn_ = true;  // until it is done
+  go_by(savepoint.table);
+  own_stamp_ = savepoint.own_stamp;
   cache_.restore(savepoint.mark, savepoint.map_position);
   loose_ = savepoint.loose;
   loose_->rewind(savepoint.loose_position);
@@ -192,13 +213,27 @@ void Store::rename(const std::string& new_table) {
   flush();
   const OwnStatements own(*this);
   rename_shadow_tables(db_, name_, new_table, declaration_);
-  name_.table = new_table;
+  go_by(new_table);
+  note_change();
+}
+
+void Store::go_by(const std::string& table) {
+  if (name_.table == table) return;
+  name_.table = table;
   rows_ = std::make_unique<ShadowRows>(db_, name_, static_cast<int>(declaration_.auxiliaries.size()));
   cache_.connect(*rows_);
   remember_open_store(db_, name_, shared_from_this());
 }
 
+// What waited at a savepoint would be lost with this object, and SQLite may go back to there. The newest mark
+// is that of the DROP itself.
 void Store::drop() {
+  for (std::size_t i = 0; i + 1 < savepoints_.size(); ++i)
+    if (savepoints_[i].waits)
+      throw StoreError(SQLITE_LOCKED,
+                       name_.table +
+                           " has changes from before an open savepoint: RELEASE it, or COMMIT, "
+                           "and then DROP the table");
   const OwnStatements own(*this);
   drop_shadow_tables(db_, name_, declaration_);
   cache_.forget_all();

@@ -28,7 +28,7 @@ void Store::start_change(std::span<const double> record) {
   std::int64_t stamp;
   sqlite3_randomness(sizeof stamp, &stamp);
   rows().write_stamp(stamp);
-  believed_stamp_ = stamp;
+  believed_stamp_ = own_stamp_ = stamp;
   writing_ = stamped_ = true;
   ++change_;
 }
