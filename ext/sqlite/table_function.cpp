@@ -19,6 +19,7 @@ struct Registration {
 
 struct FunctionTable : sqlite3_vtab {
   const Registration* registration = nullptr;
+  bool or_loses_rows = false;  ///< see estimate()
 
   const TableFunction& function() const { return registration->function; }
   int output_count() const { return static_cast<int>(function().outputs.size()); }
@@ -104,10 +105,12 @@ int op_of(char letter) {
 struct Plan {
   std::string arguments;
   std::uint32_t inputs_given = 0, inputs_unusable = 0;
+  bool null_inputs = false;              ///< one of them is NULL, or may be
+  bool about_ids = false;                ///< an output is compared with a value, known yet or not
   int equalities = 0, inequalities = 0;  ///< hints
 };
 
-void take(Plan& plan, const FunctionTable& table, const sqlite3_index_info& info, int i) {
+void take(Plan& plan, const FunctionTable& table, sqlite3_index_info& info, int i) {
   const auto& constraint = info.aConstraint[i];
   const char letter = letter_of(constraint.op);
   const int input = constraint.iColumn - table.output_count();
@@ -120,7 +123,12 @@ void take(Plan& plan, const FunctionTable& table, const sqlite3_index_info& info
   } else if (!(table.function().hinted >> constraint.iColumn & 1)) {
     return;
   }
+  if (!is_input && letter == '=') plan.about_ids = true;
   if (!constraint.usable) return;
+  sqlite3_value* right = nullptr;
+  if (is_input && input > 0 &&
+      (sqlite3_vtab_rhs_value(&info, i, &right) != SQLITE_OK || sqlite3_value_type(right) == SQLITE_NULL))
+    plan.null_inputs = true;
   if (!is_input) ++(letter == '=' ? plan.equalities : plan.inequalities);
   plan.arguments += {static_cast<char>('A' + constraint.iColumn), letter};
   info.aConstraintUsage[i].argvIndex = static_cast<int>(plan.arguments.size() / 2);
@@ -128,20 +136,29 @@ void take(Plan& plan, const FunctionTable& table, const sqlite3_index_info& info
 }
 
 /// A join about one id looks into the tree. Without its first input a call fails, so any other plan is
-/// better; but to plan `a = 42 OR b = 42` SQLite shows one side of the OR alone and adds the inputs only when
-/// it runs the plan.
-void estimate(const TableFunction& function, const Plan& plan, sqlite3_index_info& info) {
+/// better; but to plan `a = 42 OR b = 42` SQLite 3.40 shows one side of the OR alone and adds the inputs only
+/// when it runs the plan.
+///
+/// Having run it, SQLite looks at `input = NULL` once more, finds it not true and loses every row. So where
+/// an input may be NULL there must be no such plan. It is known by what comes before it: a call as a whole
+/// that says nothing of ids. (A question about one id that follows such a call may be planned worse than need
+/// be.)
+void estimate(FunctionTable& table, const Plan& plan, sqlite3_index_info& info) {
+  const TableFunction& function = table.function();
+  const bool whole = (plan.inputs_given & 1) != 0;
+  if (whole && !plan.about_ids) table.or_loses_rows = plan.null_inputs;
+  if (plan.about_ids && plan.equalities == 0) table.or_loses_rows = false;
   double cost = function.cost, rows = function.rows;
   if (plan.equalities > 0) cost = 1e3, rows = plan.equalities > 1 ? 1 : 10;
   if (plan.inequalities > 0) rows = std::max(1.0, rows / 4);
-  if (!(plan.inputs_given & 1) && plan.equalities == 0) cost = 1e50;
+  if (plan.equalities > 0 ? table.or_loses_rows : !whole) cost = 1e50;
   info.estimatedCost = cost;
   info.estimatedRows = static_cast<sqlite3_int64>(rows);
 }
 
 int function_best_index(sqlite3_vtab* vtab, sqlite3_index_info* info) noexcept {
   return guarded_by_name(vtab, [&]() -> int {
-    const FunctionTable& table = table_of(vtab);
+    FunctionTable& table = table_of(vtab);
     Plan plan;
     for (int i = 0; i < info->nConstraint; ++i) take(plan, table, *info, i);
     if (plan.inputs_unusable & ~plan.inputs_given) return SQLITE_CONSTRAINT;
@@ -149,7 +166,7 @@ int function_best_index(sqlite3_vtab* vtab, sqlite3_index_info* info) noexcept {
     info->idxStr = sqlite3_mprintf("%s", plan.arguments.c_str());
     if (!info->idxStr) return SQLITE_NOMEM;
     info->needToFreeIdxStr = 1;
-    estimate(table.function(), plan, *info);
+    estimate(table, plan, *info);
     return SQLITE_OK;
   });
 }
