@@ -4,22 +4,23 @@
 
 namespace foresee {
 
-std::int64_t Connection::announce(ObjectStore* store, const std::string& schema, const std::string& table) {
+std::int64_t Connection::announce(std::shared_ptr<ObjectStore> store, const std::string& schema,
+                                  const std::string& table) {
   const std::int64_t number = last_number_ + 1;
-  tables_.emplace(number, OpenTable{store, schema, table});
+  tables_.emplace(number, OpenTable{std::move(store), schema, table});
   return last_number_ = number;
 }
 
 void Connection::rename(std::int64_t number, const std::string& table) {
   OpenTable& open = tables_.at(number);
   open.table = table;
-  scenes_.erase(open.store);  // a scene carries its table's name
+  scenes_.erase(open.store.get());  // a scene carries its table's name
 }
 
 void Connection::leave(std::int64_t number) noexcept {
   const auto open = tables_.find(number);
   if (open == tables_.end()) return;
-  scenes_.erase(open->second.store);
+  scenes_.erase(open->second.store.get());
   tables_.erase(open);
   // sqlite3_close disconnects the tables first and then refuses while a statement is left.
   if (tables_.empty()) interrupt_.finalize();
@@ -32,7 +33,7 @@ const Connection::OpenTable* Connection::find(std::int64_t number) const {
 
 std::shared_ptr<const Scene> Connection::scene(const OpenTable& table, bool outlined) {
   const ContentVersion version = table.store->version();
-  const auto cached = scenes_.find(table.store);
+  const auto cached = scenes_.find(table.store.get());
   if (cached != scenes_.end() && cached->second.version == version &&
       (!outlined || cached->second.scene->outline))
     return cached->second.scene;
@@ -48,7 +49,7 @@ std::shared_ptr<const Scene> Connection::scene(const OpenTable& table, bool outl
   } else {
     table.store->load(scene->ids, scene->rows, interrupt_);
   }
-  scenes_[table.store] = {version, scene};
+  scenes_[table.store.get()] = {version, scene};
   return scene;
 }
 

@@ -28,12 +28,13 @@ class Connection {
 
   // A table announces itself in xConnect and leaves in xDisconnect; the number finds it again (see
   // open_table.h).
-  std::int64_t announce(ObjectStore* store, const std::string& schema, const std::string& table);
+  std::int64_t announce(std::shared_ptr<ObjectStore> store, const std::string& schema,
+                        const std::string& table);
   void rename(std::int64_t number, const std::string& table);
   void leave(std::int64_t number) noexcept;
 
   struct OpenTable {
-    ObjectStore* store;
+    std::shared_ptr<ObjectStore> store;
     std::string schema, table;
   };
   /// Null if no table has this number. Valid until the table leaves.

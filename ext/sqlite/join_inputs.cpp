@@ -16,21 +16,21 @@ using Table = Connection::OpenTable;
 
 /// tbl and other. The same table as `other` makes pairs in both orders.
 struct Tables {
-  const Table* a;
-  const Table* b = nullptr;  ///< null: pairs within a, each once
+  Table a;
+  std::optional<Table> b = {};  ///< none: pairs within a, each once
 
-  bool are_one() const { return b && b->store == a->store; }
+  bool are_one() const { return b && b->store == a.store; }
 };
 
 Tables open_tables(const Call& call) {
   const auto schema = call.text(in_schema);
-  Tables tables{&open_table(call.connection(), {call.text(in_tbl), schema})};
-  if (const auto other = call.text(in_other)) tables.b = &open_table(call.connection(), {other, schema});
+  Tables tables{open_table(call.connection(), {call.text(in_tbl), schema})};
+  if (const auto other = call.text(in_other)) tables.b = open_table(call.connection(), {other, schema});
   return tables;
 }
 
 double newest_t_of(const Tables& tables) {
-  const double newest = tables.a->store->newest_t();
+  const double newest = tables.a.store->newest_t();
   return tables.b ? std::max(newest, tables.b->store->newest_t()) : newest;
 }
 
@@ -39,7 +39,7 @@ void take_scenes(Connection& connection, const Tables& tables, JoinQuestion& que
     return question.method == JoinMethod::tree ? connection.scene_with_outline(table)
                                                : connection.scene(table);
   };
-  question.a = scene(*tables.a);
+  question.a = scene(tables.a);
   if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b);
 }
 
@@ -66,8 +66,8 @@ void take_object_and_near(Connection& connection, const Tables& tables, const As
                           JoinQuestion& question) {
   const bool by_a = ids.a.has_value();
   const std::int64_t id = by_a ? *ids.a : *ids.b;
-  const Table& last = tables.b ? *tables.b : *tables.a;
-  const Table &one = by_a ? *tables.a : last, &others = by_a ? last : *tables.a;
+  const Table& last = tables.b ? *tables.b : tables.a;
+  const Table &one = by_a ? tables.a : last, &others = by_a ? last : tables.a;
   std::shared_ptr<const Scene>&object = by_a ? question.a : question.b,
                         &near = by_a ? question.b : question.a;
   object = scene_of(one, id);
@@ -75,7 +75,7 @@ void take_object_and_near(Connection& connection, const Tables& tables, const As
   check_question(question);
   const auto keep = [&](std::int64_t other) {
     if (tables.are_one()) return other != id;
-    return tables.b != nullptr || (by_a ? id < other : other < id);
+    return tables.b.has_value() || (by_a ? id < other : other < id);
   };
   near = objects_near(*object, *others.store->snapshot(), others.table, {question.now, question.h},
                       contact_of(question)->reach(), connection.interrupt(), keep);

@@ -71,7 +71,7 @@ std::string quoted_schema(const std::string& schema) {
 
 }  // namespace
 
-const Connection::OpenTable& open_table(Connection& connection, const AskedTable& asked) {
+Connection::OpenTable open_table(Connection& connection, const AskedTable& asked) {
   const AskedTable name = asked.table ? asked : only_table(connection.db(), asked.schema);
   try {
     const std::string from = name.schema ? quoted_schema(*name.schema) : "";

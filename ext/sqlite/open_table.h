@@ -1,6 +1,6 @@
 // Which table is meant?
 //
-//   const auto& ships = open_table(connection, {.table = call.text(input_tbl), .schema = {}});
+//   const auto ships = open_table(connection, {.table = call.text(input_tbl), .schema = {}});
 //   connection.scene(ships);  ships.store->snapshot();         // all of it, or its tree
 //
 // A name resolves as SQLite resolves it (temp, main, attached) unless a schema is given; without a name the
@@ -27,8 +27,9 @@ struct AskedTable {
   std::optional<std::string> schema;
 };
 
-/// Equal tables have equal stores. Throws Error where no such table is to be found or where the choice is not
+/// Equal tables have equal stores. A copy, because to look up another table may make SQLite connect this one
+/// anew. Throws Error where no such table is to be found or where the choice is not
 /// clear; it lists what there is.
-const Connection::OpenTable& open_table(Connection& connection, const AskedTable& name);
+Connection::OpenTable open_table(Connection& connection, const AskedTable& name);
 
 }  // namespace foresee

@@ -38,7 +38,7 @@ class PositionRows final : public Rows {
 std::unique_ptr<Rows> start(const Call& call) {
   const double at = call.required_number(in_at);
   Connection& connection = call.connection();
-  const auto& table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
+  const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
   return std::make_unique<PositionRows>(connection.scene(table), at, connection.interrupt());
 }
 

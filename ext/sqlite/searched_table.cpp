@@ -10,7 +10,7 @@ SearchedTable searched_table(const Call& call, const SearchInputs& inputs) {
     throw Error("method must be 'auto', 'tree' or 'scan', not '" + method + "'");
   const auto now = call.number(inputs.now);
   Connection& connection = call.connection();
-  const auto& table = open_table(connection, {call.text(inputs.tbl), call.text(inputs.schema)});
+  const auto table = open_table(connection, {call.text(inputs.tbl), call.text(inputs.schema)});
   SearchedTable searched{{table.table, nullptr, nullptr}, now ? *now : table.store->newest_t()};
   if (method == "scan")
     searched.objects.scene = connection.scene(table);

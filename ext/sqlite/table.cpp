@@ -15,7 +15,7 @@ Table::Table(std::shared_ptr<Connection> connection_, Declaration declaration, S
       number(0),
       declared_(std::move(declaration)),
       opened_(std::move(opened)) {
-  number = connection->announce(opened_.store.get(), schema, name);
+  number = connection->announce(opened_.store, schema, name);
 }
 
 Table::~Table() {

@@ -115,5 +115,40 @@ TEST_F(JoinTables, AreFoundThoughAFunctionMatchAnswersForOthers) {
             "predictive_join: plain is not a moving_objects table (moving_objects tables here: main.ships)");
 }
 
+TEST(JoinOfTwoTables, SurvivesThatLookingUpOneMakesSQLiteConnectTheOtherAnew) {
+  TemporaryFile file;
+  Database db, another(file.path());
+  another.exec(
+      "CREATE VIRTUAL TABLE other USING moving_objects(id, x, vx); INSERT INTO other VALUES(1, 10, -1)");
+  db.exec("ATTACH '" + file.path() +
+          "' AS far; CREATE VIRTUAL TABLE temp.ships USING moving_objects(id, x, vx);"
+          "INSERT INTO ships VALUES(1, 0, 1)");
+  const char* question = "SELECT a, b, t FROM predictive_join(10, 'ships', 0, 'other')";
+  for (const char* name : {"p", "q", "r"}) {
+    EXPECT_EQ(db.rows(question), "1|1|5.0");
+    another.exec(std::string("CREATE TABLE ") + name + "(x)");  // the schema of `far` is read again
+  }
+  EXPECT_EQ(db.rows(question), "1|1|5.0");
+}
+
+TEST(JoinAboutTwoIds, TakesNullInputsAsLeftOut) {
+  Database db;
+  db.exec(
+      "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, vx);"
+      "INSERT INTO ships VALUES(1, 0, 6), (2, 1200, -6), (3, 5000, 0)");
+  for (const char* inputs :
+       {"300, 'ships', 5", "300, 'ships', 5, NULL, 0", "300, 'ships', NULL", "300, NULL, 5",
+        "300, 'ships', 0, NULL, NULL, 'tree'", "300, 'ships', abs(0), (SELECT NULL)"}) {
+    const std::string join = "SELECT a, b FROM predictive_join(" + std::string(inputs) + ") WHERE ";
+    EXPECT_EQ(db.rows(join + "a = 1 OR b = 1"), "1|2") << inputs;
+    EXPECT_EQ(db.rows(join + "a IN (2) OR b = 2"), "1|2") << inputs;
+  }
+  EXPECT_EQ(
+      db.rows(
+          "SELECT s.id, j.a, j.b FROM ships s LEFT JOIN predictive_join(300, 'ships', 0, NULL, NULL, 'tree')"
+          " j ON j.a = s.id OR j.b = s.id ORDER BY 1"),
+      "1|1|2\n2|1|2\n3|NULL|NULL");
+}
+
 }  // namespace
 }  // namespace foresee::testing
