@@ -107,6 +107,8 @@ TEST_P(FileFaults, Questions) {
   run("SELECT * FROM ships");
   run("SELECT count(*) FROM predictive_join(10, 'ships')");
   run("SELECT * FROM predictive_position(10, 'ships')");
+  run("SELECT count(*) FROM predictive_window(10, 'ships', 20, 60)");
+  run("SELECT * FROM predictive_nearest(10, 'ships', 9, 50, 50)");
 }
 
 INSTANTIATE_TEST_SUITE_P(JournalModes, FileFaults, ::testing::Values("delete", "wal"),

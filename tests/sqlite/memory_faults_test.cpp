@@ -149,6 +149,13 @@ TEST_F(MemoryFaults, CreateAndDrop) {
   run("CREATE VIRTUAL TABLE IF NOT EXISTS boats USING moving_objects(id, x); DROP TABLE boats");
 }
 
+TEST_F(MemoryFaults, SmallQuestions) {
+  run("SELECT * FROM predictive_window(10, 'ships', 0, 2.5)");
+  run("SELECT * FROM predictive_nearest(10, 'ships', 2, 0, 0)");
+  run("SELECT * FROM predictive_join(10, 'ships', 5) WHERE a = 1");
+  run("BEGIN; UPDATE ships SET x = 0 WHERE id = 3; SELECT * FROM predictive_window(10, 'ships', 0); COMMIT");
+}
+
 TEST_F(MemoryFaults, Join) {
   run("SELECT * FROM predictive_join(10, 'ships', 5)");
   run("SELECT * FROM predictive_position(10)");
