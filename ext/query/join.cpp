@@ -44,6 +44,11 @@ Join::Join(JoinQuestion question, Interrupt& interrupt)
   if (question_.skip_touching) question_.wants.contact = true;
 }
 
+Join::~Join() {
+  candidates_.reset();
+  if (question_.space) question_.space->trim();
+}
+
 /// The exact stage may take some ten microseconds a pair, so a batch is asked in slices that can be
 /// interrupted.
 template <class Work>

@@ -19,6 +19,7 @@
 
 #include "contact/contact.h"
 #include "index/candidates.h"
+#include "index/gpcd_grid/work_space.h"
 #include "motion/error.h"
 #include "query/scene.h"
 
@@ -48,6 +49,7 @@ struct JoinQuestion {
   std::optional<std::int64_t> only_b = {};
   bool skip_touching = false;  ///< leave out pairs that touch at `now` already: dt = 0
   JoinWants wants = {};
+  std::shared_ptr<GridSpace> space = nullptr;  ///< memory kept between joins, not shared by two at a time
 };
 
 struct JoinRow {
@@ -61,6 +63,9 @@ class Join {
   /// Throws Error for a wrong question (h, within or within_z negative or not finite; now not finite;
   /// different axes; shapes without a distance). `interrupt` must outlive the join.
   Join(JoinQuestion question, Interrupt& interrupt);
+  ~Join();
+  Join(const Join&) = delete;
+  Join& operator=(const Join&) = delete;
 
   /// The next rows, some thousands at most; empty once there are none left. Valid until the next call.
   std::span<const JoinRow> next();

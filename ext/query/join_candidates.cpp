@@ -55,9 +55,9 @@ std::unique_ptr<Candidates> by_index(const JoinQuestion& question, const Contact
                                     interrupt);
   }
   const MovingBoxes<D> a{question.a->bodies(), horizon, margin};
-  if (!question.b) return make_gpcd_grid<D>(a, nullptr, interrupt);
+  if (!question.b) return make_gpcd_grid<D>(a, nullptr, interrupt, question.space);
   const MovingBoxes<D> b{question.b->bodies(), horizon, margin};
-  return make_gpcd_grid<D>(a, &b, interrupt);
+  return make_gpcd_grid<D>(a, &b, interrupt, question.space);
 }
 
 std::unique_ptr<Candidates> by_index_of_axes(const JoinQuestion& question, const Contact::Reach& reach,

@@ -1,5 +1,5 @@
-// What one database connection knows of foresee: which moving_objects tables are connected, and their decoded
-// scenes.
+// What one database connection knows of foresee: which moving_objects tables are connected, their decoded
+// scenes, and the memory that joins compute in.
 //
 // One Connection lives in the modules' pAux and dies with the last of them. Tables come and go with every
 // schema change (VACUUM, ALTER); a table's decoded scene lives as long as the table is connected and is valid
@@ -11,6 +11,7 @@
 #include <memory>
 #include <string>
 
+#include "index/gpcd_grid/work_space.h"
 #include "query/scene.h"
 #include "sqlite/statement_interrupt.h"
 #include "storage/object_store.h"
@@ -45,6 +46,11 @@ class Connection {
   /// The same with the outline of its tree.
   std::shared_ptr<const Scene> scene_with_outline(const OpenTable& table) { return scene(table, true); }
 
+  /// Memory for one join, kept from join to join; one that runs beside another gets its own.
+  std::shared_ptr<GridSpace> grid_space() {
+    return space_.use_count() == 1 ? space_ : std::make_shared<GridSpace>();
+  }
+
  private:
   struct CachedScene {
     ContentVersion version;
@@ -58,6 +64,7 @@ class Connection {
   std::int64_t last_number_ = 0;
   std::map<std::int64_t, OpenTable> tables_;
   std::map<const ObjectStore*, CachedScene> scenes_;
+  std::shared_ptr<GridSpace> space_ = std::make_shared<GridSpace>();
 };
 
 }  // namespace foresee

@@ -104,6 +104,7 @@ JoinQuestion read_join_inputs(const Call& call, const AskedIds& ids) {
   } else {
     take_scenes(call.connection(), tables, question);
     question.only_a = ids.a, question.only_b = ids.b;
+    question.space = call.connection().grid_space();
   }
   return question;
 }

@@ -76,6 +76,22 @@ TEST_F(JoinSnapshot, StaysWhileItsTableIsEmptied) {
   EXPECT_EQ(count(), "0");
 }
 
+TEST_F(JoinSnapshot, HasWorkSpaceOfItsOwnBesideAnotherJoin) {
+  for (const char* table : {"large", "small"})
+    build_table(db, table,
+                random_scene({.layout = {.axes = 2, .law = Law::uniform, .shape = Shape::ball},
+                              .count = table[0] == 'l' ? 20000u : 3000u}));
+  const auto rows_alone = [this](const std::string& sql) { return Stepped(db, sql).count_rest(); };
+  const std::string large = "SELECT a, b, t FROM predictive_join(3, 'large', 0, NULL, 0, 'grid')";
+  const std::string small = "SELECT a, b, t FROM predictive_join(3, 'small', 0, NULL, 0, 'grid')";
+  const int wanted_large = rows_alone(large), wanted_small = rows_alone(small);
+  Stepped first(db, large), second(db, small), third(db, large);
+  for (Stepped* join : {&first, &second, &third}) ASSERT_EQ(join->step(), SQLITE_ROW);
+  EXPECT_EQ(second.count_rest(), wanted_small - 1);
+  EXPECT_EQ(third.count_rest(), wanted_large - 1);
+  EXPECT_EQ(first.count_rest(), wanted_large - 1);
+}
+
 TEST_F(JoinSnapshot, FeedsAStatementThatWritesItsTable) {
   db.exec("INSERT INTO ships SELECT 1000 * a + b, 5000, 5000, 0, 0, 0 FROM predictive_join(9)");
   EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "210");

@@ -4,9 +4,11 @@
 //   float* values = rows.room(count);                    // at least so many, contents undefined
 //
 // Fresh memory costs more than the numbers written to it: the system clears every page when it is first
-// touched. A work space grows to what the largest query needed and is given back as a whole.
+// touched. A work space grows to what the largest query needed; trim() gives back what the last one had no
+// use for.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -15,12 +17,13 @@
 
 namespace foresee {
 
-/// An array that only grows and never clears. T has no constructor.
+/// An array that grows as needed and never clears. T has no constructor.
 template <class T>
 class Buffer {
  public:
   /// Room for at least `count`; what was in it is lost if it grows. Pointers from before are then invalid.
   T* room(std::size_t count) {
+    most_ = std::max(most_, count);
     if (count > capacity_) {
       capacity_ = 0;
       values_.reset();
@@ -29,13 +32,21 @@ class Buffer {
     }
     return values_.get();
   }
-  T* data() { return values_.get(); }
-  const T* data() const { return values_.get(); }
+  /// Gives the memory back if nobody has asked for a quarter of it since the last trim().
+  void trim() {
+    constexpr std::size_t not_worth_it = 1 << 16;
+    if (bytes() > not_worth_it && capacity_ / 4 > most_) {
+      capacity_ = 0;
+      values_.reset();
+    }
+    most_ = 0;
+  }
   std::size_t bytes() const { return capacity_ * sizeof(T); }
 
  private:
   std::unique_ptr<T[]> values_;
   std::size_t capacity_ = 0;
+  std::size_t most_ = 0;  // asked for since the last trim()
 };
 
 /// What a grid computes in. Used by one grid at a time.
@@ -50,6 +61,24 @@ struct GridSpace {
     } inside, crossing;
   } sides[2];
   Buffer<Pair> batch;
+
+  /// After each query: the space stays at most some times as large as the last one needed.
+  void trim() {
+    for (Side& side : sides) {
+      side.rows.trim(), side.cells.trim(), side.keys.trim();
+      for (Side::Lanes* lanes : {&side.inside, &side.crossing}) lanes->floats.trim(), lanes->words.trim();
+    }
+    batch.trim();
+  }
+  std::size_t bytes() const {
+    std::size_t sum = batch.bytes();
+    for (const Side& side : sides) {
+      sum += side.rows.bytes() + side.cells.bytes() + side.keys.bytes();
+      for (const Side::Lanes* lanes : {&side.inside, &side.crossing})
+        sum += lanes->floats.bytes() + lanes->words.bytes();
+    }
+    return sum;
+  }
 };
 
 }  // namespace foresee
