@@ -48,10 +48,9 @@ Cost exact_join(const Workload& w, bool with_times) {
   const auto contact = make_contact(w.bodies(), w.bodies(), {.horizon = {0, w.h}}, w.name, w.name);
   std::vector<ContactTimes> times;
   return joined<D>(w, [&](const std::vector<Pair>& candidates, std::vector<Pair>& hits) {
-    contact->decide(candidates, hits);
-    if (!with_times) return;
-    times.resize(hits.size());
-    contact->times(hits, times, TimesWanted::begins);
+    if (!with_times) return contact->decide(candidates, hits);
+    times.clear();
+    contact->first_contacts(candidates, TimesWanted::begins, hits, times);
   });
 }
 

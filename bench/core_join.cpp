@@ -41,7 +41,7 @@ struct Answer {
 };
 
 struct Stages {
-  double enter = 0, candidates = 0, decide = 0, times = 0;
+  double enter = 0, candidates = 0, contact = 0;
 };
 
 /// Contact for one batch of candidates after another.
@@ -52,10 +52,9 @@ class Emitter {
 
   void take(std::vector<Pair>& candidates) {
     answer.candidates += candidates.size();
-    hits_.clear();
-    stages.decide += seconds_of([&] { contact_->decide(candidates, hits_); });
-    times_.resize(hits_.size());
-    stages.times += seconds_of([&] { contact_->times(hits_, times_, TimesWanted::begins); });
+    hits_.clear(), times_.clear();
+    stages.contact +=
+        seconds_of([&] { contact_->first_contacts(candidates, TimesWanted::begins, hits_, times_); });
     for (std::size_t i = 0; i < hits_.size(); ++i) answer.add(hits_[i], times_[i].t);
     candidates.clear();
   }
@@ -78,9 +77,8 @@ Answer by_grid(const Workload& w, Stages& stages) {
   });
   const double begin = cpu_seconds();
   for (std::vector<Pair> batch; grid->next(batch);) emitter.take(batch);
-  stages.decide = emitter.stages.decide;
-  stages.times = emitter.stages.times;
-  stages.candidates = cpu_seconds() - begin - stages.decide - stages.times;
+  stages.contact = emitter.stages.contact;
+  stages.candidates = cpu_seconds() - begin - stages.contact;
   return emitter.answer;
 }
 
@@ -138,8 +136,8 @@ void print(const Workload& w, const Answer& answer, const std::vector<Method>& m
   for (const Method& method : methods)
     std::printf("    %-12s %9.0f ns an object %8.2fx\n", method.name, median(method.seconds) * per_object,
                 median(method.ratios));
-  std::printf("    the grid:    enter %.0f, candidates %.0f, decide %.0f, times %.0f\n\n",
-              s.enter * per_object, s.candidates * per_object, s.decide * per_object, s.times * per_object);
+  std::printf("    the grid:    enter %.0f, candidates %.0f, contact %.0f\n\n", s.enter * per_object,
+              s.candidates * per_object, s.contact * per_object);
 }
 
 /// False if two methods disagree.

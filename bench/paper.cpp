@@ -91,10 +91,8 @@ Answer by_tree(const Objects& objects) {
   std::vector<Pair> pairs, hits;
   std::vector<ContactTimes> times;
   for (; candidates->next(pairs); pairs.clear()) {
-    hits.clear();
-    contact->decide(pairs, hits);
-    times.resize(hits.size());
-    contact->times(hits, times, TimesWanted::begins);
+    hits.clear(), times.clear();
+    contact->first_contacts(pairs, TimesWanted::begins, hits, times);
     for (std::size_t i = 0; i < hits.size(); ++i)
       answer.add(tree.ids[hits[i].a], tree.ids[hits[i].b], times[i].t);
   }

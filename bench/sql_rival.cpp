@@ -67,11 +67,9 @@ void Rival::first_contact(sqlite3_context* context, int count, sqlite3_value** v
     rival->pair_rows_[static_cast<std::size_t>(i)] = sqlite3_value_double(values[i]);
   const Pair pair{0, 1};
   std::vector<Pair> hits;
-  rival->contact_->decide({&pair, 1}, hits);
-  if (hits.empty()) return;
-  ContactTimes times;
-  rival->contact_->times(hits, {&times, 1}, TimesWanted::begins);
-  sqlite3_result_double(context, times.t);
+  std::vector<ContactTimes> times;
+  rival->contact_->first_contacts({&pair, 1}, TimesWanted::begins, hits, times);
+  if (!times.empty()) sqlite3_result_double(context, times[0].t);
 }
 
 }  // namespace foresee::bench

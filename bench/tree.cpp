@@ -165,12 +165,8 @@ void join(const Scene& scene, Tree& tree) {
     std::vector<ContactTimes> times;
     for (std::vector<Pair> batch; walk->next(batch); batch.clear()) {
       candidates += batch.size();
-      hits.clear();
-      deciding += seconds_of([&] {
-        contact->decide(batch, hits);
-        times.resize(hits.size());
-        contact->times(hits, times, TimesWanted::begins);
-      });
+      hits.clear(), times.clear();
+      deciding += seconds_of([&] { contact->first_contacts(batch, TimesWanted::begins, hits, times); });
       pairs += hits.size();
     }
   });

@@ -113,12 +113,10 @@ Method filtered_engine(const Family& family) {
   return {"filtered", "",
           [contact, pairs = std::vector<Pair>(), hits = std::vector<Pair>(),
            times = std::vector<ContactTimes>()](std::size_t first, std::size_t count, Answer* out) mutable {
-            pairs.clear(), hits.clear();
+            pairs.clear(), hits.clear(), times.clear();
             for (std::size_t i = first; i < first + count; ++i)
               pairs.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i)});
-            contact->decide(pairs, hits);
-            times.resize(hits.size());
-            contact->times(hits, times, TimesWanted::begins);
+            contact->first_contacts(pairs, TimesWanted::begins, hits, times);
             std::fill_n(out, count, Answer{});
             for (std::size_t k = 0; k < hits.size(); ++k) out[hits[k].a - first] = {true, times[k].dt};
           }};

@@ -2,9 +2,8 @@
 // statement.
 //
 //   auto contact = make_contact(ships, ships, {.horizon = {.now = 600, .h = 600}, .within = 926});
-//   contact->decide(candidates, hits);                  // keeps the pairs that touch at some moment of the
-//   horizon contact->times(hits, times);                        // begin and end of the first contact, only
-//   when they are read
+//   contact->decide(candidates, hits);        // keeps the pairs that touch at some moment of the horizon
+//   contact->first_contacts(candidates, TimesWanted::both, hits, times);        // and says when, in one go
 //
 // Touching counts (contact is closed). A pair is looked at only while both objects exist: during
 // [max(now, t_a, t_b), min(now + h, until_a, until_b)]. Bodies at different reference times and of different
@@ -54,10 +53,10 @@ class Contact {
   /// Appends to `hits` those of `pairs` that touch, in their order.
   virtual void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) = 0;
 
-  /// Times of pairs that decide() has kept; `out` has one place for each. Ends that are not wanted are
-  /// anything.
-  virtual void times(std::span<const Pair> hits, std::span<ContactTimes> out,
-                     TimesWanted wanted = TimesWanted::both) = 0;
+  /// The same, and appends the times of each hit to `times`. Ends that are not wanted are anything. Costs
+  /// more than decide(), which looks for any moment of contact: for those who read times.
+  virtual void first_contacts(std::span<const Pair> pairs, TimesWanted wanted, std::vector<Pair>& hits,
+                              std::vector<ContactTimes>& times) = 0;
 
   /// Closest approach of pairs that decide() has kept; `out` has one place for each.
   virtual void closest_approach(std::span<const Pair> hits, std::span<ClosestApproach> out) = 0;

@@ -110,9 +110,14 @@ class Track {
     inner_end_ = moments.end_exact ? end : end * (1 - 2 * u);
   }
 
+  /// The cheap answer that lets most candidates go.
+  bool certainly_missed() const {
+    return Kind::visit(sizes_, ChordVisitor<D>(relative_, begin_, end_)).none();
+  }
+
   /// Is there a contact? Looks for any moment of it, not for its begin.
   Verdict touches() const {
-    if (Kind::visit(sizes_, ChordVisitor<D>(relative_, begin_, end_)).none()) return Verdict::no;
+    if (certainly_missed()) return Verdict::no;
     double tau = begin_;
     for (int leaps = 0; leaps < most_leaps; ++leaps) {
       const double step = ask<ApartVisitor<D, Degree>>(tau);

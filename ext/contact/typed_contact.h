@@ -26,11 +26,15 @@ class TypedContact final : public Contact {
     }
   }
 
-  void times(std::span<const Pair> hits, std::span<ContactTimes> out, TimesWanted wanted) override {
+  void first_contacts(std::span<const Pair> pairs, TimesWanted wanted, std::vector<Pair>& hits,
+                      std::vector<ContactTimes>& times) override {
     const FloatEnvironment environment;
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-      fetch_ahead(hits, i);
-      out[i] = times_of(setup_.a.row(hits[i].a), setup_.b.row(hits[i].b), wanted);
+    ContactTimes found;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      fetch_ahead(pairs, i);
+      if (!first_contact(setup_.a.row(pairs[i].a), setup_.b.row(pairs[i].b), wanted, found)) continue;
+      hits.push_back(pairs[i]);
+      times.push_back(found);
     }
   }
 
@@ -66,28 +70,37 @@ class TypedContact final : public Contact {
     return exactly<bool>(row_a, row_b, exact_touches);
   }
 
-  ContactTimes times_of(const double* row_a, const double* row_b, TimesWanted wanted) const {
-    Instant begin, end;
-    if (filtered_times(row_a, row_b, wanted, begin, end)) return {begin.t, end.t, begin.dt, end.dt};
-    return exactly<ContactTimes>(row_a, row_b, exact_times);
+  bool first_contact(const double* row_a, const double* row_b, TimesWanted wanted,
+                     ContactTimes& found) const {
+    const Moments moments = moments_of(setup_, row_a, row_b);
+    if (moments.none) return false;
+    Instant begin = unknown_instant(), end = unknown_instant();
+    const Verdict touches = filtered_contact(row_a, row_b, moments, wanted, begin, end);
+    if (touches == Verdict::no) return false;
+    found = {begin.t, end.t, begin.dt, end.dt};
+    if (touches == Verdict::yes && begin.known() && end.known()) return true;
+    if (touches == Verdict::uncertain && !exactly<bool>(row_a, row_b, exact_touches)) return false;
+    found = exactly<ContactTimes>(row_a, row_b, exact_times);
+    return true;
   }
 
-  /// What double and DoubleDouble can vouch for; false where they cannot.
-  [[gnu::flatten]] bool filtered_times(const double* row_a, const double* row_b, TimesWanted wanted,
-                                       Instant& begin, Instant& end) const {
-    const Moments moments = moments_of(setup_, row_a, row_b);
-    const Instant first_moment{moments.dt_begin, moments.t_begin}, last_moment{moments.dt_end, moments.t_end};
+  /// What double and DoubleDouble can vouch for: whether the two touch and, where known, since and until
+  /// when.
+  [[gnu::flatten]] Verdict filtered_contact(const double* row_a, const double* row_b, const Moments& moments,
+                                            TimesWanted wanted, Instant& begin, Instant& end) const {
     const auto track = this->track(row_a, row_b, moments);
+    if (track.certainly_missed()) return Verdict::no;
     Bracket first, last;
-    if (track.first_contact(first) != Verdict::yes) return false;
-    begin = first_moment;
+    const Verdict meets = track.first_contact(first);
+    if (meets != Verdict::yes) return meets;
+    begin = {moments.dt_begin, moments.t_begin};
     if (first.after > moments.dt_begin) begin = later(crossing<Way::in>(track, first, row_a, row_b), begin);
-    end = last_moment;
-    if (wanted == TimesWanted::begins) return begin.known();
+    end = {moments.dt_end, moments.t_end};
+    if (wanted == TimesWanted::begins) return meets;
     const Verdict leaves = track.end_of_contact(first.after, last);
-    if (leaves == Verdict::uncertain) return false;
     if (leaves == Verdict::yes) end = earlier(crossing<Way::out>(track, last, row_a, row_b), end);
-    return begin.known() && end.known();
+    if (leaves == Verdict::uncertain) end = unknown_instant();
+    return meets;
   }
 
   template <Way way>

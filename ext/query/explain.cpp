@@ -95,10 +95,9 @@ class Explanation {
     const double begin = thread_seconds();
     for (std::size_t i = 0; i < pairs.size(); i += slice) {
       interrupt_.check();
-      hits_.clear();
-      contact_->decide(std::span(pairs).subspan(i, std::min(slice, pairs.size() - i)), hits_);
-      times_.resize(hits_.size());
-      contact_->times(hits_, times_, TimesWanted::begins);
+      hits_.clear(), times_.clear();
+      contact_->first_contacts(std::span(pairs).subspan(i, std::min(slice, pairs.size() - i)),
+                               TimesWanted::begins, hits_, times_);
       exact_count_.after += hits_.size();
       for (const ContactTimes& times : times_) touching_ += times.dt == 0;
     }

@@ -68,10 +68,7 @@ std::span<const JoinRow> Join::next() {
     pairs_.clear();
     if (!candidates_->next(pairs_)) break;
     keep_asked_pairs();
-    hits_.clear();
-    in_slices(pairs_.size(), [this](std::size_t begin, std::size_t count) {
-      contact_->decide(std::span(pairs_).subspan(begin, count), hits_);
-    });
+    find_hits();
     make_rows();
   }
   return rows_;
@@ -97,18 +94,28 @@ void Join::keep_asked_pairs() {
   pairs_.resize(kept);
 }
 
+void Join::find_hits() {
+  const TimesWanted wanted = question_.wants.ends ? TimesWanted::both : TimesWanted::begins;
+  hits_.clear(), times_.clear();
+  in_slices(pairs_.size(), [&](std::size_t begin, std::size_t count) {
+    const auto pairs = std::span(pairs_).subspan(begin, count);
+    if (question_.wants.contact)
+      contact_->first_contacts(pairs, wanted, hits_, times_);
+    else
+      contact_->decide(pairs, hits_);
+  });
+  times_.resize(hits_.size());
+}
+
 void Join::make_rows() {
   const Scene& a = *question_.a;
   const Scene& b = question_.b ? *question_.b : a;
-  times_.resize(hits_.size());
   approaches_.resize(hits_.size());
-  const TimesWanted wanted = question_.wants.ends ? TimesWanted::both : TimesWanted::begins;
-  in_slices(hits_.size(), [&](std::size_t begin, std::size_t count) {
-    const auto hits = std::span(hits_).subspan(begin, count);
-    if (question_.wants.contact) contact_->times(hits, std::span(times_).subspan(begin, count), wanted);
-    if (question_.wants.approach)
-      contact_->closest_approach(hits, std::span(approaches_).subspan(begin, count));
-  });
+  if (question_.wants.approach)
+    in_slices(hits_.size(), [&](std::size_t begin, std::size_t count) {
+      contact_->closest_approach(std::span(hits_).subspan(begin, count),
+                                 std::span(approaches_).subspan(begin, count));
+    });
   for (std::size_t i = 0; i < hits_.size(); ++i) {
     if (question_.skip_touching && !(times_[i].dt > 0)) continue;
     rows_.push_back({a.ids[hits_[i].a], b.ids[hits_[i].b], times_[i], approaches_[i]});

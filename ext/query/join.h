@@ -74,6 +74,7 @@ class Join {
   template <class Work>
   void in_slices(std::size_t count, Work work);
   void keep_asked_pairs();
+  void find_hits();
   void make_rows();
 
   JoinQuestion question_;

@@ -60,13 +60,14 @@ std::span<const WindowRow> Window::next() {
   std::vector<std::uint32_t> batch;
   while (rows_.empty() && candidates_->next(batch)) {
     interrupt_.check();
-    pairs_.clear(), hits_.clear();
+    pairs_.clear(), hits_.clear(), times_.clear();
     for (const std::uint32_t row : batch) pairs_.push_back({0, row});
-    contact_->decide(pairs_, hits_);
-    times_.resize(hits_.size());
     const WindowWants& wants = question_.wants;
     if (wants.begins || wants.ends)
-      contact_->times(hits_, times_, wants.ends ? TimesWanted::both : TimesWanted::begins);
+      contact_->first_contacts(pairs_, wants.ends ? TimesWanted::both : TimesWanted::begins, hits_, times_);
+    else
+      contact_->decide(pairs_, hits_);
+    times_.resize(hits_.size());
     for (std::size_t i = 0; i < hits_.size(); ++i) rows_.push_back({candidates_->id(hits_[i].b), times_[i]});
   }
   return rows_;

@@ -1,6 +1,8 @@
 // Two objects by hand, and the answer of the contact room about them.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,12 +50,19 @@ inline std::optional<ContactTimes> contact(const Object& a, const Object& b,
   const Bodies bodies_a(a.layout, row_a.data(), 1), bodies_b(b.layout, row_b.data(), 1);
   const auto contact = make_contact(bodies_a, bodies_b, question, "a", "b");
   const Pair pair{0, 0};
-  std::vector<Pair> hits;
-  contact->decide({&pair, 1}, hits);
+  std::vector<Pair> hits, decided;
+  std::vector<ContactTimes> times, begins;
+  contact->first_contacts({&pair, 1}, TimesWanted::both, hits, times);
+  EXPECT_EQ(times.size(), hits.size());
+  contact->decide({&pair, 1}, decided);
+  EXPECT_EQ(hits, decided);
+  decided.clear();
+  contact->first_contacts({&pair, 1}, TimesWanted::begins, decided, begins);
+  EXPECT_EQ(hits, decided);
   if (hits.empty()) return std::nullopt;
-  ContactTimes times;
-  contact->times(hits, {&times, 1});
-  return times;
+  EXPECT_EQ(times[0].t, begins[0].t);
+  EXPECT_EQ(times[0].dt, begins[0].dt);
+  return times[0];
 }
 
 inline ClosestApproach closest(const Object& a, const Object& b, const ContactQuestion& question) {

@@ -55,15 +55,14 @@ void expect_pairs(const Ships& ships, const Layout& layout, double within, const
   std::vector<Pair> all, hits;
   for (std::uint32_t a = 0; a < bodies.count; ++a)
     for (std::uint32_t b = a + 1; b < bodies.count; ++b) all.push_back({a, b});
-  contact->decide(all, hits);
+  std::vector<ContactTimes> times;
+  contact->first_contacts(all, TimesWanted::both, hits, times);
   ASSERT_EQ(hits.size(), count);
   std::map<std::pair<std::int64_t, std::int64_t>, std::vector<double>> expected;
   for (const auto& line : read_csv(expected_csv))
     expected[std::minmax(static_cast<std::int64_t>(line[0]), static_cast<std::int64_t>(line[1]))] = line;
   ASSERT_EQ(expected.size(), count);
-  std::vector<ContactTimes> times(count);
   std::vector<ClosestApproach> approaches(count);
-  contact->times(hits, times);
   contact->closest_approach(hits, approaches);
   for (std::size_t i = 0; i < count; ++i) {
     const auto found = expected.find(std::minmax(ships.ids[hits[i].a], ships.ids[hits[i].b]));

@@ -48,10 +48,9 @@ void print_family(const std::string& name, std::size_t count) {
   std::vector<Pair> pairs, hits;
   for (std::uint32_t i = 0; i < count; ++i) pairs.push_back({i, i});
   const auto contact = make_contact(family.a(), family.b(), {.horizon = family.horizon}, "a", "b");
-  contact->decide(pairs, hits);
-  std::vector<ContactTimes> times(hits.size());
+  std::vector<ContactTimes> times;
+  contact->first_contacts(pairs, TimesWanted::both, hits, times);
   std::vector<ClosestApproach> approaches(hits.size());
-  contact->times(hits, times);
   contact->closest_approach(hits, approaches);
   for (std::size_t i = 0; i < hits.size(); ++i) {
     std::printf("%u", hits[i].a);
