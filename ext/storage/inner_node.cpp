@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace foresee {
 namespace {
@@ -17,6 +18,12 @@ std::size_t stored_numbers(const NodeFormat& format) {
   return format.inner_entry_size / sizeof(double) - 1;  // the child's number comes first
 }
 
+/// What is not a number is not ordered. A lower bound may be infinite as no bound, an upper one likewise.
+bool ordered(double lower, double upper) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return lower <= upper && lower < infinity && upper > -infinity;
+}
+
 const char* entry_fault(const NodeFormat& format, const std::byte* entry, std::int64_t number) {
   const auto child = load_number<std::int64_t>(entry);
   if (child < 1 || child == number) return "a child is no other node";
@@ -28,14 +35,23 @@ const char* entry_fault(const NodeFormat& format, const std::byte* entry, std::i
   const auto axes = static_cast<std::size_t>(format.layout.axes);
   for (std::size_t at = first_bound; at < stored_numbers(format); at += 2 * axes)
     for (std::size_t axis = 0; axis < axes; ++axis)
-      if (!(value(at + axis) <= value(at + axes + axis)))  // not a number is not ordered
-        return "bounds are out of order";
+      if (!ordered(value(at + axis), value(at + axes + axis))) return "bounds are out of order";
   return nullptr;
+}
+
+bool has_child_twice(const NodeFormat& format, const std::byte* entries, std::size_t count) {
+  std::vector<std::int64_t> children(count);
+  for (std::size_t i = 0; i < count; ++i)
+    children[i] = load_number<std::int64_t>(entries + i * format.inner_entry_size);
+  std::sort(children.begin(), children.end());
+  return std::adjacent_find(children.begin(), children.end()) != children.end();
 }
 
 }  // namespace
 
 std::vector<std::byte> encode_inner(const NodeFormat& format, std::int64_t number, const Node& node) {
+  if (node.level > std::numeric_limits<std::uint8_t>::max() || node.size() > format.inner_capacity)
+    throw BrokenTree("a tree node does not fit into its row");
   std::vector<std::byte> blob(format.node_size);
   store_number(blob.data() + NodeFormat::level_at, static_cast<std::uint8_t>(node.level));
   store_number<std::uint8_t>(blob.data() + NodeFormat::format_at, NodeFormat::version);
@@ -64,6 +80,7 @@ const char* inner_fault(const NodeFormat& format, std::span<const std::byte> blo
     if (const char* fault =
             entry_fault(format, blob.data() + NodeFormat::entries_at + i * format.inner_entry_size, number))
       return fault;
+  if (has_child_twice(format, blob.data() + NodeFormat::entries_at, count)) return "a child is named twice";
   return nullptr;
 }
 

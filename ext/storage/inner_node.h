@@ -23,7 +23,7 @@ namespace foresee {
 /// padded outward. Accelerations are bounded exactly, so where there are none their bounds are 0.
 inline constexpr double rest_velocity_pad = 0x1p-1000;
 
-/// Requires: 1 to inner_capacity entries.
+/// Requires: at least one entry. Throws BrokenTree if there are more than fit.
 std::vector<std::byte> encode_inner(const NodeFormat& format, std::int64_t number, const Node& node);
 
 /// What is wrong with a blob that claims to be inner node `number`; null: nothing.

@@ -108,6 +108,7 @@ void LeafView::copy_records(double* records) const {
 }
 
 std::vector<std::byte> encode_leaf(const NodeFormat& format, std::int64_t number, const Node& leaf) {
+  if (leaf.size() > format.leaf_capacity) throw BrokenTree("a tree node does not fit into its row");
   std::vector<std::byte> blob(format.node_size);
   store_number<std::uint8_t>(blob.data() + NodeFormat::format_at, NodeFormat::version);
   store_number(blob.data() + NodeFormat::count_at, static_cast<std::uint16_t>(leaf.size()));

@@ -52,7 +52,7 @@ class LeafView {
 };
 
 /// The bytes to store as leaf `number`: ids ascending, each with its record, whatever their order in the
-/// node. Requires: 1 to leaf_capacity objects.
+/// node. Requires: at least one object. Throws BrokenTree if there are more than fit.
 std::vector<std::byte> encode_leaf(const NodeFormat& format, std::int64_t number, const Node& leaf);
 
 /// Requires: `leaf_fault` found nothing.

@@ -105,7 +105,6 @@ class Store final : public ObjectStore, public std::enable_shared_from_this<Stor
   // from memory to the tables (store_flush.cpp)
   void settle();
   void load_all_anew();
-  double objects_in_tree();
   void flush();
   void collect_stored(std::vector<std::int64_t>& ids, std::vector<double>& records, Interrupt& interrupt);
   void pack(Interrupt& interrupt);

@@ -16,27 +16,13 @@ constexpr double most_loaded = 1 << 30;  // bytes of records in memory at once
 
 }  // namespace
 
-// How many there are about, from one path down.
-double Store::objects_in_tree() {
-  double objects = cache_.root() == 0 ? 0 : 1;
-  for (NodeNumber number = cache_.root(); number != 0;) {
-    const auto node = cache_.read(number);
-    objects *= static_cast<double>(node->size());
-    if (node->is_leaf()) break;
-    const auto below = cache_.read(node->keys.at(0));
-    if (below->level != node->level - 1) throw BrokenTree("a tree node does not fit below its parent");
-    number = node->keys[0];
-  }
-  return objects;
-}
-
 void Store::settle() {
   if (loose_->count() == 0) return;
   rows();
   auto none = std::make_shared<LooseObjects>(static_cast<std::size_t>(format_.at.size));
   Call call(*this);
   with_sound_tree([&] {
-    const double loose = static_cast<double>(loose_->count()), stored = objects_in_tree();
+    const double loose = static_cast<double>(loose_->count()), stored = objects_about(cache_);
     const bool fits = (loose + stored) * static_cast<double>(format_.record_size) < most_loaded;
     if (stored == 0 || (loose > stored * worth_loading && fits))
       load_all_anew();
@@ -77,7 +63,7 @@ void Store::flush() {
   rows();
   const OwnStatements own(*this);
   ++change_;
-  cache_.write();
+  with_sound_tree([&] { cache_.write(); });
 }
 
 // --- 'rebuild' and 'optimize'

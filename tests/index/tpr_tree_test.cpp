@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+
+#include "index/tpr_tree/nearest_walk.h"
+#include "index/tpr_tree/tree_join.h"
 #include "index/tpr_tree/window_walk.h"
 #include "tests/index/tree_model.h"
 
@@ -185,7 +190,8 @@ TEST(TprTree, StaysTightAndFullWhileObjectsDrift) {
 
 TEST(TprTree, NodesThatContradictOneAnotherAreAnError) {
   const RandomScene scene = random_scene({.layout = boats, .count = 300});
-  for (int damage = 0; damage < 4; ++damage) {
+  for (int damage = 0; damage < 7; ++damage) {
+    SCOPED_TRACE(damage);
     TreeModel model(boats, 60);
     model.load(scene);
     const NodeNumber leaf = *model.pages.leaf_of(7), parent = model.pages.read(leaf)->parent;
@@ -193,8 +199,79 @@ TEST(TprTree, NodesThatContradictOneAnotherAreAnError) {
     if (damage == 1) model.pages.modify(parent).keys.assign(model.pages.read(parent)->size(), parent);
     if (damage == 2) model.pages.modify(leaf).parent = leaf;
     if (damage == 3) model.pages.modify(leaf).keys.assign(model.pages.read(leaf)->size(), 8);
+    if (damage == 4) model.pages.modify(leaf).parent = 0;
+    if (damage == 5) model.pages.modify(model.pages.root()).parent = leaf;
+    if (damage == 6) model.pages.modify(parent).keys[0] = 7, model.pages.place(std::array{7L}, parent);
     EXPECT_FALSE(check_tree(model.pages, model.never).problems.empty());
-    EXPECT_THROW(model.tree->erase(7), BrokenTree);
+    if (damage == 5)  // which only a way down meets
+      EXPECT_THROW(model.tree->insert(1000, model.objects[7]), BrokenTree);
+    else
+      EXPECT_THROW(model.tree->erase(7), BrokenTree);
+  }
+}
+
+/// Two nodes on each level below the root, all of whose parents name both: as many ways down as leaves would
+/// be in an honest tree of so many levels.
+void share_all_children(MemoryPages& pages, int levels) {
+  const auto add_node = [&](int level, std::span<const NodeNumber> children, NodeNumber parent) {
+    Node node{.level = level, .parent = parent, .keys = {children.begin(), children.end()}, .values = {}};
+    for (std::size_t i = 0; i < children.size(); ++i) {
+      const double unbounded = std::numeric_limits<double>::infinity();
+      node.values.insert(node.values.end(), {0, 0, unbounded});
+      for (int bound = 0; bound < 3; ++bound)
+        node.values.insert(node.values.end(), {-unbounded, -unbounded, unbounded, unbounded});
+    }
+    if (level == 0) node.keys = {level + parent}, node.values.assign(6, 1.0);
+    const NodeNumber number = pages.allocate();
+    pages.put(number, std::move(node));
+    return number;
+  };
+  std::array<NodeNumber, 2> below{add_node(0, {}, 3), add_node(0, {}, 3)};
+  for (int level = 1; level < levels; ++level) {
+    const NodeNumber above = 2 * level + 3;  // the first of the next two
+    below = {add_node(level, below, above), add_node(level, below, above)};
+  }
+  pages.set_root(add_node(levels, below, 0));
+}
+
+TEST(TprTree, SharedChildrenAreAnErrorAtOnce) {
+  MemoryPages pages(boats, 6, 6);
+  share_all_children(pages, 60);
+  NeverInterrupt never;
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  EXPECT_THROW(collect_objects(pages, ids, records, never), BrokenTree);
+  EXPECT_THROW(read_tree(pages, never), BrokenTree);
+  EXPECT_THROW(make_tpr_tree(pages, 60)->rebuild(never), BrokenTree);
+  const Vec<2> origin = Vec<2>::Zero();
+  const Horizon horizon{0, 60};
+  const auto walk_window = [&] {
+    WindowWalk<2> walk(pages, moving_window<2>(origin, origin + 9, origin, horizon), horizon, origin, never);
+    for (LeafHits hits; walk.next(hits);) continue;
+  };
+  EXPECT_THROW(walk_window(), BrokenTree);
+  const auto walk_nearest = [&] {
+    NearestWalk<2> walk(pages, origin, origin, horizon, never);
+    for (LeafHits hits; walk.next(1e9, hits);) continue;
+  };
+  EXPECT_THROW(walk_nearest(), BrokenTree);
+}
+
+TEST(TprTree, NodesAreSplitWhateverTheirBoundsSay) {
+  const RandomScene scene = random_scene({.layout = boats, .count = 300});
+  for (const double bound : {std::numeric_limits<double>::infinity(), 1e300, std::nan("")}) {
+    TreeModel model(boats, 60);
+    model.load(scene);
+    const std::size_t nodes = model.pages.node_count();
+    for (NodeNumber number = 1; number <= static_cast<NodeNumber>(nodes); ++number) {
+      if (model.pages.read(number)->is_leaf()) continue;
+      Node& inner = model.pages.modify(number);
+      for (std::size_t i = 3; i < inner.values.size(); ++i)
+        if (i % static_cast<std::size_t>(entry_size(2)) >= 3) inner.values[i] = bound;
+    }
+    for (const auto& [id, record] : model.objects) model.tree->insert(id + 1000, record);
+    for (const std::string& problem : check_tree(model.pages, model.never).problems)
+      EXPECT_EQ(problem.find("too full"), std::string::npos) << bound << ' ' << problem;
   }
 }
 

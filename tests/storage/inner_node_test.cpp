@@ -87,6 +87,7 @@ TEST(InnerNode, HostileContentsWithAGoodChecksumAreFaults) {
   EXPECT_EQ(fault_after([](Node& n) { n.epoch = std::nan(""); }), "its epoch is not finite");
   EXPECT_EQ(fault_after([](Node& n) { n.keys[1] = 0; }), "a child is no other node");
   EXPECT_EQ(fault_after([](Node& n) { n.keys[1] = number; }), "a child is no other node");
+  EXPECT_EQ(fault_after([](Node& n) { n.keys[1] = n.keys[6]; }), "a child is named twice");
   EXPECT_EQ(fault_after([&](Node& n) { n.values[times] = 5; }), "reference times are out of order");
   EXPECT_EQ(fault_after([&](Node& n) { n.values[times + 1] = inf; }), "reference times are out of order");
   EXPECT_EQ(fault_after([&](Node& n) { n.values[times + 2] = -2; }), "a child ends before it begins");
@@ -94,6 +95,22 @@ TEST(InnerNode, HostileContentsWithAGoodChecksumAreFaults) {
   EXPECT_EQ(fault_after([&](Node& n) { n.values[place(format, 0, lower, 1)] = 1e9; }), unordered);
   EXPECT_EQ(fault_after([&](Node& n) { n.values[place(format, 0, v_upper, 0)] = std::nan(""); }), unordered);
   EXPECT_EQ(fault_after([&](Node& n) { n.values[place(format, 0, a_lower, 0)] = 1; }), unordered);
+  EXPECT_EQ(fault_after([&](Node& n) { n.values[place(format, 0, lower, 0)] = inf; }), unordered);
+  EXPECT_EQ(fault_after([&](Node& n) {
+              n.values[place(format, 0, lower, 1)] = n.values[place(format, 0, upper, 1)] = -inf;
+            }),
+            unordered);
+}
+
+TEST(InnerNode, WhatDoesNotFitIsNotEncoded) {
+  const NodeFormat format = format_of({.axes = 2});
+  Node node = full_node(format);
+  node.level = 256;
+  EXPECT_THROW(encode_inner(format, number, node), BrokenTree);
+  node.level = 1;
+  node.keys.push_back(1000);
+  node.values.resize(node.values.size() + static_cast<std::size_t>(entry_size(2)));
+  EXPECT_THROW(encode_inner(format, number, node), BrokenTree);
 }
 
 TEST(InnerNode, ACountBeyondTheCapacityIsAFault) {

@@ -1,6 +1,7 @@
 // Nodes that are sound one by one, checksum and all, and contradict one another: integrity-check names each,
 // and 'rebuild' mends whatever the leaves do not suffer from.
 #include <algorithm>
+#include <numeric>
 
 #include "storage/database.h"
 #include "storage/inner_node.h"
@@ -92,6 +93,10 @@ TEST_F(TreeDamage, AParentThatIsNotTheParent) {
 
 TEST_F(TreeDamage, AChildReachedTwice) {
   change(root, [](Node& n) { n.keys[1] = n.keys[0]; });
+  expect_found_and_mended("a child is named twice");
+  root = db.number("SELECT value FROM ships_meta WHERE key = 'root'");
+  const NodeNumber shared = node(node(root).keys[0]).keys[0];
+  change(node(root).keys[1], [&](Node& n) { n.keys[0] = shared; });
   expect_found_and_mended("is reached twice");
 }
 
@@ -125,7 +130,7 @@ TEST_F(TreeDamage, ARootThatIsNotTheRoot) {
 }
 
 TEST_F(TreeDamage, ReadersAndWritersGetAnErrorAndChangeNothing) {
-  change(root, [](Node& n) { std::fill(n.keys.begin(), n.keys.end(), 4444); });
+  change(root, [](Node& n) { std::iota(n.keys.begin(), n.keys.end(), 4444); });
   db.run("UPDATE ships_meta SET value = random() WHERE key = 'stamp'");
   const auto before = contents(*store);
   begin(db, *store);

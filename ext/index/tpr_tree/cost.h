@@ -28,7 +28,7 @@ class VisitCost {
   double operator()(const Bounds<D>& bounds, double query) const {
     const Vec<D> x = bounds.x_upper - bounds.x_lower + query, v = bounds.v_upper - bounds.v_lower,
                  a = (bounds.a_upper - bounds.a_lower) * 0.5;
-    auto product = [&](double s) { return (x + s * (v + s * a)).min(widest).prod(); };
+    auto product = [&](double s) { return within_reason(x + s * (v + s * a)).prod(); };
     return product(elapsed_[0]) + 4 * product(elapsed_[1]) + product(elapsed_[2]);
   }
 
@@ -37,7 +37,7 @@ class VisitCost {
     const double s = elapsed_[1];
     const Vec<D> widths = (bounds.x_upper - bounds.x_lower) + s * (bounds.v_upper - bounds.v_lower) +
                           (0.5 * s * s) * (bounds.a_upper - bounds.a_lower);
-    return widths.min(widest).sum() / D;
+    return within_reason(widths).sum() / D;
   }
 
   /// Seconds between the epoch and the middle of the look-ahead.
@@ -45,6 +45,11 @@ class VisitCost {
 
  private:
   static constexpr double widest = 1e100;  // its cube is a double
+
+  /// Stored bounds may be anything: widths that are not numbers, or negative.
+  static Vec<D> within_reason(const Vec<D>& widths) {
+    return (widths < widest).select(widths.max(0.0), widest);
+  }
 
   std::array<double, 3> elapsed_;
 };

@@ -8,14 +8,16 @@ namespace {
 
 template <int D, class Added>
 NodeNumber choose_node(TreeState<D>& state, NodeNumber number, int level, const Added& added) {
-  auto node = state.pages.read(number);
+  auto node =
+      number == state.pages.root() ? read(state.pages, unread_root(state.pages)) : state.pages.read(number);
   if (node->level < level || (node->level > 0 && node->size() == 0))
     throw BrokenTree("a tree's root has no place for what it should take in");
   while (node->level > level) {
     const Bounds<D> bounds = added.entry(node->epoch).bounds;
     const std::size_t slot = choose_child<D>(*node, bounds, state.cost(node->epoch));
-    number = node->keys[slot];
-    node = read_below(state.pages, *node, slot);
+    const Unread child = unread_child(number, *node, slot);
+    node = read(state.pages, child);
+    number = child.number;
   }
   return number;
 }
@@ -70,6 +72,14 @@ void move_slots(Node& node, std::span<const std::uint32_t> slots, Node& to, std:
   for (auto slot = slots.rbegin(); slot != slots.rend(); ++slot) remove_slot(node, *slot, stride);
 }
 
+/// Gives a node that hangs where `from` says another parent.
+template <int D>
+void hang_below(TreeState<D>& state, const Unread& from, NodeNumber parent) {
+  Node& node = state.pages.modify(from.number);
+  expect_below(node, from.parent, from.level);
+  node.parent = parent;
+}
+
 /// Splits an overfull node; both halves have entries in the parent afterwards, which may be overfull then.
 template <int D>
 void split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_number) {
@@ -84,7 +94,8 @@ void split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_number
   if (sibling.is_leaf()) {
     state.pages.place(sibling.keys, sibling_number);
   } else {
-    for (const NodeNumber child : sibling.keys) state.pages.modify(child).parent = sibling_number;
+    for (const NodeNumber child : sibling.keys)
+      hang_below(state, Unread{child, number, node.level - 1}, sibling_number);
   }
   const std::size_t slot = slot_of(parent, number);
   const Bounds<D> before = bounds_at<D>(parent, slot);
@@ -106,7 +117,7 @@ void make_room_upward(TreeState<D>& state, NodeNumber number, const Added& added
     {
       const auto node = state.pages.read(number);
       parent = node->parent, overfull = node->size() > state.capacity(node->level);
-      if (parent != 0) read_above(state.pages, *node);
+      read_above(state.pages, number, *node);
     }
     if (parent == 0 && !overfull) return;
     if (parent == 0) parent = put_root_above(state, number);
@@ -123,7 +134,7 @@ void renew_entries(TreeState<D>& state, NodeNumber inner) {
   const double now = state.clock.now();
   Node fresh = *state.pages.read(inner);
   for (std::size_t i = 0; i < fresh.size(); ++i) {
-    Entry<D> entry = summary(*read_below(state.pages, fresh, i), state.reader, now);
+    Entry<D> entry = summary(*read_below(state.pages, inner, fresh, i), state.reader, now);
     entry.bounds.narrow_to(carried(bounds_at<D>(fresh, i), fresh.epoch, now));
     set_entry(fresh, i, entry);
   }
@@ -171,7 +182,7 @@ void insert_branch(TreeState<D>& state, const Branch<D>& branch) {
   const NodeNumber number = choose_node(state, state.pages.root(), branch.level, branch);
   Node& node = state.pages.modify(number);
   add_entry(node, branch.number, branch.entry(node.epoch));
-  state.pages.modify(branch.number).parent = number;
+  hang_below(state, Unread{branch.number, branch.parent, branch.level - 1}, number);
   make_room_upward(state, number, branch);
 }
 

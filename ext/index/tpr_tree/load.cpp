@@ -93,17 +93,17 @@ class TreeLoad {
 }  // namespace
 
 void free_all(Pages& pages, Interrupt& interrupt) {
-  std::vector<NodeNumber> all;
-  if (pages.root() != 0) all.push_back(pages.root());
+  std::vector<Unread> all;
+  if (pages.root() != 0) all.push_back(unread_root(pages));
   for (std::size_t i = 0; i < all.size(); ++i) {
     interrupt.check();
-    const auto node = pages.read(all[i]);
-    if (node->is_leaf()) continue;
-    for (std::size_t slot = 0; slot < node->size(); ++slot) read_below(pages, *node, slot);
-    all.insert(all.end(), node->keys.begin(), node->keys.end());
+    const auto node = read(pages, all[i]);
+    const NodeNumber number = all[i].number;
+    for (std::size_t slot = 0; slot < (node->is_leaf() ? 0 : node->size()); ++slot)
+      all.push_back(unread_child(number, *node, slot));
   }
   pages.set_root(0);
-  for (const NodeNumber number : all) pages.free(number);
+  for (const Unread& node : all) pages.free(node.number);
 }
 
 template <int D>

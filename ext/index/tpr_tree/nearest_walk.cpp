@@ -100,7 +100,7 @@ NearestWalk<D>::NearestWalk(NodeSource& source, const Vec<D>& point, const Vec<D
       reader_(source.layout()),
       horizon_(horizon),
       question_(moving_window<D>(point, point, velocity, horizon)) {
-  if (source.root() != 0) open_.push_back({0, source.root(), -1});
+  if (source.root() != 0) open_.push_back({0, unread_root(source)});
 }
 
 template <int D>
@@ -109,13 +109,11 @@ bool NearestWalk<D>::next(double reach, LeafHits& hits) {
   while (!open_.empty() && open_.front().distance <= reach) {
     interrupt_.check();
     std::pop_heap(open_.begin(), open_.end());
-    const Open open = open_.back();
+    const Unread open = open_.back().node;
     open_.pop_back();
-    auto node = source_.read(open.number);
-    if (open.level >= 0 && node->level != open.level)
-      throw BrokenTree("a tree node does not fit below its parent");
+    auto node = read(source_, open);
     if (!node->is_leaf()) {
-      open_children(*node, reach);
+      open_children(open.number, *node, reach);
       continue;
     }
     find_in_leaf(*node, reach, hits);
@@ -129,13 +127,13 @@ bool NearestWalk<D>::next(double reach, LeafHits& hits) {
 }
 
 template <int D>
-void NearestWalk<D>::open_children(const Node& inner, double reach) {
+void NearestWalk<D>::open_children(NodeNumber number, const Node& inner, double reach) {
   for (std::size_t slot = 0; slot < inner.size(); ++slot) {
     const MovingBox<D> box = child_box<D>(inner, slot, horizon_);
     if (box.span.is_empty()) continue;
     const double distance = least_distance(box, question_, box.span);
     if (distance > reach) continue;
-    open_.push_back({distance, inner.keys[slot], inner.level - 1});
+    open_.push_back({distance, unread_child(number, inner, slot)});
     std::push_heap(open_.begin(), open_.end());
   }
 }

@@ -39,13 +39,12 @@ class NearestWalk {
  private:
   struct Open {
     double distance;
-    NodeNumber number;
-    int level;
+    Unread node;
 
     friend bool operator<(const Open& a, const Open& b) { return a.distance > b.distance; }  // least on top
   };
 
-  void open_children(const Node& inner, double reach);
+  void open_children(NodeNumber number, const Node& inner, double reach);
   void find_in_leaf(const Node& leaf, double reach, LeafHits& hits);
 
   NodeSource& source_;

@@ -139,15 +139,46 @@ inline std::size_t slot_of(const Node& node, std::int64_t key) {
   return static_cast<std::size_t>(found - node.keys.begin());
 }
 
-/// The child in a slot, and the parent. Levels that count strictly keep every way through the tree finite.
-inline std::shared_ptr<const Node> read_below(NodeSource& source, const Node& node, std::size_t slot) {
-  auto child = source.read(node.keys[slot]);
-  if (child->level != node.level - 1 || child->size() == 0)
+/// A node that is still to be read, and what is said of it above. It is believed only if it says so too:
+/// levels count strictly and a node has one parent, so every way through the tree ends and none leads to a
+/// node twice.
+struct Unread {
+  static constexpr int any_level = -1;
+
+  NodeNumber number, parent;
+  int level;
+};
+
+inline void expect_below(const Node& node, NodeNumber parent, int level) {
+  if (node.parent != parent || (node.level != level && level != Unread::any_level))
     throw BrokenTree("a tree node does not fit below its parent");
-  return child;
 }
 
-inline std::shared_ptr<const Node> read_above(NodeSource& source, const Node& node) {
+inline Unread unread_root(NodeSource& source) {
+  return {source.root(), 0, Unread::any_level};
+}
+/// `number` is that of `node`.
+inline Unread unread_child(NodeNumber number, const Node& node, std::size_t slot) {
+  return {node.keys[slot], number, node.level - 1};
+}
+
+inline std::shared_ptr<const Node> read(NodeSource& source, const Unread& unread) {
+  auto node = source.read(unread.number);
+  expect_below(*node, unread.parent, unread.level);
+  return node;
+}
+
+inline std::shared_ptr<const Node> read_below(NodeSource& source, NodeNumber number, const Node& node,
+                                              std::size_t slot) {
+  return read(source, unread_child(number, node, slot));
+}
+
+/// The node above, which may lack the child; null above the root.
+inline std::shared_ptr<const Node> read_above(NodeSource& source, NodeNumber number, const Node& node) {
+  if (node.parent == 0) {
+    if (number != source.root()) throw BrokenTree("a tree node has no parent and is not the root");
+    return nullptr;
+  }
   auto parent = source.read(node.parent);
   if (parent->level != node.level + 1) throw BrokenTree("a tree node does not fit above its child");
   return parent;

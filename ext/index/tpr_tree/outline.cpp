@@ -16,10 +16,10 @@ class OutlineReader {
 
   TreeScene read() {
     if (source_.root() == 0) return std::move(scene_);
-    const auto root = source_.read(source_.root());
+    const auto root = foresee::read(source_, unread_root(source_));
     if (root->level < 0 || root->level > 64) throw BrokenTree("a tree's root has an impossible level");
     scene_.outline.starts.resize(static_cast<std::size_t>(root->level) + 1);
-    visit(*root);
+    visit(source_.root(), *root);
     for (std::size_t level = scene_.outline.starts.size();
          level-- > 0;)  // before the level below has its end
       scene_.outline.starts[level].push_back(next_below(level));
@@ -33,12 +33,13 @@ class OutlineReader {
                                                  : scene_.outline.starts[level - 1].size());
   }
 
-  void visit(const Node& node) {
+  void visit(NodeNumber number, const Node& node) {
     const auto level = static_cast<std::size_t>(node.level);
     scene_.outline.starts[level].push_back(next_below(level));
     if (node.is_leaf()) return add_rows(node);
     interrupt_.check();
-    for (std::size_t slot = 0; slot < node.size(); ++slot) visit(*read_below(source_, node, slot));
+    for (std::size_t slot = 0; slot < node.size(); ++slot)
+      visit(node.keys[slot], *read_below(source_, number, node, slot));
   }
 
   void add_rows(const Node& leaf) {

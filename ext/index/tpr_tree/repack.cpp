@@ -40,7 +40,8 @@ class Repack {
     before_.clear();
     for (const NodeNumber parent : parents_) {
       const auto node = state_.pages.read(parent);
-      for (std::size_t slot = 0; slot < node->size(); ++slot) collect(*read_below(state_.pages, *node, slot));
+      for (std::size_t slot = 0; slot < node->size(); ++slot)
+        collect(*read_below(state_.pages, parent, *node, slot));
     }
     arrange();
     double width = 0;
@@ -153,14 +154,13 @@ void repack_around(TreeState<D>& state, NodeNumber leaf) {
   NodeNumber above_number;
   {
     const auto node = state.pages.read(leaf);
-    if (node->parent == 0) return;
-    const auto parent = read_above(state.pages, *node);
+    const auto parent = read_above(state.pages, leaf, *node);
+    if (!parent) return;
     parents.push_back(node->parent);
     above_number = parent->parent;
-    if (above_number != 0) {
-      const auto above = read_above(state.pages, *parent);
+    if (const auto above = read_above(state.pages, node->parent, *parent)) {
       const std::size_t sibling = closest_sibling(state, *above, node->parent);
-      read_below(state.pages, *above, sibling);
+      read_below(state.pages, above_number, *above, sibling);
       if (above->keys[sibling] != node->parent) parents.push_back(above->keys[sibling]);
     }
   }

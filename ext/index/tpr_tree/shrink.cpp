@@ -12,14 +12,14 @@ struct Orphans {
   std::vector<double> records;
   std::vector<Branch<D>> branches;
 
-  void collect(const Node& node) {
+  void collect(NodeNumber number, const Node& node) {
     if (node.is_leaf()) {
       ids.insert(ids.end(), node.keys.begin(), node.keys.end());
       records.insert(records.end(), node.values.begin(), node.values.end());
       return;
     }
     for (std::size_t slot = 0; slot < node.size(); ++slot)
-      branches.push_back({node.keys[slot], node.level, entry_at<D>(node, slot), node.epoch});
+      branches.push_back({node.keys[slot], number, node.level, entry_at<D>(node, slot), node.epoch});
   }
 };
 
@@ -42,7 +42,7 @@ bool tighten(TreeState<D>& state, NodeNumber number, NodeNumber parent) {
 
 template <int D>
 void dissolve(TreeState<D>& state, NodeNumber number, NodeNumber parent_number, Orphans<D>& orphans) {
-  orphans.collect(*state.pages.read(number));
+  orphans.collect(number, *state.pages.read(number));
   Node& parent = state.pages.modify(parent_number);
   remove_slot(parent, slot_of(parent, number), state.stride(parent.level));
   state.pages.free(number);
@@ -57,7 +57,10 @@ void lower_root(TreeState<D>& state) {
     {
       const auto root = state.pages.read(number);
       if (root->size() > 1 || (root->is_leaf() && root->size() == 1)) return;
-      if (root->size() == 1) child = root->keys[0];
+      if (root->size() == 1) {
+        child = root->keys[0];
+        read_below(state.pages, number, *root, 0);
+      }
     }
     state.pages.set_root(child);
     state.pages.free(number);
@@ -76,8 +79,7 @@ bool condense(TreeState<D>& state, NodeNumber first, Orphans<D>& orphans) {
     {
       const auto node = state.pages.read(number);
       parent = node->parent, too_empty = node->size() < state.least_size(node->level);
-      if (parent == 0) break;
-      read_above(state.pages, *node);
+      if (!read_above(state.pages, number, *node)) break;
     }
     if (too_empty) {
       dissolve(state, number, parent, orphans);
@@ -116,9 +118,9 @@ bool take_out(TreeState<D>& state, NodeNumber leaf, std::size_t slot) {
 template <int D>
 void tighten_upward(TreeState<D>& state, NodeNumber number) {
   for (;;) {
-    const NodeNumber parent = state.pages.read(number)->parent;
-    if (parent == 0 || !tighten(state, number, parent)) return;
-    number = parent;
+    const auto node = state.pages.read(number);
+    if (!read_above(state.pages, number, *node) || !tighten(state, number, node->parent)) return;
+    number = node->parent;
   }
 }
 
@@ -138,8 +140,8 @@ void refresh_newest(TreeState<D>& state, NodeNumber number) {
     Entry<D> entry;
     {
       const auto node = state.pages.read(number);
-      if (node->parent == 0) return;
-      const auto parent = read_above(state.pages, *node);
+      const auto parent = read_above(state.pages, number, *node);
+      if (!parent) return;
       slot = slot_of(*parent, number), entry = entry_at<D>(*parent, slot);
       const double newest = newest_in(*node, state.reader);
       if (entry.times.t_greatest == newest) return;

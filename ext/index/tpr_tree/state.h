@@ -44,7 +44,8 @@ struct NewObject {
 template <int D>
 struct Branch {
   NodeNumber number;
-  int level;  ///< of the node it goes into
+  NodeNumber parent;  ///< which is gone
+  int level;          ///< of the node it goes into
   Entry<D> known;
   double epoch;
 

@@ -24,7 +24,7 @@ class Tree final : public TprTree {
     state_.clock.saw(state_.reader.t(record.data()));
     const NewObject<D> object{id, record, Mover<D>(state_.reader, record.data())};
     freshen_above(*leaf);
-    const std::size_t slot = slot_in(*leaf, id);
+    const std::size_t slot = slot_of_object(*leaf, id);
     if (parent_of(*leaf) == 0 || entry_contains(*leaf, object)) {
       overwrite(*leaf, slot, object);
     } else {
@@ -39,7 +39,7 @@ class Tree final : public TprTree {
   bool erase(std::int64_t id) override {
     const auto leaf = state_.pages.leaf_of(id);
     if (!leaf) return false;
-    take_out(state_, *leaf, slot_in(*leaf, id));
+    take_out(state_, *leaf, slot_of_object(*leaf, id));
     state_.pages.forget(id);
     return true;
   }
@@ -66,11 +66,17 @@ class Tree final : public TprTree {
  private:
   NodeNumber parent_of(NodeNumber number) {
     const auto node = state_.pages.read(number);
-    if (node->parent != 0) read_above(state_.pages, *node);
+    read_above(state_.pages, number, *node);
     return node->parent;
   }
   std::size_t slot_in(NodeNumber number, std::int64_t key) {
     return slot_of(*state_.pages.read(number), key);
+  }
+
+  std::size_t slot_of_object(NodeNumber leaf, std::int64_t id) {
+    const auto node = state_.pages.read(leaf);
+    if (!node->is_leaf()) throw BrokenTree("an object is not in a leaf of the tree");
+    return slot_of(*node, id);
   }
 
   /// Would the entry of this node stay true if the object were beneath it? Greatest t apart, which is cheap
@@ -124,7 +130,7 @@ std::unique_ptr<TprTree> make_tpr_tree(Pages& pages, double horizon) {
 
 double newest_t(NodeSource& source) {
   if (source.root() == 0) return 0;
-  const auto root = source.read(source.root());
+  const auto root = read(source, unread_root(source));
   switch (source.layout().axes) {
     case 1:
       return newest_in(*root, LeafReader<1>(source.layout()));
@@ -135,20 +141,32 @@ double newest_t(NodeSource& source) {
   }
 }
 
+double objects_about(NodeSource& source) {
+  if (source.root() == 0) return 0;
+  double objects = 1;
+  for (Unread next = unread_root(source);;) {
+    const auto node = read(source, next);
+    objects *= static_cast<double>(node->size());
+    if (node->is_leaf() || node->size() == 0) return objects;
+    next = unread_child(next.number, *node, 0);
+  }
+}
+
 void collect_objects(NodeSource& source, std::vector<std::int64_t>& ids, std::vector<double>& records,
                      Interrupt& interrupt) {
-  std::vector<std::shared_ptr<const Node>> open;
-  if (source.root() != 0) open.push_back(source.read(source.root()));
+  std::vector<Unread> open;
+  if (source.root() != 0) open.push_back(unread_root(source));
   while (!open.empty()) {
     interrupt.check();
-    const auto node = std::move(open.back());
+    const NodeNumber number = open.back().number;
+    const auto node = read(source, open.back());
     open.pop_back();
     if (node->is_leaf()) {
       ids.insert(ids.end(), node->keys.begin(), node->keys.end());
       records.insert(records.end(), node->values.begin(), node->values.end());
     }
     for (std::size_t slot = node->is_leaf() ? 0 : node->size(); slot-- > 0;)
-      open.push_back(read_below(source, *node, slot));
+      open.push_back(unread_child(number, *node, slot));
   }
 }
 

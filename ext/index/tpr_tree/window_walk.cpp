@@ -12,7 +12,7 @@ WindowWalk<D>::WindowWalk(NodeSource& source, const MovingBox<D>& question, cons
       question_(question) {
   question_.lower = lower_end<D>(question.lower - margin, (question.lower.abs() + margin) * rounding_pad);
   question_.upper = upper_end<D>(question.upper + margin, (question.upper.abs() + margin) * rounding_pad);
-  if (source.root() != 0) open_.push_back({source.root(), -1});
+  if (source.root() != 0) open_.push_back(unread_root(source));
 }
 
 template <int D>
@@ -20,13 +20,11 @@ bool WindowWalk<D>::next(LeafHits& hits) {
   hits.slots.clear();
   while (!open_.empty()) {
     interrupt_.check();
-    const Open open = open_.back();
+    const Unread open = open_.back();
     open_.pop_back();
-    auto node = source_.read(open.number);
-    if (open.level >= 0 && node->level != open.level)
-      throw BrokenTree("a tree node does not fit below its parent");
+    auto node = read(source_, open);
     if (!node->is_leaf()) {
-      open_children(*node);
+      open_children(open.number, *node);
       continue;
     }
     find_in_leaf(*node, hits.slots);
@@ -40,12 +38,12 @@ bool WindowWalk<D>::next(LeafHits& hits) {
 }
 
 template <int D>
-void WindowWalk<D>::open_children(const Node& inner) {
+void WindowWalk<D>::open_children(NodeNumber number, const Node& inner) {
   for (std::size_t slot = 0; slot < inner.size(); ++slot) {
     const MovingBox<D> box = child_box<D>(inner, slot, horizon_);
     TimeSpan span = shared_span(box, question_);
     if (!span.is_empty() && narrow_to_contact(box, question_, span))
-      open_.push_back({inner.keys[slot], inner.level - 1});
+      open_.push_back(unread_child(number, inner, slot));
   }
 }
 

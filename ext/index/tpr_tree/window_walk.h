@@ -29,20 +29,15 @@ class WindowWalk {
   bool next(LeafHits& hits);
 
  private:
-  struct Open {
-    NodeNumber number;
-    int level;
-  };
-
   void find_in_leaf(const Node& leaf, std::vector<std::uint32_t>& slots) const;
-  void open_children(const Node& inner);
+  void open_children(NodeNumber number, const Node& inner);
 
   NodeSource& source_;
   Interrupt& interrupt_;
   LeafReader<D> reader_;
   Horizon horizon_;
   MovingBox<D> question_;  ///< grown by the margin
-  std::vector<Open> open_;
+  std::vector<Unread> open_;
 };
 
 }  // namespace foresee
