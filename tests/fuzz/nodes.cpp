@@ -44,8 +44,8 @@ void load(Connection& db, const std::vector<unsigned char>& image) {
 }
 
 /// Overwrites up to 8 bytes of one node; the places that matter most come most often.
-void change_node(Connection& db, FuzzedDataProvider& bytes) {
-  const auto number = bytes.ConsumeIntegralInRange<std::int64_t>(1, 24);
+void change_node(Connection& db, FuzzBytes& bytes) {
+  const auto number = bytes.in_range<std::int64_t>(1, 24);
   sqlite3_blob* blob = nullptr;
   if (sqlite3_blob_open(db.handle(), "main", "ships_node", "data", number, 1, &blob) != SQLITE_OK) {
     sqlite3_blob_close(blob);
@@ -53,22 +53,22 @@ void change_node(Connection& db, FuzzedDataProvider& bytes) {
   }
   std::vector<std::byte> node(static_cast<std::size_t>(sqlite3_blob_bytes(blob)));
   sqlite3_blob_read(blob, node.data(), static_cast<int>(node.size()), 0);
-  const std::size_t last = bytes.ConsumeBool() ? 40 : node.size() - 1;
-  const std::size_t at = bytes.ConsumeIntegralInRange<std::size_t>(0, std::min(last, node.size() - 1));
-  if (bytes.ConsumeBool()) {
+  const std::size_t last = bytes.flag() ? 40 : node.size() - 1;
+  const std::size_t at = bytes.in_range<std::size_t>(0, std::min(last, node.size() - 1));
+  if (bytes.flag()) {
     const double number_there = fuzz_number(bytes);
     std::memcpy(node.data() + at, &number_there, std::min(sizeof number_there, node.size() - at));
   } else {
-    node[at] = static_cast<std::byte>(bytes.ConsumeIntegral<std::uint8_t>());
+    node[at] = static_cast<std::byte>(bytes.any<std::uint8_t>());
   }
   seal_node(node, number);
   sqlite3_blob_write(blob, node.data(), static_cast<int>(node.size()), 0);
   sqlite3_blob_close(blob);
 }
 
-void change_tables(Connection& db, FuzzedDataProvider& bytes) {
-  const std::string one = std::to_string(bytes.ConsumeIntegralInRange(-1, 30));
-  switch (bytes.ConsumeIntegralInRange(0, 5)) {
+void change_tables(Connection& db, FuzzBytes& bytes) {
+  const std::string one = std::to_string(bytes.in_range(-1, 30));
+  switch (bytes.in_range(0, 5)) {
     case 0:
       db.run("UPDATE ships_map SET leaf = " + one + " WHERE id = " + fuzz_id(bytes));
       return;
@@ -79,8 +79,8 @@ void change_tables(Connection& db, FuzzedDataProvider& bytes) {
       db.run("UPDATE ships_meta SET value = " + one + " WHERE key = 'root'");
       return;
     case 3:
-      db.run("UPDATE ships_meta SET value = " + literal(fuzz_number(bytes)) + " WHERE key = '" +
-             (bytes.ConsumeBool() ? "horizon" : "node_size") + "'");
+      db.run(in_order({"UPDATE ships_meta SET value = ", literal(fuzz_number(bytes)), " WHERE key = '",
+                       bytes.flag() ? "horizon" : "node_size", "'"}));
       return;
     case 4:
       db.run("DELETE FROM ships_node WHERE nodeno = " + one);
@@ -91,7 +91,7 @@ void change_tables(Connection& db, FuzzedDataProvider& bytes) {
   }
 }
 
-void ask_and_write(Connection& db, FuzzedDataProvider& bytes, const FuzzTable& table) {
+void ask_and_write(Connection& db, FuzzBytes& bytes, const FuzzTable& table) {
   const std::string question = fuzz_question(bytes, table);
   for (const char* method : fuzz_methods) db.rows(with_method(question, method));
   db.rows("SELECT * FROM ships");
@@ -99,22 +99,23 @@ void ask_and_write(Connection& db, FuzzedDataProvider& bytes, const FuzzTable& t
   db.rows("SELECT * FROM predictive_position(" + literal(fuzz_number(bytes)) + ")");
   db.run("INSERT INTO ships(ships) VALUES('integrity-check')");
   for (int i = 0; i < 6; ++i) {
-    db.run("INSERT OR REPLACE INTO ships VALUES(" + fuzz_id(bytes) + ", " + fuzz_values(bytes, table) + ")");
+    db.run(in_order(
+        {"INSERT OR REPLACE INTO ships VALUES(", fuzz_id(bytes), ", ", fuzz_values(bytes, table), ")"}));
     db.run("UPDATE ships SET x = x + 1 WHERE id = " + fuzz_id(bytes));
     db.run("DELETE FROM ships WHERE id = " + fuzz_id(bytes));
   }
-  db.run(bytes.ConsumeBool() ? "INSERT INTO ships(ships) VALUES('rebuild')"
-                             : "INSERT INTO ships(ships) VALUES('optimize')");
+  db.run(bytes.flag() ? "INSERT INTO ships(ships) VALUES('rebuild')"
+                      : "INSERT INTO ships(ships) VALUES('optimize')");
   db.rows(with_method(question, "auto"));
   db.run("DROP TABLE ships");
 }
 
-void run(FuzzedDataProvider& bytes) {
-  const auto which = bytes.ConsumeIntegralInRange<std::size_t>(0, std::size(fuzz_tables) - 1);
+void run(FuzzBytes& bytes) {
+  const auto which = bytes.in_range<std::size_t>(0, std::size(fuzz_tables) - 1);
   Connection db;
   load(db, sound_database(which));
-  for (int changes = bytes.ConsumeIntegralInRange(1, 4); changes > 0; --changes)
-    bytes.ConsumeIntegralInRange(0, 3) > 0 ? change_node(db, bytes) : change_tables(db, bytes);
+  for (int changes = bytes.in_range(1, 4); changes > 0; --changes)
+    bytes.in_range(0, 3) > 0 ? change_node(db, bytes) : change_tables(db, bytes);
   ask_and_write(db, bytes, fuzz_tables[which]);
 }
 
@@ -122,7 +123,7 @@ void run(FuzzedDataProvider& bytes) {
 }  // namespace foresee::testing
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  FuzzedDataProvider bytes(data, size);
+  foresee::testing::FuzzBytes bytes({data, size});
   foresee::testing::run(bytes);
   return 0;
 }

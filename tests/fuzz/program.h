@@ -4,15 +4,16 @@
 // objects that touch, tie and coincide are where errors hide.
 #pragma once
 
-#include <fuzzer/FuzzedDataProvider.h>
 #include <sqlite3.h>
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <initializer_list>
 #include <string>
 
+#include "bytes.h"
 #include "sqlite/foresee.h"
 
 namespace foresee::testing {
@@ -87,6 +88,14 @@ inline constexpr FuzzTable fuzz_tables[] = {
     {"t, x, y, z, vx, vy, vz, fx, fy, fz, m, r, until", 13, 3},
 };
 
+/// The parts one after the other. They are also made in this order, on every compiler; the operands of + are
+/// not.
+inline std::string in_order(std::initializer_list<std::string> parts) {
+  std::string whole;
+  for (const std::string& part : parts) whole += part;
+  return whole;
+}
+
 inline std::string literal(double number) {
   if (std::isinf(number)) return number > 0 ? "9e999" : "-9e999";
   char digits[40];
@@ -94,35 +103,37 @@ inline std::string literal(double number) {
   return std::strpbrk(digits, ".e") ? digits : std::string(digits) + ".0";
 }
 
-inline double fuzz_number(FuzzedDataProvider& bytes) {
-  switch (bytes.ConsumeIntegralInRange(0, 7)) {
+inline double fuzz_number(FuzzBytes& bytes) {
+  switch (bytes.in_range(0, 7)) {
     case 0: {
-      const auto bits = bytes.ConsumeIntegral<std::uint64_t>();
+      const auto bits = bytes.any<std::uint64_t>();
       double number;
       std::memcpy(&number, &bits, sizeof number);
       return std::isnan(number) ? 0 : number;
     }
-    case 1:
-      return std::ldexp(bytes.ConsumeIntegral<std::int8_t>(), bytes.ConsumeIntegralInRange(-80, 80));
+    case 1: {
+      const int exponent = bytes.in_range(-80, 80);
+      return std::ldexp(bytes.any<std::int8_t>(), exponent);
+    }
     case 2:
-      return bytes.ConsumeIntegral<std::int16_t>() / 16.0;
+      return bytes.any<std::int16_t>() / 16.0;
     default:
-      return bytes.ConsumeIntegralInRange(-9, 9);
+      return bytes.in_range(-9, 9);
   }
 }
 
-inline std::string fuzz_values(FuzzedDataProvider& bytes, const FuzzTable& table) {
+inline std::string fuzz_values(FuzzBytes& bytes, const FuzzTable& table) {
   std::string list;
   for (int i = 0; i < table.numbers; ++i) list += (i ? ", " : "") + literal(fuzz_number(bytes));
   return list;
 }
 
-inline std::string fuzz_id(FuzzedDataProvider& bytes) {
-  return std::to_string(bytes.ConsumeIntegralInRange(-4, 60));
+inline std::string fuzz_id(FuzzBytes& bytes) {
+  return std::to_string(bytes.in_range(-4, 60));
 }
 
 /// Three numbers for the axes that the table has, NULL for the others.
-inline std::string fuzz_axes(FuzzedDataProvider& bytes, const FuzzTable& table) {
+inline std::string fuzz_axes(FuzzBytes& bytes, const FuzzTable& table) {
   std::string list;
   for (int axis = 0; axis < 3; ++axis)
     list += (axis ? ", " : "") + (axis < table.axes ? literal(fuzz_number(bytes)) : std::string("NULL"));
@@ -130,21 +141,21 @@ inline std::string fuzz_axes(FuzzedDataProvider& bytes, const FuzzTable& table) 
 }
 
 /// A question that every method must answer alike; METHOD stands for its name.
-inline std::string fuzz_question(FuzzedDataProvider& bytes, const FuzzTable& table) {
+inline std::string fuzz_question(FuzzBytes& bytes, const FuzzTable& table) {
   const std::string h = literal(std::fabs(fuzz_number(bytes)));
-  const int kind = bytes.ConsumeIntegralInRange(0, 3);
+  const int kind = bytes.in_range(0, 3);
   if (kind == 0) {
     const double x = fuzz_number(bytes);
-    return "SELECT * FROM predictive_window(" + h + ", 'ships', " + literal(x) + ", " +
-           literal(x + std::fabs(fuzz_number(bytes))) + ", NULL, NULL, NULL, NULL, NULL, " +
-           fuzz_axes(bytes, table) + ", METHOD) ORDER BY id";
+    return in_order({"SELECT * FROM predictive_window(", h, ", 'ships', ", literal(x), ", ",
+                     literal(x + std::fabs(fuzz_number(bytes))), ", NULL, NULL, NULL, NULL, NULL, ",
+                     fuzz_axes(bytes, table), ", METHOD) ORDER BY id"});
   }
   if (kind == 1)
-    return "SELECT * FROM predictive_nearest(" + h + ", 'ships', " +
-           std::to_string(bytes.ConsumeIntegralInRange(0, 9)) + ", " + fuzz_axes(bytes, table) + ", NULL, " +
-           fuzz_axes(bytes, table) + ", METHOD) ORDER BY rank";
+    return in_order({"SELECT * FROM predictive_nearest(", h, ", 'ships', ",
+                     std::to_string(bytes.in_range(0, 9)), ", ", fuzz_axes(bytes, table), ", NULL, ",
+                     fuzz_axes(bytes, table), ", METHOD) ORDER BY rank"});
   const std::string within = literal(std::fabs(fuzz_number(bytes)));
-  const std::string now = bytes.ConsumeBool() ? "NULL" : literal(fuzz_number(bytes));
+  const std::string now = bytes.flag() ? "NULL" : literal(fuzz_number(bytes));
   const std::string probe = kind == 2 ? " WHERE a = " + fuzz_id(bytes) : "";
   return "SELECT a, b, t, t_end, dt, dt_end FROM predictive_join(" + h + ", 'ships', " + within + ", NULL, " +
          now + ", METHOD)" + probe + " ORDER BY a, b";

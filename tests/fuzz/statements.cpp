@@ -8,16 +8,15 @@ namespace {
 
 class Twins {
  public:
-  Twins(FuzzedDataProvider& bytes)
-      : bytes_(bytes),
-        table_(fuzz_tables[bytes.ConsumeIntegralInRange<std::size_t>(0, std::size(fuzz_tables) - 1)]) {
+  Twins(FuzzBytes& bytes)
+      : bytes_(bytes), table_(fuzz_tables[bytes.in_range<std::size_t>(0, std::size(fuzz_tables) - 1)]) {
     db_.must("PRAGMA page_size = 512");  // few objects make a deep tree
     db_.must(std::string("CREATE VIRTUAL TABLE ships USING moving_objects(id, ") + table_.columns + ")");
     db_.must(std::string("CREATE TABLE model(id INTEGER PRIMARY KEY, ") + table_.columns + ")");
   }
 
   void run() {
-    for (int steps = 0; steps < 60 && bytes_.remaining_bytes() > 0; ++steps) step();
+    for (int steps = 0; steps < 60 && bytes_.left() > 0; ++steps) step();
     while (db_.in_transaction()) db_.must("COMMIT");
     compare();
     db_.must("INSERT INTO ships(ships) VALUES('integrity-check')");
@@ -25,7 +24,7 @@ class Twins {
 
  private:
   void step() {
-    switch (bytes_.ConsumeIntegralInRange(0, 15)) {
+    switch (bytes_.in_range(0, 15)) {
       case 0:
         return db_.must(db_.in_transaction() ? "COMMIT" : "BEGIN"), savepoints_ = 0, void();
       case 1:
@@ -42,29 +41,29 @@ class Twins {
       case 5:
         return both("DELETE FROM TABLE WHERE id = " + fuzz_id(bytes_));
       case 6:
-        return both("DELETE FROM TABLE WHERE id % 5 = " +
-                    std::to_string(bytes_.ConsumeIntegralInRange(0, 4)));
+        return both("DELETE FROM TABLE WHERE id % 5 = " + std::to_string(bytes_.in_range(0, 4)));
       case 7:
-        return both("UPDATE TABLE SET id = " + fuzz_id(bytes_) + " WHERE id = " + fuzz_id(bytes_));
+        return both(in_order({"UPDATE TABLE SET id = ", fuzz_id(bytes_), " WHERE id = ", fuzz_id(bytes_)}));
       case 8:
-        return both("UPDATE TABLE SET (" + std::string(table_.columns) + ") = (" +
-                    fuzz_values(bytes_, table_) + ") WHERE id = " + fuzz_id(bytes_));
+        return both(in_order({"UPDATE TABLE SET (", table_.columns, ") = (", fuzz_values(bytes_, table_),
+                              ") WHERE id = ", fuzz_id(bytes_)}));
       case 9:
         return both("UPDATE TABLE SET x = x + " + literal(fuzz_number(bytes_)) + " WHERE id % 3 = 0");
       case 10:
-        return both("INSERT OR REPLACE INTO TABLE VALUES(" + fuzz_id(bytes_) + ", " +
-                    fuzz_values(bytes_, table_) + ")");
+        return both(in_order({"INSERT OR REPLACE INTO TABLE VALUES(", fuzz_id(bytes_), ", ",
+                              fuzz_values(bytes_, table_), ")"}));
       case 11:
         return insert_many();
       case 12:
-        return db_.must(bytes_.ConsumeBool() ? "INSERT INTO ships(ships) VALUES('rebuild')"
-                                             : "INSERT INTO ships(ships) VALUES('optimize')");
+        return db_.must(bytes_.flag() ? "INSERT INTO ships(ships) VALUES('rebuild')"
+                                      : "INSERT INTO ships(ships) VALUES('optimize')");
       case 13:
         return compare();
       case 14:
         return ask();
       default:
-        return both("INSERT INTO TABLE VALUES(" + fuzz_id(bytes_) + ", " + fuzz_values(bytes_, table_) + ")");
+        return both(
+            in_order({"INSERT INTO TABLE VALUES(", fuzz_id(bytes_), ", ", fuzz_values(bytes_, table_), ")"}));
     }
   }
 
@@ -75,7 +74,7 @@ class Twins {
     savepoints_ = kept + 1;
   }
 
-  int which_savepoint() { return bytes_.ConsumeIntegralInRange(0, savepoints_ - 1); }
+  int which_savepoint() { return bytes_.in_range(0, savepoints_ - 1); }
 
   /// What moving_objects refuses changes nothing there, so nothing in the model either.
   void both(const std::string& sql) {
@@ -87,7 +86,7 @@ class Twins {
 
   /// A statement of many rows: a lattice that grows from one object.
   void insert_many() {
-    const int count = bytes_.ConsumeIntegralInRange(1, 24), from = bytes_.ConsumeIntegralInRange(-4, 60);
+    const int count = bytes_.in_range(1, 24), from = bytes_.in_range(-4, 60);
     const std::string values = fuzz_values(bytes_, table_);
     const std::size_t comma = values.find(',');
     std::string rows;
@@ -119,7 +118,7 @@ class Twins {
     }
   }
 
-  FuzzedDataProvider& bytes_;
+  FuzzBytes& bytes_;
   FuzzTable table_;
   Connection db_;
   int savepoints_ = 0;
@@ -129,7 +128,7 @@ class Twins {
 }  // namespace foresee::testing
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  FuzzedDataProvider bytes(data, size);
+  foresee::testing::FuzzBytes bytes({data, size});
   foresee::testing::Twins(bytes).run();
   return 0;
 }
