@@ -1,9 +1,11 @@
 // The speed marks through SQL: foresee against base table + R*Tree + exact test as an SQL function, in one
 // process.
 //
-//   bench_sql_marks [--quick]
+//   bench_sql_marks [--quick | --joins]
 //
 //   join  S-100000: SELECT a, b, t FROM predictive_join(3), all rows stepped, warm; both tables stand ready.
+//         Then how many they are, and the ten that meet first; the rival's whole join is what these compare
+//         to.
 //   load  S-1000000: as many prepared single-row INSERTs in one transaction, in memory and into a file.
 //         (--quick: 300,000.) Then what the file takes.
 //   update  S-100000 and S-1000000: 100,000 random objects move on by up to half a unit, prepared single-row
@@ -89,12 +91,19 @@ bool compare_joins(std::size_t count, int repetitions) {
     while (statement.step()) {
     }
   };
-  Comparison comparison;
+  Statement our_count(db, "SELECT count(*) FROM predictive_join(3)");
+  Statement our_first(db, "SELECT a, b, t FROM predictive_join(3) WHERE dt > 0 ORDER BY t LIMIT 10");
+  Comparison all, number, first;
   for (int i = 0; i < repetitions; ++i) {
-    const double ours = seconds_of([&] { step_all(our_join); });
-    comparison.add(ours, seconds_of([&] { step_all(rival_join); }));
+    const double ours = seconds_of([&] { step_all(our_join); }),
+                 counted = seconds_of([&] { step_all(our_count); }),
+                 earliest = seconds_of([&] { step_all(our_first); }),
+                 rivals = seconds_of([&] { step_all(rival_join); });
+    all.add(ours, rivals), number.add(counted, rivals), first.add(earliest, rivals);
   }
-  comparison.print(("join " + w.name).c_str(), count, 8);
+  all.print(("join " + w.name).c_str(), count, 22);
+  number.print("  count(*)", count, 34);
+  first.print("  first ten", count, 60);
   std::printf("  %zu rows, equal\n", our_rows.size());
   return true;
 }
@@ -168,11 +177,12 @@ void compare_loads(std::size_t count, int repetitions, bool into_file) {
   comparison.print(("load " + w.name + (into_file ? ", file" : ", memory")).c_str(), count, 6);
 }
 
-int main_of(bool quick) {
+int main_of(bool quick, bool only_joins) {
   if (!compare_joins(100000, quick ? 5 : 15)) {
     std::fprintf(stderr, "the two joins differ\n");
     return 1;
   }
+  if (only_joins) return 0;
   for (bool into_file : {false, true}) compare_loads(quick ? 300000 : 1000000, quick ? 1 : 3, into_file);
   compare_updates(100000, quick ? 1 : 5);
   if (!quick) compare_updates(1000000, 3);
@@ -184,7 +194,10 @@ int main_of(bool quick) {
 
 int main(int count, char** arguments) {
   try {
-    return foresee::bench::main_of(count > 1 && std::strcmp(arguments[1], "--quick") == 0);
+    const auto asked = [&](const char* option) {
+      return count > 1 && std::strcmp(arguments[1], option) == 0;
+    };
+    return foresee::bench::main_of(asked("--quick"), asked("--joins"));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

@@ -7,6 +7,7 @@
 #include "index/paper_grid/thread_clock.h"
 #include "motion/float_environment.h"
 #include "query/join_candidates.h"
+#include "query/join_plan.h"
 #include "query/join_question.h"
 
 namespace foresee {
@@ -27,9 +28,9 @@ class Explanation {
       : question_(question),
         a_(*question.a),
         b_(question.b ? *question.b : a_),
-        choice_(choose_method(question)),
         interrupt_(interrupt),
-        contact_(contact_of(question)) {
+        contact_(contact_of(question)),
+        plan_(plan_join(question, contact_->reach())) {
     open_axes();
     candidates_count_.before = pairs_asked_about(question);
   }
@@ -51,7 +52,7 @@ class Explanation {
   }
 
  private:
-  bool to_the_letter() const { return choice_.method == JoinMethod::gpcd; }
+  bool to_the_letter() const { return plan_.method == JoinMethod::gpcd; }
 
   void open_axes() {
     switch (a_.layout.axes) {
@@ -74,7 +75,7 @@ class Explanation {
     if (to_the_letter())
       candidates_ = make_paper_grid<D>(a, b, between, horizon, margin, interrupt_);
     else
-      candidates_ = join_candidates(question_, contact_->reach(), interrupt_);
+      candidates_ = join_candidates(question_, plan_.method, horizon, contact_->reach(), interrupt_);
     candidates_count_.seconds = thread_seconds() - begin;
     stages_ = make_paper_stages<D>(a, b, between, horizon, margin, interrupt_);
   }
@@ -112,15 +113,18 @@ class Explanation {
   std::string candidates_detail() const {
     std::string detail = "method '" + std::string(name_of(question_.method)) + "'";
     if (question_.method == JoinMethod::automatic)
-      detail += std::string(" takes '") + name_of(choice_.method) + "': " + choice_.why;
+      detail += std::string(" takes '") + name_of(plan_.method) + "': " + plan_.why;
     const std::string index = candidates_->describe();
-    return index.empty() ? detail : detail + "; " + index;
+    if (!index.empty()) detail += "; " + index;
+    if (plan_.slabs > 1)
+      detail += "; measured here in one, the join takes " + std::to_string(plan_.slabs) + " time slabs";
+    return detail;
   }
 
   std::string test_detail(PaperStage stage) const {
     std::string detail;
     if (!to_the_letter())
-      detail = std::string("left out: '") + name_of(choice_.method) +
+      detail = std::string("left out: '") + name_of(plan_.method) +
                "' goes from candidates to exact time; measured here";
     if (stage != PaperStage::centre_point) return detail;
     return (detail.empty() ? "" : detail + "; ") + std::to_string(stages_->hits_at_once()) +
@@ -129,9 +133,9 @@ class Explanation {
 
   const JoinQuestion& question_;
   const Scene &a_, &b_;
-  MethodChoice choice_;
   Interrupt& interrupt_;
   std::unique_ptr<Contact> contact_;
+  JoinPlan plan_;
   std::unique_ptr<Candidates> candidates_;
   std::unique_ptr<PaperStages> stages_;
   StageCount candidates_count_, exact_count_;
@@ -147,6 +151,7 @@ std::vector<ExplainRow> explain_join(const JoinQuestion& asked, Interrupt& inter
   check_question(asked);
   JoinQuestion question = asked;
   question.only_a = question.only_b = {};
+  question.asked_t = question.asked_dt = {};
   Explanation explanation(question, interrupt);
   if (question.a->size() == 0 || (question.b && question.b->size() == 0)) return {};
   explanation.run();

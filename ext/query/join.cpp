@@ -1,12 +1,14 @@
 #include "query/join.h"
 
-#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
 #include "motion/float_environment.h"
 #include "query/join_candidates.h"
+#include "query/join_plan.h"
 #include "query/join_question.h"
+#include "query/sorted_hits.h"
 
 namespace foresee {
 
@@ -35,91 +37,84 @@ const char* name_of(JoinMethod method) {
   return "";
 }
 
-Join::Join(JoinQuestion question, Interrupt& interrupt)
-    : question_((check_question(question), std::move(question))),
-      interrupt_(interrupt),
-      contact_(contact_of(question_)),
-      candidates_(join_candidates(question_, contact_->reach(), interrupt)) {
-  // Which pairs touch at once is only known from their times.
-  if (question_.skip_touching) question_.wants.contact = true;
-}
-
-Join::~Join() {
-  candidates_.reset();
-  if (question_.space) question_.space->trim();
-}
-
-/// The exact stage may take some ten microseconds a pair, so a batch is asked in slices that can be
-/// interrupted.
-template <class Work>
-void Join::in_slices(std::size_t count, Work work) {
-  constexpr std::size_t slice = 256;
-  for (std::size_t begin = 0; begin < count; begin += slice) {
-    interrupt_.check();
-    work(begin, std::min(slice, count - begin));
+/// A question and how far it is answered.
+struct Join::Progress {
+  Progress(JoinQuestion asked, Interrupt& interrupt)
+      : question(with_space(std::move(asked))),
+        interrupt(interrupt),
+        stage(question, interrupt),
+        plan(plan_join(question, stage.reach())),
+        slabs(slabs_of(plan, question)),
+        sorted(question) {}
+  ~Progress() {
+    candidates.reset();
+    question.space->trim();
   }
-}
+
+  static JoinQuestion with_space(JoinQuestion question) {
+    check_question(question);
+    if (!question.space) question.space = std::make_shared<GridSpace>();
+    return question;
+  }
+
+  bool open_slab() {
+    slab = slabs.next();
+    if (!slab) return false;
+    candidates.reset();  // before the next grid takes its space
+    candidates = join_candidates(question, plan.method, slab->horizon, stage.reach(), interrupt);
+    // What touches at `now` has one t.
+    sorts = question.order == JoinOrder::by_t ? slab->before > std::nextafter(question.now, HUGE_VAL)
+                                              : question.order != JoinOrder::any;
+    return true;
+  }
+
+  /// One batch of candidates, or the end of the slab.
+  void advance() {
+    pairs.clear();
+    if (!candidates->next(pairs)) {
+      candidates.reset();
+      sorted.sort(interrupt);
+      return;
+    }
+    stage.ask(pairs, *slab, hits);
+    sorts ? sorted.add(hits) : stage.write(hits, rows);
+  }
+
+  JoinQuestion question;
+  Interrupt& interrupt;
+  ContactStage stage;
+  JoinPlan plan;
+  TimeSlabs slabs;
+  std::optional<TimeSlab> slab;
+  std::unique_ptr<Candidates> candidates;  // of the slab, until it has no more
+  bool sorts = false;
+  SortedHits sorted;
+  std::vector<Pair> pairs;
+  Hits hits;
+  std::vector<JoinRow> rows;
+};
+
+Join::Join(JoinQuestion question, Interrupt& interrupt)
+    : progress_(std::make_unique<Progress>(std::move(question), interrupt)) {}
+
+Join::~Join() = default;
 
 std::span<const JoinRow> Join::next() {
   const FloatEnvironment environment;
-  rows_.clear();
-  while (rows_.empty()) {
-    interrupt_.check();
-    pairs_.clear();
-    if (!candidates_->next(pairs_)) break;
-    keep_asked_pairs();
-    find_hits();
-    make_rows();
-  }
-  return rows_;
-}
-
-void Join::keep_asked_pairs() {
-  const Scene& a = *question_.a;
-  const Scene& b = question_.b ? *question_.b : a;
-  const bool within_one = !question_.b;
-  const bool one_table = within_one || question_.b == question_.a;
-  const bool one_id = question_.only_a || question_.only_b;
-  std::size_t kept = 0;
-  for (Pair pair : pairs_) {
-    if (one_table && pair.a == pair.b) continue;
-    if (within_one && a.ids[pair.a] > a.ids[pair.b]) {
-      if (one_id) continue;  // the id asked for stands in the other column of this pair
-      std::swap(pair.a, pair.b);
+  Progress& p = *progress_;
+  p.rows.clear();
+  while (p.rows.empty()) {
+    p.interrupt.check();
+    if (p.sorted.any()) {
+      p.sorted.take(p.hits);
+      p.stage.write(p.hits, p.rows);
+    } else if (p.candidates) {
+      p.advance();
+    } else if (!p.open_slab()) {
+      break;
     }
-    if (question_.only_a && a.ids[pair.a] != *question_.only_a) continue;
-    if (question_.only_b && b.ids[pair.b] != *question_.only_b) continue;
-    pairs_[kept++] = pair;
   }
-  pairs_.resize(kept);
-}
-
-void Join::find_hits() {
-  const TimesWanted wanted = question_.wants.ends ? TimesWanted::both : TimesWanted::begins;
-  hits_.clear(), times_.clear();
-  in_slices(pairs_.size(), [&](std::size_t begin, std::size_t count) {
-    const auto pairs = std::span(pairs_).subspan(begin, count);
-    if (question_.wants.contact)
-      contact_->first_contacts(pairs, wanted, hits_, times_);
-    else
-      contact_->decide(pairs, hits_);
-  });
-  times_.resize(hits_.size());
-}
-
-void Join::make_rows() {
-  const Scene& a = *question_.a;
-  const Scene& b = question_.b ? *question_.b : a;
-  approaches_.resize(hits_.size());
-  if (question_.wants.approach)
-    in_slices(hits_.size(), [&](std::size_t begin, std::size_t count) {
-      contact_->closest_approach(std::span(hits_).subspan(begin, count),
-                                 std::span(approaches_).subspan(begin, count));
-    });
-  for (std::size_t i = 0; i < hits_.size(); ++i) {
-    if (question_.skip_touching && !(times_[i].dt > 0)) continue;
-    rows_.push_back({a.ids[hits_[i].a], b.ids[hits_[i].b], times_[i], approaches_[i]});
-  }
+  return p.rows;
 }
 
 }  // namespace foresee

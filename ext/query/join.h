@@ -6,11 +6,16 @@
 //
 // Guarantee: every pair that touches during [now, now + h] comes exactly once, whatever the method; in a
 // self-join a < b. A scene joined with itself as two sides (b == a) gives every such pair in both orders, and
-// never an object with itself. Rows come in no particular order. Columns that `wants` leaves out are not
-// computed. Memory: the scenes, one swept box an object, and one batch of pairs.
+// never an object with itself. Columns that `wants` leaves out are not computed.
+//
+// Rows come in the order that is asked for. The grid answers long horizons in time slabs (time_slabs.h), and
+// questions for an order in slabs that begin short: whoever stops after the first rows does not pay for the
+// others. Memory: the scenes, about a hundred bytes an object, one batch of pairs, and 24 bytes for each row
+// of a slab that has to be sorted.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -37,6 +42,25 @@ struct JoinWants {
   bool approach = true;  ///< t_cpa, dt_cpa, d_cpa
 };
 
+/// Both ends included. Rows outside are left out.
+struct AskedTimes {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+
+  bool holds(double time) const { return least <= time && time <= most; }
+  bool are_all() const { return least == AskedTimes{}.least && most == AskedTimes{}.most; }
+};
+
+/// By dt that is above 0: pairs that touch already are left out.
+inline constexpr AskedTimes after_now{std::numeric_limits<double>::denorm_min()};
+
+enum class JoinOrder : std::uint8_t {
+  any,
+  by_t,  ///< rising
+  by_dt,
+  by_t_and_ids,  ///< by t, a, b
+};
+
 struct JoinQuestion {
   std::shared_ptr<const Scene> a;
   std::shared_ptr<const Scene> b = nullptr;  ///< null: pairs within a, each once
@@ -47,9 +71,12 @@ struct JoinQuestion {
   JoinMethod method = JoinMethod::automatic;  ///< tree: both scenes have an outline
   std::optional<std::int64_t> only_a = {};  ///< only pairs whose column a has this id: linear in the objects
   std::optional<std::int64_t> only_b = {};
-  bool skip_touching = false;  ///< leave out pairs that touch at `now` already: dt = 0
+  AskedTimes asked_t = {}, asked_dt = {};
+  JoinOrder order = JoinOrder::any;
   JoinWants wants = {};
   std::shared_ptr<GridSpace> space = nullptr;  ///< memory kept between joins, not shared by two at a time
+
+  bool asks_about_all_times() const { return asked_t.are_all() && asked_dt.are_all(); }
 };
 
 struct JoinRow {
@@ -71,20 +98,9 @@ class Join {
   std::span<const JoinRow> next();
 
  private:
-  template <class Work>
-  void in_slices(std::size_t count, Work work);
-  void keep_asked_pairs();
-  void find_hits();
-  void make_rows();
+  struct Progress;
 
-  JoinQuestion question_;
-  Interrupt& interrupt_;
-  std::unique_ptr<Contact> contact_;
-  std::unique_ptr<Candidates> candidates_;
-  std::vector<Pair> pairs_, hits_;
-  std::vector<ContactTimes> times_;
-  std::vector<ClosestApproach> approaches_;
-  std::vector<JoinRow> rows_;
+  std::unique_ptr<Progress> progress_;
 };
 
 }  // namespace foresee

@@ -13,10 +13,6 @@
 namespace foresee {
 namespace {
 
-/// Up to so many pairs, looking at all of them is faster than setting up a grid: on one to three axes the two
-/// cross between 120 and 280 pairs, at 5 to 10 microseconds.
-constexpr double scan_pairs = 200;
-
 /// A question about one id: that row with all rows of the other side; an unknown id has no pairs.
 std::unique_ptr<Candidates> one_row(const Scene& scene, std::int64_t id, Side side, std::size_t others,
                                     Interrupt& interrupt) {
@@ -34,8 +30,8 @@ std::unique_ptr<Candidates> scan(const Scene& a, const Scene* b, Interrupt& inte
 }
 
 template <int D>
-std::unique_ptr<Candidates> tree(const JoinQuestion& question, const Vec<D>& margin, Interrupt& interrupt) {
-  const Horizon horizon{question.now, question.h};
+std::unique_ptr<Candidates> tree(const JoinQuestion& question, const Horizon& horizon, const Vec<D>& margin,
+                                 Interrupt& interrupt) {
   const Scene& a = *question.a;
   if (!question.b) return make_tree_join<D>(a.bodies(), a.outline.value(), horizon, margin, interrupt);
   const Scene& b = *question.b;
@@ -44,12 +40,11 @@ std::unique_ptr<Candidates> tree(const JoinQuestion& question, const Vec<D>& mar
 }
 
 template <int D>
-std::unique_ptr<Candidates> by_index(const JoinQuestion& question, const Contact::Reach& reach,
-                                     Interrupt& interrupt) {
-  const Horizon horizon{question.now, question.h};
+std::unique_ptr<Candidates> by_index(const JoinQuestion& question, JoinMethod method, const Horizon& horizon,
+                                     const Contact::Reach& reach, Interrupt& interrupt) {
   const Vec<D> margin = margin_of<D>(reach);
-  if (question.method == JoinMethod::tree) return tree<D>(question, margin, interrupt);
-  if (question.method == JoinMethod::gpcd) {
+  if (method == JoinMethod::tree) return tree<D>(question, horizon, margin, interrupt);
+  if (method == JoinMethod::gpcd) {
     const Scene& b = question.b ? *question.b : *question.a;
     return make_paper_candidates<D>(question.a->bodies(), b.bodies(), question.b != nullptr, horizon, margin,
                                     interrupt);
@@ -60,37 +55,25 @@ std::unique_ptr<Candidates> by_index(const JoinQuestion& question, const Contact
   return make_gpcd_grid<D>(a, &b, interrupt, question.space);
 }
 
-std::unique_ptr<Candidates> by_index_of_axes(const JoinQuestion& question, const Contact::Reach& reach,
-                                             Interrupt& interrupt) {
-  switch (question.a->layout.axes) {
-    case 1:
-      return by_index<1>(question, reach, interrupt);
-    case 2:
-      return by_index<2>(question, reach, interrupt);
-    default:
-      return by_index<3>(question, reach, interrupt);
-  }
-}
-
 }  // namespace
 
-MethodChoice choose_method(const JoinQuestion& question) {
-  if (question.method != JoinMethod::automatic) return {question.method, "as asked"};
-  const double a = static_cast<double>(question.a->size());
-  const double pairs = question.b ? a * static_cast<double>(question.b->size()) : a * (a - 1) / 2;
-  if (pairs <= scan_pairs) return {JoinMethod::scan, "a look at each of so few pairs costs less than a grid"};
-  return {JoinMethod::grid, "there are too many pairs to look at each"};
-}
-
-std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, const Contact::Reach& reach,
+std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMethod method,
+                                            const Horizon& horizon, const Contact::Reach& reach,
                                             Interrupt& interrupt) {
   const FloatEnvironment environment;
   const Scene& a = *question.a;
   const Scene& b = question.b ? *question.b : a;
   if (question.only_a) return one_row(a, *question.only_a, Side::a, b.size(), interrupt);
   if (question.only_b) return one_row(b, *question.only_b, Side::b, a.size(), interrupt);
-  if (choose_method(question).method == JoinMethod::scan) return scan(a, question.b.get(), interrupt);
-  return by_index_of_axes(question, reach, interrupt);
+  if (method == JoinMethod::scan) return scan(a, question.b.get(), interrupt);
+  switch (a.layout.axes) {
+    case 1:
+      return by_index<1>(question, method, horizon, reach, interrupt);
+    case 2:
+      return by_index<2>(question, method, horizon, reach, interrupt);
+    default:
+      return by_index<3>(question, method, horizon, reach, interrupt);
+  }
 }
 
 }  // namespace foresee

@@ -1,6 +1,8 @@
 #include "sqlite/call.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 
 #include "sqlite/table_function.h"
@@ -75,17 +77,25 @@ std::optional<std::int64_t> Call::only(int output) const {
   return std::nullopt;
 }
 
-bool Call::only_positive(int output) const {
+Call::Bounds Call::bounds(int output) const {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  Bounds bounds{-inf, inf};
   for (const Hint& hint : hints_) {
     if (hint.output != output) continue;
     const int type = sqlite3_value_numeric_type(hint.value);
     if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) continue;
-    const double bound = sqlite3_value_double(hint.value);
-    if (hint.op == SQLITE_INDEX_CONSTRAINT_GT && bound >= 0) return true;
-    const bool from_below = hint.op == SQLITE_INDEX_CONSTRAINT_GE || hint.op == SQLITE_INDEX_CONSTRAINT_EQ;
-    if (from_below && bound > 0) return true;
+    const double number = sqlite3_value_double(hint.value);
+    // An integer may lie on either side of its double.
+    const bool exact = type == SQLITE_FLOAT || holds_exactly(number, sqlite3_value_int64(hint.value));
+    const double below = std::nextafter(number, -inf), above = std::nextafter(number, inf);
+    if (hint.op == SQLITE_INDEX_CONSTRAINT_GT) bounds.least = std::max(bounds.least, exact ? above : below);
+    if (hint.op == SQLITE_INDEX_CONSTRAINT_GE || hint.op == SQLITE_INDEX_CONSTRAINT_EQ)
+      bounds.least = std::max(bounds.least, exact ? number : below);
+    if (hint.op == SQLITE_INDEX_CONSTRAINT_LT) bounds.most = std::min(bounds.most, exact ? below : above);
+    if (hint.op == SQLITE_INDEX_CONSTRAINT_LE || hint.op == SQLITE_INDEX_CONSTRAINT_EQ)
+      bounds.most = std::min(bounds.most, exact ? number : above);
   }
-  return false;
+  return bounds;
 }
 
 }  // namespace foresee

@@ -36,12 +36,13 @@ struct Hint {
 class Call {
  public:
   Call(const TableFunction& function, Connection& connection, std::span<sqlite3_value* const> inputs,
-       std::vector<Hint> hints, std::uint32_t outputs_read)
+       std::vector<Hint> hints, std::uint32_t outputs_read, std::span<const int> order)
       : function_(function),
         connection_(connection),
         inputs_(inputs),
         hints_(std::move(hints)),
-        outputs_read_(outputs_read) {}
+        outputs_read_(outputs_read),
+        order_(order) {}
 
   Connection& connection() const { return connection_; }
 
@@ -54,8 +55,13 @@ class Call {
 
   /// The integer that the query wants `output` to be, if it does.
   std::optional<std::int64_t> only(int output) const;
-  /// Does the query want `output` to be more than zero?
-  bool only_positive(int output) const;
+  /// What the query wants `output` to lie between, both ends included; infinite where it does not say.
+  struct Bounds {
+    double least, most;
+  };
+  Bounds bounds(int output) const;
+  /// The outputs by which rows must come, rising: one of the function's orders, or its beginning.
+  std::span<const int> order() const { return order_; }
 
  private:
   [[noreturn]] void reject(int input, const char* kind) const;
@@ -65,6 +71,7 @@ class Call {
   std::span<sqlite3_value* const> inputs_;  ///< one per input, null where it was left out
   std::vector<Hint> hints_;
   std::uint32_t outputs_read_;
+  std::span<const int> order_;
 };
 
 }  // namespace foresee

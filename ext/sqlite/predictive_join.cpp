@@ -52,9 +52,20 @@ class JoinRows final : public Rows {
   std::size_t row_ = 0;
 };
 
+JoinOrder order_of(std::span<const int> outputs) {
+  if (outputs.empty()) return JoinOrder::any;
+  if (outputs[0] == out_dt) return JoinOrder::by_dt;
+  return outputs.size() > 1 ? JoinOrder::by_t_and_ids : JoinOrder::by_t;
+}
+
+AskedTimes asked(const Call::Bounds& bounds) {
+  return {bounds.least, bounds.most};
+}
+
 std::unique_ptr<Rows> start(const Call& call) {
   JoinQuestion question = read_join_inputs(call, {call.only(out_a), call.only(out_b)});
-  question.skip_touching = call.only_positive(out_dt);
+  question.asked_t = asked(call.bounds(out_t)), question.asked_dt = asked(call.bounds(out_dt));
+  question.order = order_of(call.order());
   question.wants.ends = call.reads(out_t_end) || call.reads(out_dt_end);
   question.wants.contact = question.wants.ends || call.reads(out_t) || call.reads(out_dt);
   question.wants.approach = call.reads(out_t_cpa) || call.reads(out_dt_cpa) || call.reads(out_d_cpa);
@@ -70,10 +81,12 @@ const TableFunction& predictive_join() {
                   "dt_cpa REAL", "d_cpa REAL"},
       .inputs = join_inputs(),
       .key = "a, b",
-      .hinted = 1u << out_a | 1u << out_b | 1u << out_dt,
+      .hinted = 1u << out_a | 1u << out_b | 1u << out_t | 1u << out_dt,
       .cost = 1e6,
       .rows = 1e5,
-      .start = start};
+      .start = start,
+      .probed = 1u << out_a | 1u << out_b,
+      .orders = {{out_t, out_a, out_b}, {out_dt}}};
   return function;
 }
 

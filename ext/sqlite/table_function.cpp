@@ -1,11 +1,14 @@
 // The virtual-table side of every table-valued function.
 //
 // Plan of one call, from xBestIndex to xFilter:
-//   idxNum   the outputs that the statement reads, one bit each
+//   idxNum   the outputs that the statement reads, one bit each; from bit 16 on the order that rows must come
+//            in: how many of its outputs, and from bit 20 on which of the function's orders
 //   idxStr   two letters per argument: 'A' + column, then the comparison ('=' '>' 'G' '<' 'L')
 // Constraints on inputs are consumed; those on outputs are hints that SQLite checks again. LIMIT is left to
 // SQLite: 3.40 offers it even where other constraints remain to be checked.
 #include "sqlite/table_function.h"
+
+#include <algorithm>
 
 #include "sqlite/callback.h"
 
@@ -107,7 +110,7 @@ struct Plan {
   std::uint32_t inputs_given = 0, inputs_unusable = 0;
   bool null_inputs = false;              ///< one of them is NULL, or may be
   bool about_ids = false;                ///< an output is compared with a value, known yet or not
-  int equalities = 0, inequalities = 0;  ///< hints
+  int equalities = 0, inequalities = 0;  ///< hints: ids, and other
 };
 
 void take(Plan& plan, const FunctionTable& table, sqlite3_index_info& info, int i) {
@@ -123,13 +126,14 @@ void take(Plan& plan, const FunctionTable& table, sqlite3_index_info& info, int 
   } else if (!(table.function().hinted >> constraint.iColumn & 1)) {
     return;
   }
-  if (!is_input && letter == '=') plan.about_ids = true;
+  const bool probes = !is_input && letter == '=' && (table.function().probed >> constraint.iColumn & 1);
+  if (probes) plan.about_ids = true;
   if (!constraint.usable) return;
   sqlite3_value* right = nullptr;
   if (is_input && input > 0 &&
       (sqlite3_vtab_rhs_value(&info, i, &right) != SQLITE_OK || sqlite3_value_type(right) == SQLITE_NULL))
     plan.null_inputs = true;
-  if (!is_input) ++(letter == '=' ? plan.equalities : plan.inequalities);
+  if (!is_input) ++(probes ? plan.equalities : plan.inequalities);
   plan.arguments += {static_cast<char>('A' + constraint.iColumn), letter};
   info.aConstraintUsage[i].argvIndex = static_cast<int>(plan.arguments.size() / 2);
   info.aConstraintUsage[i].omit = is_input;
@@ -156,13 +160,40 @@ void estimate(FunctionTable& table, const Plan& plan, sqlite3_index_info& info) 
   info.estimatedRows = static_cast<sqlite3_int64>(rows);
 }
 
+constexpr int order_length_at = 16, order_at = 20;  // in idxNum
+
+/// If ORDER BY is one of the function's orders, or the beginning of one, rows come in that order.
+int take_order(const TableFunction& function, sqlite3_index_info& info) {
+  const auto wanted = std::span(info.aOrderBy, static_cast<std::size_t>(std::max(0, info.nOrderBy)));
+  if (wanted.empty()) return 0;
+  for (std::size_t i = 0; i < function.orders.size(); ++i) {
+    const std::vector<int>& order = function.orders[i];
+    if (wanted.size() > order.size()) continue;
+    const bool fits =
+        std::equal(wanted.begin(), wanted.end(), order.begin(),
+                   [](const auto& term, int output) { return term.iColumn == output && !term.desc; });
+    if (!fits) continue;
+    info.orderByConsumed = 1;
+    return info.nOrderBy << order_length_at | static_cast<int>(i) << order_at;
+  }
+  return 0;
+}
+
+std::span<const int> order_of(const TableFunction& function, int plan) {
+  const int length = plan >> order_length_at & 0xf;
+  if (length == 0) return {};
+  return std::span(function.orders[static_cast<std::size_t>(plan >> order_at)])
+      .first(static_cast<std::size_t>(length));
+}
+
 int function_best_index(sqlite3_vtab* vtab, sqlite3_index_info* info) noexcept {
   return guarded_by_name(vtab, [&]() -> int {
     FunctionTable& table = table_of(vtab);
     Plan plan;
     for (int i = 0; i < info->nConstraint; ++i) take(plan, table, *info, i);
     if (plan.inputs_unusable & ~plan.inputs_given) return SQLITE_CONSTRAINT;
-    info->idxNum = static_cast<int>(info->colUsed & ((1u << table.output_count()) - 1));
+    info->idxNum = static_cast<int>(info->colUsed & ((1u << table.output_count()) - 1)) |
+                   take_order(table.function(), *info);
     info->idxStr = sqlite3_mprintf("%s", plan.arguments.c_str());
     if (!info->idxStr) return SQLITE_NOMEM;
     info->needToFreeIdxStr = 1;
@@ -211,7 +242,7 @@ bool sort_arguments(FunctionCursor& cursor, const FunctionTable& table, const ch
   return true;
 }
 
-int function_filter(sqlite3_vtab_cursor* base, int outputs_read, const char* plan, int count,
+int function_filter(sqlite3_vtab_cursor* base, int number, const char* plan, int count,
                     sqlite3_value** arguments) noexcept {
   return guarded_by_name(base->pVtab, [&] {
     FunctionCursor& cursor = cursor_of(base);
@@ -221,8 +252,9 @@ int function_filter(sqlite3_vtab_cursor* base, int outputs_read, const char* pla
     std::vector<Hint> hints;
     const std::span<sqlite3_value*> given(arguments, static_cast<std::size_t>(count));
     if (!sort_arguments(cursor, table, plan, given, inputs, hints)) return;
-    const Call call(table.function(), *table.registration->connection, inputs, std::move(hints),
-                    static_cast<std::uint32_t>(outputs_read));
+    const auto outputs_read = static_cast<std::uint32_t>(number) & ((1u << table.output_count()) - 1);
+    const Call call(table.function(), *table.registration->connection, inputs, std::move(hints), outputs_read,
+                    order_of(table.function(), number));
     cursor.rows = table.function().start(call);
     step(cursor);
   });

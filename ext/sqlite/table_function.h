@@ -41,10 +41,12 @@ struct TableFunction {
   std::vector<const char*> outputs;  ///< name and type
   std::vector<const char*> inputs;   ///< names
   const char* key;                   ///< the outputs that tell the rows of one call apart
-  std::uint32_t hinted;              ///< bit set: constraints on these outputs make the call cheaper
+  std::uint32_t hinted;              ///< bit set: constraints on these outputs may make the call cheaper
   double cost;                       ///< of a call, in the planner's unit: about one row looked at
   double rows;                       ///< how many rows a call gives, roughly
   std::unique_ptr<Rows> (*start)(const Call& call);
+  std::uint32_t probed = 0;                   ///< of those: one value of them makes the call much cheaper
+  std::vector<std::vector<int>> orders = {};  ///< outputs by which rows can come, rising
 };
 
 /// The function with its inputs, as messages show it: predictive_position(at, tbl).

@@ -77,6 +77,57 @@ TEST_F(JoinPlanner, OrdersAndLimits) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_join(3)"), db.rows("SELECT count(*) FROM whole"));
 }
 
+TEST_F(JoinPlanner, GivesRowsInTheOrderOfTimeWithoutSorting) {
+  const auto sorts = [this](const std::string& rest) {
+    return plan("SELECT a, t, dt FROM predictive_join(3) " + rest).find("TEMP B-TREE") != std::string::npos;
+  };
+  for (const std::string order : {"t", "dt", "t, a", "t, a, b", "t ASC"}) {
+    EXPECT_FALSE(sorts("ORDER BY " + order)) << order;
+    EXPECT_FALSE(sorts("WHERE dt > 0 ORDER BY " + order + " LIMIT 10")) << order;
+  }
+  for (const std::string order : {"t DESC", "t, b", "dt, a", "a", "d_cpa", "t, a DESC", "t + 1"})
+    EXPECT_TRUE(sorts("ORDER BY " + order)) << order;
+  for (const std::string where :
+       {"", "WHERE dt > 0", "WHERE dt >= 1", "WHERE dt < 1", "WHERE dt BETWEEN 1 AND 2",
+        "WHERE t > 1 AND t <= 2.5", "WHERE dt = 0", "WHERE a > 200", "WHERE a = 7"}) {
+    both(where + " ORDER BY t, a, b");
+    both(where + " ORDER BY t, a, b LIMIT 20 OFFSET 3");
+    for (const std::string by : {"t", "dt"})
+      EXPECT_EQ(db.rows("SELECT " + by + " FROM predictive_join(3) " + where + " ORDER BY " + by),
+                db.rows("SELECT " + by + " FROM whole " + where + " ORDER BY " + by));
+  }
+  EXPECT_EQ(
+      db.rows("SELECT h, t FROM predictive_join WHERE h IN (1, 3) ORDER BY t"),
+      db.rows(
+          "SELECT * FROM (SELECT 1, t FROM predictive_join(1) UNION ALL SELECT 3, t FROM whole) ORDER BY 2"));
+  EXPECT_EQ(db.rows("SELECT t, count(*) FROM predictive_join(3) GROUP BY t"),
+            db.rows("SELECT t, count(*) FROM whole GROUP BY t"));
+  EXPECT_EQ(db.rows("SELECT DISTINCT dt FROM predictive_join(3) ORDER BY dt"),
+            db.rows("SELECT DISTINCT dt FROM whole ORDER BY dt"));
+  EXPECT_EQ(
+      db.rows(
+          "SELECT q.h, j.t FROM (SELECT 1 AS h UNION ALL SELECT 2) q, predictive_join(q.h) j ORDER BY j.t"),
+      db.rows("SELECT h, t FROM predictive_join WHERE h IN (1, 2) ORDER BY t, h"));
+  EXPECT_EQ(
+      db.rows("SELECT sa.id, sb.id, j.t FROM predictive_join(3) j JOIN ships sa ON sa.id = j.a JOIN ships sb "
+              "ON sb.id = j.b WHERE j.dt > 0 ORDER BY j.t, j.a, j.b LIMIT 5"),
+      db.rows("SELECT a, b, t FROM whole WHERE dt > 0 ORDER BY t, a, b LIMIT 5"));
+}
+
+TEST_F(JoinPlanner, UsesBoundsOfTimeAsTheyAreWritten) {
+  const std::string t = db.rows("SELECT t FROM whole WHERE dt > 0 ORDER BY t LIMIT 1 OFFSET 50");
+  for (const std::string op : {"<", "<=", ">", ">=", "=", "IS"})
+    for (const std::string column : {"t", "dt"}) {
+      both("WHERE " + column + " " + op + " " + t + " ORDER BY a, b");
+      both("WHERE " + column + " " + op + " '" + t + "' ORDER BY a, b");
+      both("WHERE " + column + " " + op + " 1 ORDER BY a, b");
+      both("WHERE " + column + " " + op + " 'x' ORDER BY a, b");
+      both("WHERE " + column + " " + op + " x'00' ORDER BY a, b");
+      both("WHERE " + column + " " + op + " 9007199254740993 ORDER BY a, b");
+      both("WHERE " + column + " " + op + " NULL ORDER BY a, b");
+    }
+}
+
 TEST_F(JoinPlanner, TellsTheRowsOfTwoHorizonsApart) {
   EXPECT_EQ(db.rows("SELECT h, count(*) FROM predictive_join WHERE h IN (1, 3) GROUP BY h"),
             db.rows("SELECT 1, count(*) FROM predictive_join(1) UNION ALL SELECT 3, count(*) FROM whole"));

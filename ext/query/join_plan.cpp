@@ -1,0 +1,143 @@
+#include "query/join_plan.h"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "motion/float_environment.h"
+#include "query/join_question.h"
+
+namespace foresee {
+namespace {
+
+// Nanoseconds, on the machine of docs/benchmarks.md; only their ratios matter.
+constexpr double scan_pair = 25;        // the exact stage for a pair far apart
+constexpr double grid_setup = 3000;     // a grid of no objects
+constexpr double grid_object = 80;      // its box, its places in the grid, being compared with few others
+constexpr double grid_meeting = 1.6;    // two swept boxes that meet, and what lies beside them
+constexpr double grid_repetition = 60;  // a pair in contact already is looked at again in every slab
+
+constexpr std::size_t sample_share = 256, sample_least = 48, sample_most = 256;
+constexpr std::size_t slabs_max = 4096;
+
+double pairs_of(const JoinQuestion& question) {
+  const double a = static_cast<double>(question.a->size());
+  return question.b ? a * static_cast<double>(question.b->size()) : a * (a - 1) / 2;
+}
+
+double objects_of(const JoinQuestion& question) {
+  return static_cast<double>(question.a->size() + (question.b ? question.b->size() : 0));
+}
+
+/// Swept boxes of some rows, one from each of so many equal parts, not at equal distances.
+template <int D>
+std::vector<Box<D>> sample_of(const Scene& scene, const Horizon& horizon, const Vec<D>& margin) {
+  const std::size_t count = scene.size(),
+                    wanted = std::min(count, std::clamp(count / sample_share, sample_least, sample_most));
+  const Bodies bodies = scene.bodies();
+  std::vector<Box<D>> boxes;
+  boxes.reserve(wanted);
+  for (std::size_t part = 0; part < wanted; ++part) {
+    const std::size_t begin = part * count / wanted, end = (part + 1) * count / wanted;
+    const std::size_t row = begin + (part * 0x9e3779b97f4a7c15u >> 33) % (end - begin);
+    boxes.push_back(swept_box<D>(bodies, row, horizon, margin));
+  }
+  return boxes;
+}
+
+/// Which part of all pairs meets.
+template <int D>
+double share_that_meets(const JoinQuestion& question, const Horizon& horizon, const Vec<D>& margin) {
+  const std::vector<Box<D>> a = sample_of<D>(*question.a, horizon, margin);
+  const bool between = question.b && question.b != question.a;
+  const std::vector<Box<D>> other =
+      between ? sample_of<D>(*question.b, horizon, margin) : std::vector<Box<D>>{};
+  const std::vector<Box<D>>& b = between ? other : a;
+  std::size_t asked = 0, meetings = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = between ? 0 : i + 1; j < b.size(); ++j) ++asked, meetings += a[i].meets(b[j]);
+  return asked == 0 ? 0 : static_cast<double>(meetings) / static_cast<double>(asked);
+}
+
+/// The middle one of so many equal parts of the horizon.
+Horizon middle_part(const JoinQuestion& question, double begin, double length, std::size_t parts) {
+  const double part = length / static_cast<double>(parts);
+  return {question.now + (begin + (length - part) / 2), part};
+}
+
+/// What the moments asked about look like as a horizon.
+struct AskedSpan {
+  double begin, length;
+};
+
+AskedSpan span_of(const JoinQuestion& question) {
+  const double begin = std::max({0.0, question.asked_dt.least, question.asked_t.least - question.now});
+  const double end = std::min({question.h, question.asked_dt.most, question.asked_t.most - question.now});
+  return {begin, std::max(0.0, end - begin)};
+}
+
+struct SlabChoice {
+  std::size_t slabs;
+  double cost;
+};
+
+/// More slabs while that makes the grid cheaper. Each costs its objects again, so it is soon seen where more
+/// cannot pay.
+SlabChoice choose_slabs(const JoinQuestion& question, const Contact::Reach& reach) {
+  const AskedSpan span = span_of(question);
+  const auto meetings = [&](std::size_t parts) {
+    return expected_meetings(question, reach, middle_part(question, span.begin, span.length, parts));
+  };
+  const double fixed = grid_setup + grid_object * objects_of(question);
+  SlabChoice best{1, fixed + grid_meeting * meetings(1)};
+  if (best.cost <= 2 * fixed || !(span.length > 0)) return best;
+  const double repeated =
+      grid_repetition * expected_meetings(question, reach, {question.now + span.begin + span.length / 2, 0});
+  for (std::size_t parts = 2; parts <= slabs_max; parts += (parts + 3) / 4) {
+    const double times = static_cast<double>(parts), floor = times * fixed + (times - 1) * repeated;
+    if (floor >= best.cost) break;
+    const double cost = floor + grid_meeting * times * meetings(parts);
+    if (cost < best.cost) best = {parts, cost};
+  }
+  return best;
+}
+
+}  // namespace
+
+double expected_meetings(const JoinQuestion& question, const Contact::Reach& reach, const Horizon& horizon) {
+  const auto share = [&]<int D>(std::integral_constant<int, D>) {
+    return share_that_meets<D>(question, horizon, margin_of<D>(reach));
+  };
+  switch (question.a->layout.axes) {
+    case 1:
+      return pairs_of(question) * share(std::integral_constant<int, 1>{});
+    case 2:
+      return pairs_of(question) * share(std::integral_constant<int, 2>{});
+    default:
+      return pairs_of(question) * share(std::integral_constant<int, 3>{});
+  }
+}
+
+JoinPlan plan_join(const JoinQuestion& question, const Contact::Reach& reach) {
+  const FloatEnvironment environment;
+  const bool automatic = question.method == JoinMethod::automatic;
+  const double scan = scan_pair * pairs_of(question);
+  if (question.only_a || question.only_b) return {JoinMethod::scan, "one object is looked at", 1};
+  if (!automatic && question.method != JoinMethod::grid) return {question.method, "as asked", 1};
+  if (automatic && scan <= grid_setup + grid_object * objects_of(question))
+    return {JoinMethod::scan, "a look at each of so few pairs costs less than a grid", 1};
+  const SlabChoice grid = choose_slabs(question, reach);
+  if (!automatic) return {question.method, "as asked", grid.slabs};
+  return {JoinMethod::grid, "there are too many pairs to look at each", grid.slabs};
+}
+
+TimeSlabs slabs_of(const JoinPlan& plan, const JoinQuestion& question) {
+  constexpr double endless = std::numeric_limits<double>::infinity();
+  const double length = span_of(question).length;
+  if (plan.method != JoinMethod::grid) return {question, {endless, endless}};
+  const double step = plan.slabs > 1 ? length / static_cast<double>(plan.slabs) : endless;
+  if (question.order == JoinOrder::any) return {question, {step, step}};
+  constexpr double first_share = 1.0 / 64;
+  return {question, {step, std::min(step, length * first_share), question.asked_dt.least <= 0}};
+}
+
+}  // namespace foresee
