@@ -1,6 +1,6 @@
 #include "sqlite/version.h"
 
-#include "index/simd.h"
+#include "motion/simd.h"
 #include "storage/sqlite_api.h"
 
 namespace foresee {

@@ -6,7 +6,7 @@
 
 #include "contact/contact.h"
 #include "index/gpcd_grid/gpcd_grid.h"
-#include "index/simd.h"
+#include "motion/simd.h"
 #include "pairs.h"
 
 namespace foresee::testing {

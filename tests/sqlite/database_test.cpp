@@ -1,7 +1,7 @@
 // The harness itself: what it prints is what the other tests compare.
 #include "database.h"
 
-#include "index/simd.h"
+#include "motion/simd.h"
 
 namespace foresee::testing {
 namespace {

@@ -2,7 +2,7 @@
 // wider one.
 #include "index/gpcd_grid/scan_kernel.h"
 #include "index/gpcd_grid/scan_variants.h"
-#include "index/simd.h"
+#include "motion/simd.h"
 
 #if defined(__SSE__)
 #include <xmmintrin.h>

@@ -1,4 +1,4 @@
-// Which vector instructions does this CPU have, and which does the grid use?
+// Which vector instructions does this CPU have, and which are used?
 //
 // The widest are chosen once; answers do not depend on them. `baseline` is what the build was made for: plain
 // C++ on four lanes, which compilers turn into SSE or NEON.
@@ -20,7 +20,7 @@ std::span<const Simd> available_simd();
 /// The widest available, unless a test has chosen another.
 Simd simd_in_use();
 
-/// For tests: scans that start from now on use `simd`, which must be available. Not for use beside other
+/// For tests: what starts from now on uses `simd`, which must be available. Not for use beside other
 /// threads.
 void use_simd(Simd simd);
 

@@ -1,4 +1,4 @@
-#include "index/simd.h"
+#include "motion/simd.h"
 
 #include <vector>
 
