@@ -35,6 +35,12 @@ struct Course {
   T x[D], v[D], a[D];
 };
 
+/// The same on one axis.
+template <class T>
+struct AxisCourse {
+  T x, v, a;
+};
+
 /// Sums over both sides, nothing added yet: box half extents, radii, half heights of cylinders.
 template <class T, int D>
 struct RawSizes {
@@ -96,30 +102,29 @@ struct Exactly<DoubleDouble> {
   static DoubleDouble difference_of(double a, double b) { return difference(a, b); }
 };
 
-template <class T, int D>
-Course<T, D> course_of(const Setup& setup, const double* row_a, const double* row_b) {
+template <class T>
+AxisCourse<T> axis_course_of(const Setup& setup, const double* row_a, const double* row_b, int axis) {
   using E = Exactly<T>;
   const double now = setup.horizon.now;
   const double t_a = value_or(row_a, setup.a.at.t, 0), t_b = value_or(row_b, setup.b.at.t, 0);
-  const T s_a = E::difference_of(now, t_a), s_b = E::difference_of(now, t_b);
+  const AxisMotion a = axis_motion(setup.a, row_a, axis), b = axis_motion(setup.b, row_b, axis);
+  const T x = E::difference_of(b.x, a.x), v = E::difference_of(b.v, a.v);
+  const T acceleration = E::difference_of(b.a, a.a), half_acceleration = half_of(acceleration);
+  if (t_a == now && t_b == now) return {x, v, half_acceleration};
+  const T s_a = E::difference_of(now, t_a);
+  if (t_a == t_b) return {x + s_a * (v + s_a * half_acceleration), v + s_a * acceleration, half_acceleration};
+  const T s_b = E::difference_of(now, t_b);
+  const T turn_a = s_a * E::number(a.a), turn_b = s_b * E::number(b.a);
+  return {x + (s_b * (E::number(b.v) + half_of(turn_b)) - s_a * (E::number(a.v) + half_of(turn_a))),
+          v + (turn_b - turn_a), half_acceleration};
+}
+
+template <class T, int D>
+Course<T, D> course_of(const Setup& setup, const double* row_a, const double* row_b) {
   Course<T, D> course;
   for (int axis = 0; axis < D; ++axis) {
-    const AxisMotion a = axis_motion(setup.a, row_a, axis), b = axis_motion(setup.b, row_b, axis);
-    const T x = E::difference_of(b.x, a.x), v = E::difference_of(b.v, a.v);
-    const T acceleration = E::difference_of(b.a, a.a);
-    course.a[axis] = half_of(acceleration);
-    if (t_a == now && t_b == now) {
-      course.v[axis] = v;
-      course.x[axis] = x;
-    } else if (t_a == t_b) {
-      course.v[axis] = v + s_a * acceleration;
-      course.x[axis] = x + s_a * (v + s_a * course.a[axis]);
-    } else {
-      const T turn_a = s_a * E::number(a.a), turn_b = s_b * E::number(b.a);
-      course.v[axis] = v + (turn_b - turn_a);
-      course.x[axis] =
-          x + (s_b * (E::number(b.v) + half_of(turn_b)) - s_a * (E::number(a.v) + half_of(turn_a)));
-    }
+    const AxisCourse<T> one = axis_course_of<T>(setup, row_a, row_b, axis);
+    course.x[axis] = one.x, course.v[axis] = one.v, course.a[axis] = one.a;
   }
   return course;
 }

@@ -12,6 +12,9 @@ namespace foresee {
 
 constexpr double unit_roundoff = 0x1p-53;
 
+/// What underflow loses while no time exceeds 2^40.
+constexpr double usual_underflow = 0x1p-988;
+
 template <int D>
 struct Relative {
   double x[D], v[D], a[D];     ///< a is half the relative acceleration
@@ -35,7 +38,7 @@ Relative<D> relative_of(const Setup& setup, const double* row_a, const double* r
   Relative<D> r;
   const double age = 1 + std::max(std::abs(s_a), std::abs(s_b)) + setup.horizon.h;
   // For all ages in use a constant: multiplying subnormal numbers costs processors a hundred cycles each.
-  r.underflow = age <= 0x1p40 ? 0x1p-988 : 0x1p-1068 * age * age;
+  r.underflow = age <= 0x1p40 ? usual_underflow : 0x1p-1068 * age * age;
   for (int j = 0; j < D; ++j) {
     AxisMotion a = axis_motion(setup.a, row_a, j), b = axis_motion(setup.b, row_b, j);
     if constexpr (Degree < 2) a.a = b.a = 0;

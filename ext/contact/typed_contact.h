@@ -10,7 +10,7 @@
 namespace foresee {
 
 template <class Kind, int Degree>
-class TypedContact final : public Contact {
+class TypedContact : public Contact {
  public:
   static constexpr int D = Kind::axes;
 
@@ -44,11 +44,11 @@ class TypedContact final : public Contact {
       out[i] = closest_approach_of<D>(setup_, setup_.a.row(hits[i].a), setup_.b.row(hits[i].b));
   }
 
- private:
+ protected:
   /// Asks for the rows of a later pair: neighbours in space are seldom neighbours in memory, and waiting for
   /// memory would be a quarter of a decision.
   void fetch_ahead(std::span<const Pair> pairs, std::size_t i) const {
-    constexpr std::size_t ahead = 8, doubles_per_line = 8;
+    constexpr std::size_t ahead = 16, doubles_per_line = 8;
     if (i + ahead >= pairs.size()) return;
     const double* row_a = setup_.a.row(pairs[i + ahead].a);
     const double* row_b = setup_.b.row(pairs[i + ahead].b);
@@ -90,17 +90,23 @@ class TypedContact final : public Contact {
                                             TimesWanted wanted, Instant& begin, Instant& end) const {
     const auto track = this->track(row_a, row_b, moments);
     if (track.certainly_missed()) return Verdict::no;
-    Bracket first, last;
+    Bracket first;
     const Verdict meets = track.first_contact(first);
     if (meets != Verdict::yes) return meets;
     begin = {moments.dt_begin, moments.t_begin};
     if (first.after > moments.dt_begin) begin = later(crossing<Way::in>(track, first, row_a, row_b), begin);
-    end = {moments.dt_end, moments.t_end};
-    if (wanted == TimesWanted::begins) return meets;
-    const Verdict leaves = track.end_of_contact(first.after, last);
-    if (leaves == Verdict::yes) end = earlier(crossing<Way::out>(track, last, row_a, row_b), end);
-    if (leaves == Verdict::uncertain) end = unknown_instant();
+    end = wanted == TimesWanted::both ? end_of_contact(track, first.after, moments, row_a, row_b) : begin;
     return meets;
+  }
+
+  /// The end of the contact that certainly is at `from`, or unknown.
+  Instant end_of_contact(const Track<Kind, Degree>& track, double from, const Moments& moments,
+                         const double* row_a, const double* row_b) const {
+    Bracket last;
+    const Verdict leaves = track.end_of_contact(from, last);
+    if (leaves == Verdict::uncertain) return unknown_instant();
+    const Instant end{moments.dt_end, moments.t_end};
+    return leaves == Verdict::no ? end : earlier(crossing<Way::out>(track, last, row_a, row_b), end);
   }
 
   template <Way way>
@@ -126,7 +132,7 @@ class TypedContact final : public Contact {
     return Kind::template sizes<T>(raw_sizes_of<T, D>(setup_, row_a, row_b), setup_);
   }
 
-  Setup setup_;
+  const Setup setup_;
 };
 
 template <class Kind>

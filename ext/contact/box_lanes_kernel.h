@@ -1,0 +1,117 @@
+// The loop of settle(), for files compiled for one CPU each. Everything here is local to the file that
+// includes it: a copy made for one CPU must not end up in the place of another's.
+//
+// Error bounds
+// ------------
+// With M = |x| + H + s (|v| + s |a|), everything computed here from the course at a moment up to s, or from
+// moments up to s, has at most 20 roundings of terms whose magnitudes M counts; with what the course itself
+// is off by, ex + s ev, the total stays within ex + s ev + 32u M, u = 2^-53. Underflow takes less than 2^-900
+// as times are below 2^40.
+#pragma once
+
+#include "contact/box_lanes.h"
+
+namespace foresee {
+namespace {
+
+constexpr double huge = 0x1p1000, never = __builtin_inf(), underflow = 0x1p-900;
+constexpr double near = 0x1p-40;  // how far from the guess signs are looked at, relatively
+
+inline double size_of(double x) {
+  return __builtin_fabs(x);
+}
+inline double least(double a, double b) {
+  return a < b ? a : b;
+}
+inline double greatest(double a, double b) {
+  return a > b ? a : b;
+}
+
+/// When does c + w t + k t^2, above 0 now, come to 0? About then; for ever if it does not.
+template <int Degree>
+double first_root(double c, double w, double k) {
+  if constexpr (Degree < 2) {
+    return w < 0 ? c / -w : never;
+  } else {
+    const double discriminant = w * w - 4 * k * c;
+    const double root = __builtin_sqrt(greatest(discriminant, 0));
+    const bool leaving = w > 0;
+    const double time = (leaving ? w + root : 2 * c) / (leaving ? -2 * k : root - w);
+    return discriminant >= 0 && time >= 0 ? time : never;
+  }
+}
+
+/// Bound on the error of a place, from what the course itself is off by and the magnitudes behind it.
+inline double error_bound(double of_course, double size) {
+  return of_course + 0x1p-48 * size + underflow;
+}
+
+template <int D, int Degree>
+void settle_here(BoxLanes<D, Degree>& lanes) {
+  for (int l = 0; l < lanes.width; ++l) {
+    const double end = lanes.end[l];
+    const auto magnitude = [&lanes, l](int j, double s) {
+      return size_of(lanes.x[j][l]) + lanes.half[j][l] +
+             s * (size_of(lanes.v[j][l]) + s * size_of(lanes.a[j][l]));
+    };
+    const auto error = [&lanes, l](int j, double s, double size) {
+      return error_bound(lanes.ex[j][l] + s * lanes.ev[j][l], size);
+    };
+    const auto place = [&lanes, l](int j, double s) {
+      return lanes.x[j][l] + s * (lanes.v[j][l] + s * lanes.a[j][l]);
+    };
+
+    // The guess: the latest axis to be entered, and its quadratic.
+    double moment = 0, axis = 0, gap = 0, slope = 0, bend = 0, size = 0, lost = 0, lost_slope = 0;
+    double inside_now = never, all = 0;
+#pragma GCC unroll 3
+    for (int j = 0; j < D; ++j) {
+      const double x = lanes.x[j][l], side = x < 0 ? -1 : 1;
+      const double c = size_of(x) - lanes.half[j][l], w = side * lanes.v[j][l], k = side * lanes.a[j][l];
+      const double entry = c > 0 ? first_root<Degree>(c, w, k) : 0;
+      const bool later = entry > moment;
+      moment = later ? entry : moment;
+      axis = later ? j : axis;
+      gap = later ? c : gap, slope = later ? w : slope, bend = later ? k : bend;
+      size = later ? size_of(x) + lanes.half[j][l] : size;
+      lost = later ? lanes.ex[j][l] : lost, lost_slope = later ? lanes.ev[j][l] : lost_slope;
+      inside_now = least(inside_now, -c - error(j, 0, size_of(x) + lanes.half[j][l]));
+      all += magnitude(j, end);
+    }
+
+    const double before = least(moment * (1 - near), end), after = least(moment * (1 + near), end);
+    const double reach = before * (size_of(slope) + before * size_of(bend));
+    const double lost_before = error_bound(lost + before * lost_slope, size + reach);
+    const double at_before = gap + before * (slope + before * bend);
+    const double apart_before = least(least(gap, gap + 0.5 * before * slope), at_before) - lost_before;
+
+    double inside_after = never, apart_after = -never;
+#pragma GCC unroll 3
+    for (int j = 0; j < D; ++j) {
+      const double half = lanes.half[j][l], v = lanes.v[j][l], a = lanes.a[j][l];
+      const double size_after = magnitude(j, after);
+      const double error_after = error(j, after, size_after);
+      // Between `before` and `after` an axis moves by less than 2^-38 of its magnitudes.
+      const double moves = axis == j ? 0 : 0x1p-37 * size_after + error_after;
+      inside_after = least(inside_after, half - size_of(place(j, after)) - error_after - moves);
+      const double here = place(j, before), side = here < 0 ? -1 : 1;
+      const double first = side * here - half, last = side * place(j, end) - half;
+      const double middle = first + 0.5 * (end - before) * (side * (v + 2 * before * a));
+      const double apart = least(least(first, middle), last) - error(j, end, magnitude(j, end));
+      apart_after = greatest(apart_after, apart);
+    }
+
+    // Nothing is certain where numbers are so large that something may overflow, or NaN: least() passes on a
+    // second argument that is NaN.
+    const double fits = huge - all, end_inside = end * (1 - 0x1p-50);
+    const double meets = least(end_inside < after ? -1 : inside_after, fits);
+    lanes.touches_now[l] = least(inside_now, fits);
+    lanes.misses[l] = least(least(apart_before, before < end ? apart_after : never), fits);
+    lanes.meets[l] = meets;
+    lanes.meets_first[l] = least(apart_before, meets);
+    lanes.moment[l] = moment, lanes.before[l] = before, lanes.after[l] = after, lanes.axis[l] = axis;
+  }
+}
+
+}  // namespace
+}  // namespace foresee
