@@ -1,6 +1,8 @@
 #include "motion/position.h"
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace foresee {
 namespace {
@@ -16,6 +18,38 @@ Elapsed elapsed(double moment, double t) {
   const double moment_part = head + t_part;
   const double tail = (moment - moment_part) + (t_part - t);
   return {head, std::isfinite(tail) ? tail : 0.0};
+}
+
+/// A product that no double need hold: fraction * 2^exponent.
+struct Scaled {
+  double fraction = 1;
+  int exponent = 0;
+
+  Scaled operator*(double factor) const {
+    int more, carry;
+    const double part = std::frexp(factor, &more);
+    const double product = std::frexp(fraction * part, &carry);
+    return {product, exponent + more + carry};
+  }
+};
+
+/// The sum, infinite only where no double holds it.
+double sum_of(std::initializer_list<Scaled> terms) {
+  int greatest = std::numeric_limits<int>::min();
+  for (const Scaled& term : terms)
+    if (term.fraction != 0) greatest = std::max(greatest, term.exponent);
+  double sum = 0;
+  for (const Scaled& term : terms)
+    if (term.fraction != 0) sum += std::ldexp(term.fraction, term.exponent - greatest);
+  return std::ldexp(sum, sum == 0 ? 0 : greatest);
+}
+
+/// Place and velocity along one axis where a term overflows, or the time itself.
+void place_far(double x, double v, double a, double moment, double t, double& place, double& velocity) {
+  const double half = 0.5 * moment - 0.5 * t;  // of the elapsed time
+  const Scaled one;
+  place = sum_of({one * x, one * v * half * 2.0, one * a * half * half * 2.0});
+  velocity = sum_of({one * v, one * a * half * 2.0});
 }
 
 }  // namespace
@@ -34,6 +68,8 @@ State<D> state_at(const Motion<D>& motion, double moment) {
     const double tail = s.tail * (v + a * s.head);
     state.x[axis] = (x + s.head * (v + a * s.head * 0.5)) + tail;
     state.v[axis] = v + (a * s.head + a * s.tail);
+    if (!std::isfinite(state.x[axis]) || !std::isfinite(state.v[axis]))
+      place_far(x, v, a, moment, motion.t, state.x[axis], state.v[axis]);
   }
   return state;
 }

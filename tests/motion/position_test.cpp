@@ -37,5 +37,22 @@ TEST(Position, StaysAtRestThroughAnyTime) {
   EXPECT_EQ(state_at(rock, 1.7e308).x[0], 5);
 }
 
+TEST(Position, IsInfiniteOnlyWhereNoDoubleHoldsIt) {
+  const auto at = [](double t, double x, double v, double a, double moment) {
+    return state_at(Motion<1>{.t = t, .x = Vec<1>(x), .v = Vec<1>(v), .a = Vec<1>(a), .until = inf}, moment);
+  };
+  // v·s = 1e400 and a·s²/2 = -1e400 cancel; what is left is x.
+  EXPECT_EQ(at(0, 7, 0x1p700, -0x1p-99, 0x1p800).x[0], 7);
+  EXPECT_EQ(at(0, 0, 1e200, -1e200, 1e200).x[0], -inf);
+  EXPECT_EQ(at(0, 0, -1e200, 1e200, 1e200).x[0], inf);
+  EXPECT_EQ(at(0, 0, -1e200, 1e200, 1e200).v[0], inf);
+  EXPECT_EQ(at(0, -1.5e308, 1, 0, 1.7e308).x[0], -1.5e308 + 1.7e308);
+  EXPECT_EQ(at(0, -1.5e308, 2, 0, 1.5e308).x[0], 1.5e308);
+  EXPECT_EQ(at(0, 0, -1.5e308, 1.5, 1.5e308).v[0], 0.5 * 1.5e308);
+  // The time itself overflows.
+  EXPECT_EQ(at(-0x1p1023, 0, 0.25, 0, 0x1p1023).x[0], 0x1p1022);
+  EXPECT_EQ(at(-0x1p1023, 0, 0, 0x1p-1025, 0x1p1023).x[0], 0x1p1022);
+}
+
 }  // namespace
 }  // namespace foresee
