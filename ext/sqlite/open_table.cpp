@@ -40,6 +40,14 @@ AskedTable only_table(sqlite3* db, const std::optional<std::string>& schema) {
   return {only->name, only->schema};
 }
 
+/// What to write instead of 'main.ships'; "" if there is no such table either.
+std::string with_schema_apart(const std::vector<VisibleTable>& tables, const std::string& name) {
+  for (const VisibleTable& table : tables)
+    if (table.holds_moving_objects && same_name(table.schema + "." + table.name, name))
+      return "; give the schema by itself: '" + table.name + "' and schema = '" + table.schema + "'";
+  return "";
+}
+
 /// Says why `name` could not be opened; returns if it is a moving_objects table, so that the fault is
 /// another.
 void explain(sqlite3* db, const std::string& table, const std::optional<std::string>& schema) {
@@ -50,7 +58,7 @@ void explain(sqlite3* db, const std::string& table, const std::optional<std::str
     if (seen.holds_moving_objects) return;
     throw Error(name + " is not a moving_objects table" + list_of(tables));
   }
-  throw Error("no such table: " + name + list_of(tables));
+  throw Error("no such table: " + name + (schema ? "" : with_schema_apart(tables, table)) + list_of(tables));
 }
 
 /// Null if the table that SQLite finds is none of ours.

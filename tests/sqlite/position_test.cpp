@@ -60,6 +60,13 @@ TEST_F(PositionTest, DrawsATrackFromASeriesOfMoments) {
       "0|10.0\n1|9.0\n2|8.0");
 }
 
+TEST_F(PositionTest, IsNeverNullOnADeclaredAxis) {
+  db.exec(
+      "CREATE VIRTUAL TABLE far USING moving_objects(id, x, vx, ax); INSERT INTO far VALUES (1, 0, 1e200, "
+      "-1e200)");
+  EXPECT_EQ(db.rows("SELECT x, vx FROM predictive_position(1e200, 'far')"), "-inf|-inf");
+}
+
 TEST_F(PositionTest, SaysWhatIsWrong) {
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_position"),
             "predictive_position: at is missing: write predictive_position(at, tbl, schema)");
@@ -69,6 +76,11 @@ TEST_F(PositionTest, SaysWhatIsWrong) {
             "predictive_position: at must be a finite number, not inf");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_position(1, 'nowhere')"),
             "predictive_position: no such table: nowhere (moving_objects tables here: main.ships)");
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_position(1, 'Main.ships')"),
+            "predictive_position: no such table: Main.ships; give the schema by itself: 'ships' and schema = "
+            "'main' "
+            "(moving_objects tables here: main.ships)");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_position(1, 'ships') WHERE schema = 'main'"), "3");
 }
 
 }  // namespace
