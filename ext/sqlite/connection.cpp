@@ -31,6 +31,18 @@ const Connection::OpenTable* Connection::find(std::int64_t number) const {
   return open == tables_.end() ? nullptr : &open->second;
 }
 
+void Connection::closed(const ObjectStore* store, TableCursor& cursor) noexcept {
+  const auto open = cursors_.find(store);
+  std::erase(open->second, &cursor);
+  if (open->second.empty()) cursors_.erase(open);
+}
+
+std::span<TableCursor* const> Connection::cursors(const ObjectStore* store) const noexcept {
+  const auto open = cursors_.find(store);
+  if (open == cursors_.end()) return {};
+  return open->second;
+}
+
 std::shared_ptr<const Scene> Connection::scene(const OpenTable& table, bool outlined) {
   const ContentVersion version = table.store->version();
   const auto cached = scenes_.find(table.store.get());

@@ -9,14 +9,18 @@
 #include <cstdint>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "index/gpcd_grid/work_space.h"
 #include "query/scene.h"
-#include "sqlite/statement_interrupt.h"
 #include "storage/object_store.h"
+#include "sqlite/statement_interrupt.h"
 
 namespace foresee {
+
+class TableCursor;
 
 class Connection {
  public:
@@ -41,6 +45,12 @@ class Connection {
   /// Null if no table has this number. Valid until the table leaves.
   const OpenTable* find(std::int64_t number) const;
 
+  // Scans that are open, by what they read: SQLite may connect a table anew while a scan of its older self
+  // goes on, and both have one store.
+  void opened(const ObjectStore* store, TableCursor& cursor) { cursors_[store].push_back(&cursor); }
+  void closed(const ObjectStore* store, TableCursor& cursor) noexcept;
+  std::span<TableCursor* const> cursors(const ObjectStore* store) const noexcept;
+
   /// The table's contents as they are now, decoded at most once per version.
   std::shared_ptr<const Scene> scene(const OpenTable& table) { return scene(table, false); }
   /// The same with the outline of its tree.
@@ -63,6 +73,7 @@ class Connection {
   StatementInterrupt interrupt_;
   std::int64_t last_number_ = 0;
   std::map<std::int64_t, OpenTable> tables_;
+  std::map<const ObjectStore*, std::vector<TableCursor*>> cursors_;
   std::map<const ObjectStore*, CachedScene> scenes_;
   std::shared_ptr<GridSpace> space_ = std::make_shared<GridSpace>();
 };

@@ -123,7 +123,7 @@ int forward(sqlite3_vtab* base, int level) noexcept {
 }
 
 void abort_scans(Table& table) noexcept {
-  for (TableCursor* cursor : table.cursors) cursor->abort_leaves();
+  for (TableCursor* cursor : table.cursors()) cursor->abort_leaves();
 }
 
 int table_rollback(sqlite3_vtab* base) noexcept {
@@ -138,7 +138,7 @@ int table_rollback_to(sqlite3_vtab* base, int level) noexcept {
 
 int table_rename(sqlite3_vtab* base, const char* new_name) noexcept {
   return guarded(&base->zErrMsg, [&] {
-    for (TableCursor* cursor : table_of(base).cursors) cursor->keep_ids();
+    for (TableCursor* cursor : table_of(base).cursors()) cursor->keep_ids();
     table_of(base).rename(new_name);
   });
 }

@@ -39,6 +39,11 @@ struct Table : sqlite3_vtab {
   }
   bool has_store() const { return opened_.store != nullptr; }
 
+  void opened(TableCursor& cursor) { connection->opened(opened_.store.get(), cursor); }
+  void closed(TableCursor& cursor) noexcept { connection->closed(opened_.store.get(), cursor); }
+  /// Every scan of this table, also those that began before SQLite connected it anew.
+  std::span<TableCursor* const> cursors() const noexcept { return connection->cursors(opened_.store.get()); }
+
   /// Drops the shadow tables, as many as there are.
   void drop();
 
@@ -57,7 +62,6 @@ struct Table : sqlite3_vtab {
   std::string name;
   Values values;
   std::int64_t number;  ///< what Connection::find knows it by
-  std::vector<TableCursor*> cursors;
 
  private:
   Declaration declared_;

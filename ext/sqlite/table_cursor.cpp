@@ -7,11 +7,11 @@
 namespace foresee {
 
 TableCursor::TableCursor(Table& table) : sqlite3_vtab_cursor{}, table_(table) {
-  table_.cursors.push_back(this);
+  table_.opened(*this);
 }
 
 TableCursor::~TableCursor() {
-  std::erase(table_.cursors, this);
+  table_.closed(*this);
 }
 
 void TableCursor::clear() {

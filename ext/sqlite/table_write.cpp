@@ -74,7 +74,7 @@ void update_row(Table& table, std::int64_t old_id, const NewRow& row) {
 }  // namespace
 
 void write_table(Table& table, int count, sqlite3_value** arguments, sqlite3_int64* rowid) {
-  for (TableCursor* cursor : table.cursors) cursor->keep_ids();
+  for (TableCursor* cursor : table.cursors()) cursor->keep_ids();
   if (count == 1) {
     table.store().erase(sqlite3_value_int64(arguments[0]));
   } else if (is_null(arguments[0])) {

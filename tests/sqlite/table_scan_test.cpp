@@ -137,6 +137,18 @@ TEST_F(TableScanWrites, ObjectsThatChangeTheirIdAreNotVisitedTwice) {
   EXPECT_EQ(db.rows("SELECT min(id), max(id), count(*) FROM ships"), "1001|1500|500");
 }
 
+TEST_F(TableScanWrites, ATableThatIsConnectedAnewKnowsTheScansOfItsOlderSelf) {
+  db.exec("CREATE TABLE notes(text)");
+  EXPECT_EQ(loop("SELECT id, x FROM ships",
+                 [](auto id) {
+                   const std::string self = std::to_string(id);
+                   return "ALTER TABLE notes ADD COLUMN c" + self + "; DELETE FROM ships WHERE id IN (" +
+                          self + ", 501 - " + self + ")";
+                 }),
+            250);
+  EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "0");
+}
+
 TEST_F(TableScanWrites, RefusedWritesLeaveTheScanAlone) {
   EXPECT_EQ(loop("SELECT id, x FROM ships",
                  [&](auto) {
