@@ -16,7 +16,7 @@
 #include "index/gpcd_grid/work_space.h"
 #include "query/scene.h"
 #include "storage/object_store.h"
-#include "sqlite/statement_interrupt.h"
+#include "storage/statement_interrupt.h"
 
 namespace foresee {
 

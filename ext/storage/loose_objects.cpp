@@ -1,6 +1,7 @@
 #include "storage/loose_objects.h"
 
 #include <algorithm>
+#include <new>
 
 namespace foresee {
 namespace {
@@ -51,6 +52,28 @@ void LooseObjects::replace(std::int64_t id, std::span<const double> record) {
   make_room(id, 2);
   erase(id);
   add(id, record);
+}
+
+void LooseObjects::forget_past() noexcept {
+  log_.clear();
+  constexpr std::size_t few = 64;
+  if (ids_.size() < few || ids_.size() < 2 * count_) return;
+  try {
+    LooseObjects fresh(record_size_);
+    for_each([&](std::int64_t id, std::span<const double> record) { fresh.add(id, record); });
+    fresh.log_.clear();
+    *this = std::move(fresh);
+  } catch (const std::bad_alloc&) {
+    // It stays as it is, which is as good.
+  }
+}
+
+void LooseObjects::clear() noexcept {
+  ids_.clear();
+  records_.clear();
+  slots_.clear();
+  log_.clear();
+  count_ = 0;
 }
 
 void LooseObjects::rewind(std::size_t position) noexcept {

@@ -33,6 +33,9 @@ class LooseObjects {
 
   std::size_t position() const { return log_.size(); }
   void rewind(std::size_t position) noexcept;
+  /// Nobody goes back to now or before: drops the log, and holes where they are the most of it.
+  void forget_past() noexcept;
+  void clear() noexcept;
 
   /// Calls each(id, record) for every object in the order of their arrival.
   template <class Each>

@@ -70,27 +70,31 @@ std::optional<std::shared_ptr<const Node>> NodeCache::waiting(NodeNumber number)
   return found->second.state.node;
 }
 
-NodeNumber NodeCache::next_waiting(NodeNumber after, NodeNumber before) const {
-  if (dirty_ == 0) return 0;
-  const auto waits = [this](NodeNumber number) {
-    const auto found = slots_.find(number);
-    return found != slots_.end() && found->second.state.dirty;
-  };
-  if (before - after <= static_cast<NodeNumber>(changed_.size())) {
-    for (NodeNumber number = after + 1; number < before; ++number)
-      if (waits(number)) return number;
-    return 0;
-  }
-  NodeNumber first = before;
+NodeNumber NodeCache::next_waiting(NodeNumber after, NodeNumber before) {
+  if (dirty_ == 0 || before - after <= 1) return 0;
+  const std::vector<NodeNumber>& waiting = waiting_numbers();
+  const auto next = std::upper_bound(waiting.begin(), waiting.end(), after);
+  return next == waiting.end() || *next >= before ? 0 : *next;
+}
+
+/// Cost: a sort of what has changed in this transaction, once after each change.
+const std::vector<NodeNumber>& NodeCache::waiting_numbers() {
+  if (!waiting_is_stale_) return waiting_;
+  waiting_.clear();
   for (const NodeNumber number : changed_)
-    if (number > after && number < first && waits(number)) first = number;
-  return first == before ? 0 : first;
+    if (const auto found = slots_.find(number); found != slots_.end() && found->second.state.dirty)
+      waiting_.push_back(number);
+  std::sort(waiting_.begin(), waiting_.end());
+  waiting_.erase(std::unique(waiting_.begin(), waiting_.end()), waiting_.end());
+  waiting_is_stale_ = false;
+  return waiting_;
 }
 
 // --- changing
 
 void NodeCache::set_dirty(Slot& slot, bool dirty) noexcept {
   dirty_ += static_cast<std::size_t>(dirty) - static_cast<std::size_t>(slot.state.dirty);
+  waiting_is_stale_ |= slot.state.dirty != dirty;
   slot.state.dirty = dirty;
 }
 
@@ -147,7 +151,8 @@ void NodeCache::put(NodeNumber number, Node node) {
   about_to_change(number, slot);
   slot.state.node = std::move(shared);
   set_dirty(slot, true);
-  if (dirty_ * format_.node_size > most_dirty) {
+  if (dirty_ * format_.node_size > limits_.waiting) {
+    hand_call_to_marks();
     write_nodes();
     evict();
   }
@@ -192,7 +197,7 @@ void NodeCache::erase_everything() {
 // --- memory
 
 void NodeCache::evict() {
-  const std::size_t most = most_memory / format_.node_size;
+  const std::size_t most = limits_.memory / format_.node_size;
   if (slots_.size() < std::max(most, evict_at_)) return;
   drop_unused(use_);
   if (slots_.size() > most / 2) drop_unused(use_ + 1);
@@ -228,13 +233,8 @@ void NodeCache::write() {
 }
 
 void NodeCache::write_nodes() {
-  std::vector<NodeNumber> numbers;
-  for (const NodeNumber number : changed_)
-    if (const auto found = slots_.find(number); found != slots_.end() && found->second.state.dirty)
-      numbers.push_back(number);
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-  wrote_in_call_ = in_call_ && !numbers.empty();
+  const std::vector<NodeNumber> numbers = waiting_numbers();
+  wrote_in_call_ |= in_call_ && !numbers.empty();
   for (const NodeNumber number : numbers) {
     Slot& slot = slots_.at(number);
     about_to_change(number, slot);

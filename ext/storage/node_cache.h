@@ -6,7 +6,7 @@
 //   cache.begin_call(); tree->insert(…); cache.end_call();       // or cancel_call(): as if nothing was
 //   cache.write();                           // everything that waits
 //
-// Nodes that were read stay, within `most_memory`, for as long as the stamp says that nothing changed. Old
+// Nodes that were read stay, within `CacheLimits`, for as long as the stamp says that nothing changed. Old
 // states live in marks.h: savepoints, snapshots, and the call in progress. A node is copied before it changes
 // only while somebody holds it as it was.
 //
@@ -22,13 +22,16 @@
 
 namespace foresee {
 
+struct CacheLimits {
+  std::size_t memory = 128 << 20;  ///< bytes of nodes that are kept, roughly
+  std::size_t waiting = 80 << 20;  ///< … that wait to be written
+};
+
 class NodeCache final : public Pages {
  public:
-  static constexpr std::size_t most_memory = 128 << 20;  ///< bytes of nodes that are kept, roughly
-  static constexpr std::size_t most_dirty = 80 << 20;    ///< … that wait to be written
-
   /// `name` is what messages call the table; it must outlive the cache.
-  NodeCache(const NodeFormat& format, const QualifiedName& name) : format_(format), name_(name) {}
+  NodeCache(const NodeFormat& format, const QualifiedName& name, const CacheLimits& limits = {})
+      : format_(format), name_(name), limits_(limits) {}
   /// Where the rows are from now on.
   void connect(ShadowRows& rows) { rows_ = &rows; }
 
@@ -53,13 +56,14 @@ class NodeCache final : public Pages {
   /// Nodes and root will be read from the rows again. Requires: nothing waits.
   void forget_clean();
   bool waits() const { return dirty_ > 0 || map_.waits() || head_.root_dirty; }
-  std::size_t waiting_memory() const { return dirty_ * format_.node_size + map_.memory(); }
+  /// So much waits that it should be written before more comes.
+  bool is_full() const { return dirty_ * format_.node_size + map_.memory() > limits_.waiting; }
   /// Writes all that waits: nodes by number, then the map by id, then the root.
   void write();
   /// A node that is not as its row says: the node, or null if it is gone. Nothing: the row is right.
   std::optional<std::shared_ptr<const Node>> waiting(NodeNumber number) const;
   /// The first node between `after` and `before` (both excluded) that waits; 0: there is none.
-  NodeNumber next_waiting(NodeNumber after, NodeNumber before) const;
+  NodeNumber next_waiting(NodeNumber after, NodeNumber before);
   /// Frees every node, whatever the tree says, and voids the map.
   void erase_everything();
   /// What is wrong with a node's bytes; null: nothing.
@@ -100,12 +104,15 @@ class NodeCache final : public Pages {
   void about_to_change(NodeNumber number, Slot& slot);
   void set_dirty(Slot& slot, bool dirty) noexcept;
   void back_to(NodeNumber number, const NodeState& state) noexcept;
+  const std::vector<NodeNumber>& waiting_numbers();
   void write_nodes();
+  void hand_call_to_marks();
   void evict();
   void drop_unused(std::uint64_t before);
 
   NodeFormat format_;
   const QualifiedName& name_;
+  CacheLimits limits_;
   ShadowRows* rows_ = nullptr;
 
   std::unordered_map<NodeNumber, Slot> slots_;
@@ -121,6 +128,8 @@ class NodeCache final : public Pages {
   std::uint64_t transaction_ = 1;
   std::vector<NodeNumber> changed_;  ///< in this transaction, some of them repeatedly
   bool dropped_changed_ = false;     ///< … and dropped from memory, once written
+  std::vector<NodeNumber> waiting_;  ///< dirty ones, ascending, unless stale
+  bool waiting_is_stale_ = false;
 
   bool in_call_ = false, wrote_in_call_ = false;
   std::vector<std::pair<NodeNumber, NodeState>> call_log_;

@@ -29,10 +29,17 @@ void NodeCache::end_call() {
     if (!call_log_.empty() && call_log_.front().second.node.use_count() == 1)
       spare_ = std::move(call_log_.front().second.node);
   } else {
-    for (const auto& [number, state] : call_log_) marks_.keep(number, state);
+    hand_call_to_marks();
   }
   call_log_.clear();
   in_call_ = false;
+}
+
+/// What was before the call, for those who go back to before it: once rows are written only a savepoint
+/// helps, and nodes that leave memory then cannot be had back from the call's own log.
+void NodeCache::hand_call_to_marks() {
+  if (marks_.none()) return;
+  for (const auto& [number, state] : call_log_) marks_.keep(number, state);
 }
 
 void NodeCache::cancel_call() noexcept {
@@ -86,6 +93,8 @@ void NodeCache::forget_all() noexcept {
   map_.clear();
   last_found_.reset();
   changed_.clear();
+  waiting_.clear();
+  waiting_is_stale_ = false;
   dirty_ = 0;
   evict_at_ = 0;
 }

@@ -96,6 +96,8 @@ class Store final : public ObjectStore, public std::enable_shared_from_this<Stor
   bool read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
                         const std::function<void(const LeafView&)>& use) const;
 
+  void expect_as_mapped(std::size_t found);
+
   // writing (store_write.cpp)
   void start_change(std::span<const double> record);
   void take_out(std::int64_t id);
@@ -104,7 +106,8 @@ class Store final : public ObjectStore, public std::enable_shared_from_this<Stor
 
   // from memory to the tables (store_flush.cpp)
   void settle();
-  void load_all_anew();
+  void insert_one_by_one(Interrupt& interrupt);
+  void load_all_anew(Interrupt& interrupt);
   void flush();
   void collect_stored(std::vector<std::int64_t>& ids, std::vector<double>& records, Interrupt& interrupt);
   void pack(Interrupt& interrupt);

@@ -51,6 +51,7 @@ class Store::Call {
     store_.cache_.end_call();
     done_ = true;
     store_.note_change();
+    if (store_.savepoints_.empty()) store_.loose_->forget_past();
   }
 
  private:

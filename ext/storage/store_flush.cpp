@@ -4,6 +4,7 @@
 
 #include "storage/inner_node.h"
 #include "storage/leaf_node.h"
+#include "storage/statement_interrupt.h"
 #include "storage/store.h"
 #include "storage/store_call.h"
 
@@ -19,15 +20,16 @@ constexpr double most_loaded = 1 << 30;  // bytes of records in memory at once
 void Store::settle() {
   if (loose_->count() == 0) return;
   rows();
+  StatementInterrupt interrupt(db_);
   auto none = std::make_shared<LooseObjects>(static_cast<std::size_t>(format_.at.size));
   Call call(*this);
   with_sound_tree([&] {
     const double loose = static_cast<double>(loose_->count()), stored = objects_about(cache_);
     const bool fits = (loose + stored) * static_cast<double>(format_.record_size) < most_loaded;
     if (stored == 0 || (loose > stored * worth_loading && fits))
-      load_all_anew();
+      load_all_anew(interrupt);
     else
-      loose_->for_each([&](std::int64_t id, std::span<const double> record) { tree_->insert(id, record); });
+      insert_one_by_one(interrupt);
   });
   const std::uint64_t change = change_;
   const bool changed = changed_;
@@ -37,18 +39,26 @@ void Store::settle() {
   changed_ = changed;  // the same objects as before
 }
 
-void Store::load_all_anew() {
-  NeverInterrupt never;
+void Store::insert_one_by_one(Interrupt& interrupt) {
+  unsigned inserted = 0;
+  loose_->for_each([&](std::int64_t id, std::span<const double> record) {
+    if (++inserted % 256 == 0) interrupt.check();
+    tree_->insert(id, record);
+  });
+}
+
+void Store::load_all_anew(Interrupt& interrupt) {
   std::vector<std::int64_t> ids;
   std::vector<double> records;
-  collect_objects(cache_, ids, records, never);
+  collect_objects(cache_, ids, records, interrupt);
+  if (!cache_.waits()) expect_as_mapped(ids.size());
   ids.reserve(ids.size() + loose_->count());
   records.reserve(records.size() + loose_->count() * static_cast<std::size_t>(format_.at.size));
   loose_->for_each([&](std::int64_t id, std::span<const double> record) {
     ids.push_back(id);
     records.insert(records.end(), record.begin(), record.end());
   });
-  tree_->load(ids, records, never);
+  tree_->load(ids, records, interrupt);
 }
 
 // If it fails half-way what was not written waits on: writing the same again does no harm.

@@ -109,7 +109,7 @@ void Store::end_transaction() noexcept {
   in_transaction_ = writing_ = stamped_ = torn_ = false;
   largest_ = {};
   own_stamp_.reset();
-  loose_->rewind(0);
+  loose_->clear();
 }
 
 // A table that was made after a savepoint is not told when SQLite goes back to it; but then the stamp that
@@ -146,7 +146,7 @@ void Store::rollback() {
 void Store::back_to_begin() noexcept {
   cache_.roll_back();
   if (!savepoints_.empty()) loose_ = savepoints_.front().loose;
-  loose_->rewind(0);
+  loose_->clear();
   give_up_savepoints(0);
 }
 
@@ -174,6 +174,7 @@ void Store::release(int level) {
   std::size_t kept = 0;
   while (kept < savepoints_.size() && savepoints_[kept].level < level) ++kept;
   give_up_savepoints(kept);
+  if (kept == 0) loose_->forget_past();
 }
 
 void Store::rollback_to(int level) {
@@ -237,7 +238,7 @@ void Store::drop() {
   const OwnStatements own(*this);
   drop_shadow_tables(db_, name_, declaration_);
   cache_.forget_all();
-  loose_->rewind(0);
+  loose_->clear();
 }
 
 }  // namespace foresee

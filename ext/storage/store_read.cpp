@@ -118,9 +118,14 @@ void Store::load(std::vector<std::int64_t>& ids, std::vector<double>& rows, Inte
                       rows.data() + (before + i) * row_size);
   };
   read_leaves(interrupt, take, take);
-  if (!waits && ids.size() != expected)
-    damaged("the leaves hold " + std::to_string(ids.size()) + " objects, the map " +
-            std::to_string(expected));
+  if (!waits) expect_as_mapped(ids.size());
+}
+
+/// Requires: nothing waits.
+void Store::expect_as_mapped(std::size_t found) {
+  const auto mapped = static_cast<std::size_t>(rows().count());
+  if (found != mapped)
+    damaged("the leaves hold " + std::to_string(found) + " objects, the map " + std::to_string(mapped));
 }
 
 std::int64_t Store::next_leaf(std::int64_t after, std::vector<std::int64_t>& ids,

@@ -22,7 +22,7 @@ void Store::start_change(std::span<const double> record) {
     believe_only_this_stamp();
     stamp_before_ = believed_stamp_;
   }
-  if (loose_->memory() > most_loose || cache_.waiting_memory() > NodeCache::most_dirty) flush();
+  if (loose_->memory() > most_loose || cache_.is_full()) flush();
   if (stamped_) return;
   const OwnStatements own(*this);
   std::int64_t stamp;

@@ -1,6 +1,6 @@
 // An interrupt and a progress handler stop a long computation, on every version of SQLite.
 #include "database.h"
-#include "sqlite/statement_interrupt.h"
+#include "storage/statement_interrupt.h"
 
 namespace foresee::testing {
 namespace {
@@ -62,6 +62,30 @@ TEST_F(StatementInterruptTest, CostsLittleACheck) {
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < 1000000; ++i) interrupt.check();
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));
+}
+
+TEST(CommitInterrupt, LeavesAllOfATransactionOrNothing) {
+  Database db;
+  db.exec(
+      "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y, vx, vy); INSERT INTO ships VALUES(1, 2, 3, "
+      "4, 5)");
+  static int left;
+  for (int asked = 1;; asked += asked) {
+    db.exec(
+        "BEGIN; WITH RECURSIVE i(n) AS (VALUES (2) UNION ALL SELECT n + 1 FROM i WHERE n < 1000)"
+        "INSERT INTO ships SELECT n, n, n % 7, 1, n % 5 FROM i");
+    left = asked;
+    sqlite3_progress_handler(
+        db.handle(), 1, [](void*) { return --left == 0 ? 1 : 0; }, nullptr);
+    const int rc = db.code_of("COMMIT");
+    sqlite3_progress_handler(db.handle(), 0, nullptr, nullptr);
+    if (rc == SQLITE_OK) break;
+    EXPECT_EQ(rc, SQLITE_INTERRUPT) << asked;
+    if (sqlite3_get_autocommit(db.handle()) == 0) db.exec("ROLLBACK");
+    EXPECT_EQ(db.rows("SELECT count(*), sum(x) FROM ships"), "1|2.0") << asked;
+  }
+  EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "1000");
+  db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
 }
 
 }  // namespace

@@ -193,5 +193,22 @@ TEST(Store, AgreesWithAMapThroughRandomChanges) {
   }
 }
 
+TEST(Store, ABulkLoadCanBeInterruptedAndDoneAgain) {
+  Database db;
+  auto store = make_store(db);
+  begin(db, *store);
+  store->insert(1, ship(1), {});
+  store->newest_t();  // the tree is in memory: what follows runs no statement of its own
+  for (int id = 2; id <= 300; ++id) store->insert(id, ship(id), {});
+  sqlite3_progress_handler(
+      db, 1, [](void*) { return 1; }, nullptr);
+  EXPECT_THROW(store->snapshot(), Interrupted);
+  sqlite3_progress_handler(db, 0, nullptr, nullptr);
+  store->snapshot();
+  commit(db, *store);
+  EXPECT_EQ(count_of(*store), 300);
+  EXPECT_EQ(faults(*store), std::vector<std::string>{});
+}
+
 }  // namespace
 }  // namespace foresee

@@ -1,4 +1,4 @@
-#include "sqlite/statement_interrupt.h"
+#include "storage/statement_interrupt.h"
 
 #include <new>
 #include <string>

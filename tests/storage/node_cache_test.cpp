@@ -1,0 +1,77 @@
+// The cache by itself, with so little memory that it writes and forgets all the time.
+#include "storage/node_cache.h"
+
+#include "storage/database.h"
+#include "storage/shadow_schema.h"
+
+namespace foresee {
+namespace {
+
+class NodeCacheTest : public ::testing::Test {
+ protected:
+  NodeCacheTest()
+      : format((db.run("BEGIN IMMEDIATE"), create_shadow_tables(db, name, ships()))),
+        rows(db, name, 0),
+        cache(format, name, {.memory = 2 * format.node_size, .waiting = 4 * format.node_size}) {
+    cache.connect(rows);
+    cache.begin();
+  }
+
+  static Node leaf(std::int64_t id) { return {.keys = {id}, .values = ship(static_cast<double>(id))}; }
+  NodeNumber add(std::int64_t id) {
+    const NodeNumber number = cache.allocate();
+    cache.put(number, leaf(id));
+    return number;
+  }
+
+  Database db;
+  QualifiedName name{"main", "ships"};
+  NodeFormat format;
+  ShadowRows rows;
+  NodeCache cache;
+};
+
+TEST_F(NodeCacheTest, ACancelledCallThatHadWrittenLosesNothingThatASavepointSaw) {
+  cache.begin_call();
+  const NodeNumber number = add(1);
+  cache.end_call();
+  const Marks::Handle mark = cache.mark(false);
+  db.run("SAVEPOINT s");
+  cache.begin_call();
+  cache.put(number, leaf(2));
+  for (int id = 10; id < 30; ++id) add(id);
+  ASSERT_TRUE(cache.wrote_in_call());
+  cache.cancel_call();
+  db.run("ROLLBACK TO s");
+  cache.restore(mark, 0);
+  EXPECT_EQ(cache.read(number)->keys, std::vector<std::int64_t>{1});
+  cache.give_up(mark);
+  cache.write();
+  db.run("COMMIT");
+  cache.commit();
+  cache.forget_all();
+  EXPECT_EQ(cache.read(number)->keys, std::vector<std::int64_t>{1});
+  EXPECT_EQ(db.number("SELECT count(*) FROM ships_node"), 1);
+}
+
+TEST_F(NodeCacheTest, NamesWhatWaitsInOrder) {
+  cache.begin_call();
+  const NodeNumber first = add(1), second = add(2), third = add(3), none = third + 1;
+  EXPECT_EQ(cache.next_waiting(0, none), first);
+  EXPECT_EQ(cache.next_waiting(first, none), second);
+  EXPECT_EQ(cache.next_waiting(first, second), 0);
+  EXPECT_EQ(cache.next_waiting(second, third), 0);
+  EXPECT_EQ(cache.next_waiting(third, 1'000'000'000'000), 0);
+  cache.end_call();
+  cache.write();
+  EXPECT_EQ(cache.next_waiting(0, none), 0);
+  cache.begin_call();
+  cache.free(second);
+  EXPECT_EQ(cache.next_waiting(0, none), second);
+  cache.cancel_call();
+  EXPECT_EQ(cache.next_waiting(0, none), 0);
+  db.run("ROLLBACK");
+}
+
+}  // namespace
+}  // namespace foresee
