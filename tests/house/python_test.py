@@ -4,7 +4,7 @@ import unittest
 from pathlib import Path
 
 from documents import fenced_and_hidden
-from house import ROOT, environment, main, with_extension
+from house import ROOT, main, with_extension
 
 PYTHON = "/usr/bin/python3"
 
@@ -17,7 +17,7 @@ def example():
 
 
 def run(program):
-    return subprocess.run([PYTHON, "-c", program], text=True, capture_output=True, env=environment(), cwd=ROOT)
+    return subprocess.run([PYTHON, "-c", program], text=True, capture_output=True, cwd=ROOT)
 
 
 class Python(unittest.TestCase):

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "database.h"
+#include "fault_steps.h"
 #include "faulty_files.h"
 
 namespace foresee::testing {
@@ -45,7 +46,7 @@ class FileFaults : public ::testing::TestWithParam<const char*> {
     for (const FileFault fault : all_file_faults)
       for (const bool for_good : {false, true}) {
         long n = 0;
-        while (disturbed(sql, after, fault, n, for_good) && !HasFailure()) n += n < 60 ? 1 : 1 + n / 20;
+        while (disturbed(sql, after, fault, n, for_good) && !HasFailure()) n = next_fault(n);
       }
   }
 

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "database.h"
+#include "fault_steps.h"
 
 namespace {
 
@@ -84,7 +85,7 @@ struct MemoryFaults : ::testing::Test {
   static void run(const std::string& sql, const std::string& table = "ships") {
     for (const bool for_good : {false, true}) {
       long n = 0;
-      for (bool fired = true; fired && !HasFailure(); n += n < 150 ? 1 : 1 + n / 40)
+      for (bool fired = true; fired && !HasFailure(); n = next_fault(n))
         fired = run_once(sql, table, n, for_good);
       EXPECT_GT(n, 2) << "no allocation failed: " << sql;
     }
