@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
+
 #if defined(__x86_64__)
 #include <xmmintrin.h>
 #endif
