@@ -83,7 +83,8 @@ class Search {
     std::vector<double> row(static_cast<std::size_t>(setup_.b.at.size));
     NearestWalk<D> walk(tree, place(), velocity(), horizon_, interrupt_);
     for (LeafHits hits; walk.next(best_.reach(), hits);)
-      for (const std::uint32_t slot : hits.slots) {
+      for (std::size_t i = 0; i < hits.slots.size() && hits.distances[i] <= best_.reach(); ++i) {
+        const std::uint32_t slot = hits.slots[i];
         row_from_record(tree.layout(), hits.leaf->values.data() + slot * record_size, row.data());
         offer(hits.leaf->keys[slot], row.data());
       }

@@ -19,13 +19,14 @@ class AllOfScene final : public ObjectCandidates {
   const Bodies& bodies() const override { return bodies_; }
   std::int64_t id(std::uint32_t row) const override { return scene_->ids[row]; }
 
-  bool next(std::vector<std::uint32_t>& rows) override {
+  bool next(CandidateBatch& batch) override {
     interrupt_.check();
+    batch.clear();
     const auto count = static_cast<std::uint32_t>(scene_->size());
-    rows.resize(std::min(batch_size, count - next_));
-    std::iota(rows.begin(), rows.end(), next_);
-    next_ += static_cast<std::uint32_t>(rows.size());
-    return !rows.empty();
+    batch.doubtful.resize(std::min(batch_size, count - next_));
+    std::iota(batch.doubtful.begin(), batch.doubtful.end(), next_);
+    next_ += static_cast<std::uint32_t>(batch.doubtful.size());
+    return !batch.empty();
   }
 
  private:
@@ -50,9 +51,12 @@ class WindowOfTree final : public ObjectCandidates {
         walk_(*tree_,
               moving_window<D>(vector_of<D>(faces.lower), vector_of<D>(faces.upper),
                                vector_of<D>(faces.velocity), horizon),
-              horizon, Vec<D>::Zero(), interrupt) {
+              horizon, Vec<D>::Zero(), interrupt),
+        reader_(tree_->layout()),
+        lower_(vector_of<D>(faces.lower)),
+        upper_(vector_of<D>(faces.upper)),
+        now_(horizon.now) {
     const Layout& layout = tree_->layout();
-    record_size_ = static_cast<std::size_t>(record_offsets(layout).size);
     rows_.resize(batch_size * static_cast<std::size_t>(row_offsets(layout).size));
     ids_.resize(batch_size);
     bodies_ = Bodies(layout, rows_.data(), batch_size);
@@ -61,31 +65,38 @@ class WindowOfTree final : public ObjectCandidates {
   const Bodies& bodies() const override { return bodies_; }
   std::int64_t id(std::uint32_t row) const override { return ids_[row]; }
 
-  bool next(std::vector<std::uint32_t>& rows) override {
+  bool next(CandidateBatch& batch) override {
     const FloatEnvironment environment;
-    rows.clear();
-    while (rows.size() < batch_size) {
+    batch.clear();
+    for (std::uint32_t row = 0; row < batch_size; ++row) {
       if (slot_ == hits_.slots.size()) {
         slot_ = 0;
         if (!walk_.next(hits_)) break;
       }
-      rows.push_back(static_cast<std::uint32_t>(rows.size()));
-      take(hits_.slots[slot_++], rows.back());
+      const std::uint32_t slot = hits_.slots[slot_++];
+      const double* record = reader_.record(*hits_.leaf, slot);
+      ids_[row] = hits_.leaf->keys[slot];
+      row_from_record(bodies_.layout, record, rows_.data() + row * static_cast<std::size_t>(bodies_.at.size));
+      (is_inside(reader_.motion(record)) ? batch.inside : batch.doubtful).push_back(row);
     }
-    return !rows.empty();
+    return !batch.empty();
   }
 
  private:
-  void take(std::uint32_t slot, std::uint32_t row) {
-    ids_[row] = hits_.leaf->keys[slot];
-    row_from_record(bodies_.layout, hits_.leaf->values.data() + slot * record_size_,
-                    rows_.data() + row * static_cast<std::size_t>(bodies_.at.size));
+  /// Where its centre is within the faces, any shape touches the window. False where that is not certain.
+  [[gnu::flatten]] bool is_inside(const Motion<D>& motion) const {
+    if (now_ < motion.t || motion.until < now_) return false;
+    const Bounds<D> centre = bounds_at<D>(motion, Vec<D>::Zero(), now_);
+    return (lower_ <= centre.x_lower && centre.x_upper <= upper_).all();
   }
 
   std::shared_ptr<NodeSource> tree_;
   WindowWalk<D> walk_;
   LeafHits hits_;
-  std::size_t slot_ = 0, record_size_;
+  std::size_t slot_ = 0;
+  LeafReader<D> reader_;
+  Vec<D> lower_, upper_;  ///< the faces at `now`
+  double now_;
   std::vector<double> rows_;
   std::vector<std::int64_t> ids_;
   Bodies bodies_;

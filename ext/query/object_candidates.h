@@ -1,4 +1,5 @@
-// Stage one of a window: which objects are worth a look, from a scene or from a tree.
+// Stage one of a window: which objects are worth a look, from a scene or from a tree, and which of them need
+// none.
 #pragma once
 
 #include <memory>
@@ -10,6 +11,15 @@
 
 namespace foresee {
 
+/// Row numbers, some hundreds at most.
+struct CandidateBatch {
+  std::vector<std::uint32_t> doubtful;  ///< contact decides
+  std::vector<std::uint32_t> inside;    ///< exist at `now` and touch the window then
+
+  bool empty() const { return doubtful.empty() && inside.empty(); }
+  void clear() { doubtful.clear(), inside.clear(); }
+};
+
 class ObjectCandidates {
  public:
   virtual ~ObjectCandidates() = default;
@@ -17,8 +27,8 @@ class ObjectCandidates {
   /// Where the rows of a batch are found: the same place for all batches.
   virtual const Bodies& bodies() const = 0;
 
-  /// Replaces `rows` by the next row numbers, some hundreds at most; false once there are none left.
-  virtual bool next(std::vector<std::uint32_t>& rows) = 0;
+  /// Replaces `batch` by the next one; false once there are no candidates left.
+  virtual bool next(CandidateBatch& batch) = 0;
 
   /// Of a row of the latest batch.
   virtual std::int64_t id(std::uint32_t row) const = 0;

@@ -57,11 +57,11 @@ Window::Window(WindowQuestion question, Interrupt& interrupt)
 std::span<const WindowRow> Window::next() {
   const FloatEnvironment environment;
   rows_.clear();
-  std::vector<std::uint32_t> batch;
-  while (rows_.empty() && candidates_->next(batch)) {
+  while (rows_.empty() && candidates_->next(batch_)) {
     interrupt_.check();
     pairs_.clear(), hits_.clear(), times_.clear();
-    for (const std::uint32_t row : batch) pairs_.push_back({0, row});
+    for (const std::uint32_t row : batch_.doubtful) pairs_.push_back({0, row});
+    take_inside();
     const WindowWants& wants = question_.wants;
     if (wants.begins || wants.ends)
       contact_->first_contacts(pairs_, wants.ends ? TimesWanted::both : TimesWanted::begins, hits_, times_);
@@ -71,6 +71,16 @@ std::span<const WindowRow> Window::next() {
     for (std::size_t i = 0; i < hits_.size(); ++i) rows_.push_back({candidates_->id(hits_[i].b), times_[i]});
   }
   return rows_;
+}
+
+/// What is inside at `now` touches from then on; only an end needs to be computed.
+void Window::take_inside() {
+  const double now = question_.now, nan = std::numeric_limits<double>::quiet_NaN();
+  for (const std::uint32_t row : batch_.inside)
+    if (question_.wants.ends)
+      pairs_.push_back({0, row});
+    else
+      rows_.push_back({candidates_->id(row), {.t = now, .t_end = nan, .dt = 0, .dt_end = nan}});
 }
 
 }  // namespace foresee

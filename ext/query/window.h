@@ -49,11 +49,14 @@ class Window {
   std::span<const WindowRow> next();
 
  private:
+  void take_inside();
+
   WindowQuestion question_;
   Interrupt& interrupt_;
   MovingWindow window_;
   std::unique_ptr<ObjectCandidates> candidates_;
   std::unique_ptr<Contact> contact_;
+  CandidateBatch batch_;
   std::vector<Pair> pairs_, hits_;
   std::vector<ContactTimes> times_;
   std::vector<WindowRow> rows_;

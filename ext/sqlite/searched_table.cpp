@@ -1,5 +1,6 @@
 #include "sqlite/searched_table.h"
 
+#include "index/tpr_tree/tpr_tree.h"
 #include "sqlite/open_table.h"
 
 namespace foresee {
@@ -11,11 +12,14 @@ SearchedTable searched_table(const Call& call, const SearchInputs& inputs) {
   const auto now = call.number(inputs.now);
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(inputs.tbl), call.text(inputs.schema)});
-  SearchedTable searched{{table.table, nullptr, nullptr}, now ? *now : table.store->newest_t()};
-  if (method == "scan")
+  SearchedTable searched{{table.table, nullptr, nullptr}, now.value_or(0)};
+  if (method == "scan") {
+    if (!now) searched.now = table.store->newest_t();
     searched.objects.scene = connection.scene(table);
-  else
+  } else {
     searched.objects.tree = table.store->snapshot();
+    if (!now) searched.now = newest_t(*searched.objects.tree);
+  }
   return searched;
 }
 

@@ -37,9 +37,9 @@ struct MovingBox {
 
 /// The part of [0, h] between two moments, rounded outward.
 inline TimeSpan span_between(double first, double last, const Horizon& horizon) {
-  const double begin = first - horizon.now, end = last - horizon.now;
-  return {std::max(0.0, begin - std::abs(begin) * rounding_pad),
-          std::min(horizon.h, end < 0 ? end * (1 - rounding_pad) : end * (1 + rounding_pad))};
+  // What is before now, rounded any way, is before now.
+  return {std::max(0.0, (first - horizon.now) * (1 - rounding_pad)),
+          std::min(horizon.h, (last - horizon.now) * (1 + rounding_pad))};
 }
 
 /// Pads faces that are computed from numbers whose magnitudes add up to `size`.

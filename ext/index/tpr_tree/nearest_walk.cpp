@@ -127,7 +127,7 @@ bool NearestWalk<D>::next(double reach, LeafHits& hits) {
 }
 
 template <int D>
-void NearestWalk<D>::open_children(NodeNumber number, const Node& inner, double reach) {
+[[gnu::flatten]] void NearestWalk<D>::open_children(NodeNumber number, const Node& inner, double reach) {
   for (std::size_t slot = 0; slot < inner.size(); ++slot) {
     const MovingBox<D> box = child_box<D>(inner, slot, horizon_);
     if (box.span.is_empty()) continue;
@@ -139,7 +139,7 @@ void NearestWalk<D>::open_children(NodeNumber number, const Node& inner, double 
 }
 
 template <int D>
-void NearestWalk<D>::find_in_leaf(const Node& leaf, double reach, LeafHits& hits) {
+[[gnu::flatten]] void NearestWalk<D>::find_in_leaf(const Node& leaf, double reach, LeafHits& hits) {
   near_.clear();
   for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
     const Motion<D> motion = reader_.motion(reader_.record(leaf, slot));

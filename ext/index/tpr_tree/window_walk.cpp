@@ -38,7 +38,7 @@ bool WindowWalk<D>::next(LeafHits& hits) {
 }
 
 template <int D>
-void WindowWalk<D>::open_children(NodeNumber number, const Node& inner) {
+[[gnu::flatten]] void WindowWalk<D>::open_children(NodeNumber number, const Node& inner) {
   for (std::size_t slot = 0; slot < inner.size(); ++slot) {
     const MovingBox<D> box = child_box<D>(inner, slot, horizon_);
     TimeSpan span = shared_span(box, question_);
@@ -48,7 +48,7 @@ void WindowWalk<D>::open_children(NodeNumber number, const Node& inner) {
 }
 
 template <int D>
-void WindowWalk<D>::find_in_leaf(const Node& leaf, std::vector<std::uint32_t>& slots) const {
+[[gnu::flatten]] void WindowWalk<D>::find_in_leaf(const Node& leaf, std::vector<std::uint32_t>& slots) const {
   for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
     const Mover<D> mover(reader_, reader_.record(leaf, slot));
     const MovingBox<D> box = moving_box<D>(mover.motion, mover.half_extents, horizon_, Vec<D>::Zero());
