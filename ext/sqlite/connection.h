@@ -15,6 +15,7 @@
 
 #include "index/gpcd_grid/work_space.h"
 #include "query/scene.h"
+#include "sqlite/table_lookups.h"
 #include "storage/object_store.h"
 #include "storage/statement_interrupt.h"
 
@@ -24,12 +25,14 @@ class TableCursor;
 
 class Connection {
  public:
-  explicit Connection(sqlite3* db) : db_(db), interrupt_(db) {}
+  explicit Connection(sqlite3* db) : db_(db), interrupt_(db), lookups_(db) {}
 
   sqlite3* db() const { return db_; }
 
   /// sqlite3_interrupt, seen from inside a long computation; also drives the application's progress handler.
   Interrupt& interrupt() { return interrupt_; }
+
+  TableLookups& lookups() { return lookups_; }
 
   // A table announces itself in xConnect and leaves in xDisconnect; the number finds it again (see
   // open_table.h).
@@ -71,6 +74,7 @@ class Connection {
 
   sqlite3* db_;
   StatementInterrupt interrupt_;
+  TableLookups lookups_;
   std::int64_t last_number_ = 0;
   std::map<std::int64_t, OpenTable> tables_;
   std::map<const ObjectStore*, std::vector<TableCursor*>> cursors_;

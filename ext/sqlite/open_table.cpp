@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "sqlite/moving_objects_tables.h"
-#include "sqlite/select.h"
 
 namespace foresee {
 namespace {
@@ -61,20 +60,16 @@ void explain(sqlite3* db, const std::string& table, const std::optional<std::str
   throw Error("no such table: " + name + (schema ? "" : with_schema_apart(tables, table)) + list_of(tables));
 }
 
-/// Null if the table that SQLite finds is none of ours.
-const Connection::OpenTable* ask(Connection& connection, const std::string& table, const std::string& from) {
-  const char* t = table.c_str();
-  Select select(connection.db(), "SELECT \"%w\" FROM %s\"%w\" WHERE \"%w\" MATCH 'foresee-handle'", t,
-                from.c_str(), t, t);
-  const auto number = select.step() ? select.integer(0) : std::nullopt;
+/// Nothing if the table that SQLite finds is none of ours.
+std::optional<Connection::OpenTable> ask(Connection& connection, const AskedTable& name) {
+  const auto number = connection.lookups().number_of(name);
   const Connection::OpenTable* open = number ? connection.find(*number) : nullptr;
-  return open && same_name(open->table, table) ? open : nullptr;
-}
-
-std::string quoted_schema(const std::string& schema) {
-  std::string text = "\"";
-  for (char c : schema) text += c == '"' ? "\"\"" : std::string(1, c);
-  return text + "\".";
+  if (!open || !same_name(open->table, *name.table)) return std::nullopt;
+  const Connection::OpenTable found = *open;
+  // A table that is made in main would come before it from then on; a kept statement would not look there.
+  if (!name.schema && !same_name(found.schema, "main") && !same_name(found.schema, "temp"))
+    connection.lookups().forget(name);
+  return found;
 }
 
 }  // namespace
@@ -82,8 +77,7 @@ std::string quoted_schema(const std::string& schema) {
 Connection::OpenTable open_table(Connection& connection, const AskedTable& asked) {
   const AskedTable name = asked.table ? asked : only_table(connection.db(), asked.schema);
   try {
-    const std::string from = name.schema ? quoted_schema(*name.schema) : "";
-    if (const auto* open = ask(connection, *name.table, from)) return *open;
+    if (auto open = ask(connection, name)) return *open;
   } catch (const StoreError& error) {
     if ((error.code & 0xff) == SQLITE_ERROR) explain(connection.db(), *name.table, name.schema);
     throw;

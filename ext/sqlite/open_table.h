@@ -5,27 +5,14 @@
 //
 // A name resolves as SQLite resolves it (temp, main, attached) unless a schema is given; without a name the
 // connection must see exactly one moving_objects table. SQLite itself looks the name up, connects the table
-// and begins to read that database: open_table runs
-//
-//   SELECT "ships" FROM "ships" WHERE "ships" MATCH 'foresee-handle'
-//
-// which the table answers with the number under which it announced itself. Scenes and trees are snapshots and
-// that statement is closed before open_table returns, so the table can be written under a running call;
-// against other connections SQLite keeps its read lock until the statement that calls ends, as for any
-// reader.
+// and begins to read that database (table_lookups.h). Scenes and trees are snapshots and that statement is at
+// rest before open_table returns, so the table can be written under a running call; against other connections
+// SQLite keeps its read lock until the statement that calls ends, as for any reader.
 #pragma once
-
-#include <optional>
-#include <string>
 
 #include "sqlite/connection.h"
 
 namespace foresee {
-
-struct AskedTable {
-  std::optional<std::string> table;
-  std::optional<std::string> schema;
-};
 
 /// Equal tables have equal stores. A copy, because to look up another table may make SQLite connect this one
 /// anew. Throws Error where no such table is to be found or where the choice is not

@@ -1,4 +1,4 @@
-// A SELECT that the extension asks of its own connection, closed again when it goes out of scope.
+// A SELECT that the extension asks of its own connection, finalized when it goes out of scope.
 //
 //   Select select(db, "SELECT name FROM \"%w\".sqlite_schema", schema.c_str());
 //   while (select.step()) use(select.text(0));
@@ -24,6 +24,8 @@ class Select {
 
   /// Steps to the first or next row; false at the end.
   bool step();
+  /// Lets go of the row and of all locks: the next step begins anew.
+  void rewind() { sqlite3_reset(statement_); }
   /// A column of the current row; "" for NULL.
   std::string text(int column) const;
   /// A column of the current row, if it is an integer.

@@ -1,0 +1,127 @@
+// Which table does a question find under a name that it has asked before, when the tables have changed since?
+// The same as one that asks for the first time.
+#include "database.h"
+
+namespace foresee::testing {
+namespace {
+
+struct TableLookups : ::testing::Test {
+  /// A table with one object, whose id tells where it is.
+  void make(const std::string& table, int id) {
+    db.exec("CREATE VIRTUAL TABLE " + table + " USING moving_objects(id, x); INSERT INTO " + table +
+            " VALUES(" + std::to_string(id) + ", 0)");
+  }
+  std::string found(const std::string& name = "ships") {
+    return db.rows("SELECT id FROM predictive_window(1, '" + name + "')");
+  }
+  std::string missing(const std::string& name = "ships") {
+    return "error: predictive_window: no such table: " + name;
+  }
+
+  TemporaryFile file;
+  Database db{file.path()};
+};
+
+TEST_F(TableLookups, ATableMadeAnew) {
+  make("ships", 1);
+  EXPECT_EQ(found(), "1");
+  db.exec("DROP TABLE ships");
+  EXPECT_TRUE(found().starts_with(missing())) << found();
+  make("ships", 2);
+  EXPECT_EQ(found(), "2");
+  db.exec("DROP TABLE ships; CREATE TABLE ships(id, x)");
+  EXPECT_TRUE(found().starts_with("error: predictive_window: ships is not a moving_objects table"));
+}
+
+TEST_F(TableLookups, ANewName) {
+  make("ships", 1);
+  EXPECT_EQ(found(), "1");
+  db.exec("ALTER TABLE ships RENAME TO fleet");
+  EXPECT_EQ(found("fleet"), "1");
+  EXPECT_TRUE(found().starts_with(missing())) << found();
+  make("ships", 2);
+  EXPECT_EQ(found() + found("fleet"), "21");
+  db.exec("BEGIN; ALTER TABLE ships RENAME TO third");
+  EXPECT_EQ(found("third"), "2");
+  db.exec("ROLLBACK");
+  EXPECT_EQ(found(), "2");
+}
+
+TEST_F(TableLookups, ATemporaryTableComesFirst) {
+  make("main.ships", 1);
+  EXPECT_EQ(found(), "1");
+  make("temp.ships", 2);
+  EXPECT_EQ(found(), "2");
+  db.exec("DROP TABLE temp.ships");
+  EXPECT_EQ(found(), "1");
+  db.exec("SAVEPOINT p");
+  make("temp.ships", 3);
+  EXPECT_EQ(found(), "3");
+  db.exec("ROLLBACK TO p");
+  EXPECT_EQ(found(), "1");
+}
+
+TEST_F(TableLookups, ATableOfMainComesBeforeAnAttachedOne) {
+  db.exec("ATTACH ':memory:' AS other");
+  make("other.ships", 1);
+  EXPECT_EQ(found(), "1");
+  make("main.ships", 2);
+  EXPECT_EQ(found(), "2");
+  db.exec("DROP TABLE main.ships");
+  EXPECT_EQ(found(), "1");
+}
+
+TEST_F(TableLookups, AnotherFileUnderTheSameName) {
+  const auto in_other = [&] {
+    return db.rows("SELECT id FROM predictive_window(1, 'ships') WHERE schema = 'other'");
+  };
+  for (int id : {1, 2}) {
+    db.exec("ATTACH '" + file.path(std::to_string(id)) + "' AS other");
+    make("other.ships", id);
+    EXPECT_EQ(in_other(), std::to_string(id));
+    db.exec("DETACH other");
+    EXPECT_TRUE(in_other().starts_with("error: predictive_window: no such table: other.ships")) << in_other();
+  }
+  db.exec("ATTACH '" + file.path("1") + "' AS other");
+  EXPECT_EQ(in_other(), "1");
+}
+
+TEST_F(TableLookups, AnotherConnectionMakesTheTableAnew) {
+  make("ships", 1);
+  EXPECT_EQ(found(), "1");
+  Database other(file.path());
+  other.exec(
+      "DROP TABLE ships; CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y);"
+      "INSERT INTO ships VALUES(2, 0, 0)");
+  EXPECT_EQ(found(), "2");
+}
+
+TEST_F(TableLookups, ManyTablesInTurn) {
+  for (int id = 1; id <= 20; ++id) make("t" + std::to_string(id), id);
+  for (int turn = 0; turn < 2; ++turn)
+    for (int id = 1; id <= 20; ++id) EXPECT_EQ(found("t" + std::to_string(id)), std::to_string(id));
+}
+
+TEST_F(TableLookups, NothingStandsInTheWayOfVacuumAndDetach) {
+  db.exec("ATTACH ':memory:' AS other");
+  make("ships", 1);
+  make("other.boats", 2);
+  EXPECT_EQ(found() + found("boats"), "12");
+  EXPECT_EQ(db.error_of("VACUUM"), "");
+  EXPECT_EQ(db.error_of("DETACH other"), "");
+  EXPECT_EQ(found(), "1");
+}
+
+// SQLite drops the modules that are registered a second time, and the functions' tables with them; the
+// connection must close all the same.
+TEST_F(TableLookups, FunctionsRegisteredASecondTime) {
+  make("ships", 1);
+  EXPECT_EQ(found(), "1");
+  ASSERT_EQ(sqlite3_foresee_init(db.handle(), nullptr, nullptr), SQLITE_OK);
+  make("boats", 2);
+  EXPECT_EQ(found("boats"), "2");
+  EXPECT_EQ(db.rows("SELECT id FROM ships"), "1");
+}
+
+}  // namespace
+}  // namespace foresee::testing
