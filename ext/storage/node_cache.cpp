@@ -32,10 +32,16 @@ NodeNumber NodeCache::root() {
 }
 
 NodeCache::Slot& NodeCache::fetch(NodeNumber number) {
+  auto& [recent_number, recent] = recent_[static_cast<std::size_t>(number) % recent_.size()];
+  if (recent && recent_number == number && recent->state.node) {
+    recent->used = use_;
+    return *recent;
+  }
   const auto found = slots_.find(number);
   if (found != slots_.end() && found->second.state.node) {
-    found->second.used = use_;
-    return found->second;
+    recent_number = number, recent = &found->second;
+    recent->used = use_;
+    return *recent;
   }
   const bool gone = found != slots_.end() && found->second.state.dirty;
   if (!gone) evict();
@@ -208,6 +214,7 @@ void NodeCache::evict() {
 
 void NodeCache::drop_unused(std::uint64_t before) {
   const bool watched = marks_.snapshots() > 0;
+  forget_recent();
   std::erase_if(slots_, [&](const auto& entry) {
     const Slot& slot = entry.second;
     const bool changed = slot.changed == transaction_;
@@ -244,7 +251,9 @@ void NodeCache::write_nodes() {
     else
       rows_->erase_node(number);
     set_dirty(slot, false);
-    if (!slot.state.node) slots_.erase(number);
+    if (slot.state.node) continue;
+    forget_recent();
+    slots_.erase(number);
   }
 }
 

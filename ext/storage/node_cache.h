@@ -14,6 +14,7 @@
 // say about one another is not.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "storage/map_changes.h"
@@ -23,8 +24,8 @@
 namespace foresee {
 
 struct CacheLimits {
-  std::size_t memory = 128 << 20;  ///< bytes of nodes that are kept, roughly
-  std::size_t waiting = 80 << 20;  ///< … that wait to be written
+  std::size_t memory = 128 << 20;  ///< bytes of nodes that are kept, or of changes that wait, roughly
+  std::size_t waiting = 80 << 20;  ///< … of nodes that wait while one call puts many
 };
 
 class NodeCache final : public Pages {
@@ -57,7 +58,7 @@ class NodeCache final : public Pages {
   void forget_clean();
   bool waits() const { return dirty_ > 0 || map_.waits() || head_.root_dirty; }
   /// So much waits that it should be written before more comes.
-  bool is_full() const { return dirty_ * format_.node_size + map_.memory() > limits_.waiting; }
+  bool is_full() const { return dirty_ * format_.node_size + map_.memory() > limits_.memory; }
   /// Writes all that waits: nodes by number, then the map by id, then the root.
   void write();
   /// A node that is not as its row says: the node, or null if it is gone. Nothing: the row is right.
@@ -100,6 +101,7 @@ class NodeCache final : public Pages {
 
   [[noreturn]] void damaged(const std::string& what) const;
   Slot& fetch(NodeNumber number);
+  void forget_recent() noexcept { recent_ = {}; }
   Slot& overwritten(NodeNumber number);
   void about_to_change(NodeNumber number, Slot& slot);
   void set_dirty(Slot& slot, bool dirty) noexcept;
@@ -116,6 +118,9 @@ class NodeCache final : public Pages {
   ShadowRows* rows_ = nullptr;
 
   std::unordered_map<NodeNumber, Slot> slots_;
+  /// Asked for lately, by the last digits of the number: a change of the tree comes back to the same few
+  /// nodes. To be forgotten whenever a slot goes.
+  std::array<std::pair<NodeNumber, Slot*>, 64> recent_{};
   TreeHead head_;
   MapChanges map_;
   std::optional<std::pair<std::int64_t, std::int64_t>> last_found_;  ///< id and leaf as the rows say

@@ -11,7 +11,9 @@ void NodeCache::back_to(NodeNumber number, const NodeState& state) noexcept {
   set_dirty(found->second, state.dirty);
   found->second.state.node = state.node;
   found->second.kept = 0;
-  if (!state.node && !state.dirty) slots_.erase(found);
+  if (state.node || state.dirty) return;
+  forget_recent();
+  slots_.erase(found);
 }
 
 void NodeCache::begin_call() {
@@ -89,6 +91,7 @@ void NodeCache::restore(Marks::Handle mark, std::size_t map_position) {
 
 void NodeCache::forget_all() noexcept {
   slots_.clear();
+  forget_recent();
   head_ = {};
   map_.clear();
   last_found_.reset();
