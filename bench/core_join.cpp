@@ -4,10 +4,13 @@
 //   bench_core_join [--quick] [workload ...]
 //
 // Prints nanoseconds of processor time an object (medians), ratios to the grid, and where the grid's time
-// goes. Methods must agree on the pairs and their times, or the program fails.
+// goes. "join" is the library call of query/join.h with method 'auto': it plans, and cuts long horizons into
+// slabs. On large scenes its time by the clock follows, alone and with one and two helper threads. Methods
+// must agree on the pairs and their times, or the program fails.
 #include <bit>
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <iterator>
@@ -17,6 +20,7 @@
 #include "index/all_pairs.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "measure.h"
+#include "query/join.h"
 #include "workloads.h"
 
 namespace foresee::bench {
@@ -82,6 +86,42 @@ Answer by_grid(const Workload& w, Stages& stages) {
   return emitter.answer;
 }
 
+std::shared_ptr<const Scene> scene_of(const Workload& w) {
+  auto scene = std::make_shared<Scene>();
+  scene->name = w.name, scene->layout = w.layout, scene->rows = w.rows;
+  for (std::size_t i = 0; i < w.count; ++i) scene->ids.push_back(static_cast<std::int64_t>(i));
+  return scene;
+}
+
+Answer by_join(const std::shared_ptr<const Scene>& scene, double h, std::size_t helpers) {
+  Answer answer;
+  Join join(
+      {.a = scene, .h = h, .wants = {.ends = false, .approach = false}, .helpers = helpers, .space = space},
+      never);
+  for (auto rows = join.next(); !rows.empty(); rows = join.next())
+    for (const JoinRow& row : rows)
+      answer.add({static_cast<std::uint32_t>(row.a), static_cast<std::uint32_t>(row.b)}, row.contact.t);
+  return answer;
+}
+
+/// False if the helpers change the answer.
+bool compare_helpers(const Workload& w, const std::shared_ptr<const Scene>& scene, int repetitions) {
+  constexpr std::size_t most = 2;
+  std::vector<double> seconds[most + 1];
+  const Answer alone = by_join(scene, w.h, 0);
+  for (int i = 0; i < repetitions; ++i)
+    for (std::size_t helpers = 0; helpers <= most; ++helpers) {
+      const auto begin = std::chrono::steady_clock::now();
+      if (!by_join(scene, w.h, helpers).same_as(alone)) return false;
+      seconds[helpers].push_back(
+          std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+    }
+  const double milliseconds = 1000 * median(seconds[0]);
+  std::printf("    by the clock: alone %.1f ms; with 1 helper %.2fx, with 2 helpers %.2fx as fast\n\n",
+              milliseconds, median(seconds[0]) / median(seconds[1]), median(seconds[0]) / median(seconds[2]));
+  return true;
+}
+
 Answer by_all_pairs(const Workload& w) {
   Emitter emitter(w);
   const auto all = make_all_pairs(w.count, never);
@@ -143,7 +183,8 @@ void print(const Workload& w, const Answer& answer, const std::vector<Method>& m
 /// False if two methods disagree.
 template <int D>
 bool compare(const Workload& w, int repetitions) {
-  std::vector<Method> methods{{"grid", {}, {}}, {"boost rtree", {}, {}}};
+  std::vector<Method> methods{{"grid", {}, {}}, {"boost rtree", {}, {}}, {"join", {}, {}}};
+  const auto scene = scene_of(w);
   if (w.count <= 5000) methods.push_back({"all pairs", {}, {}});
   Answer first;
   Stages stages;
@@ -152,7 +193,10 @@ bool compare(const Workload& w, int repetitions) {
     for (std::size_t m = 0; m < methods.size(); ++m) {
       Answer answer;
       const double seconds = seconds_of([&] {
-        answer = m == 0 ? by_grid<D>(w, stages) : m == 1 ? by_boost<D>(w) : by_all_pairs(w);
+        answer = m == 0   ? by_grid<D>(w, stages)
+                 : m == 1 ? by_boost<D>(w)
+                 : m == 2 ? by_join(scene, w.h, 0)
+                          : by_all_pairs(w);
       });
       if (m == 0) grid_seconds = seconds, first = answer;
       if (!answer.same_as(first)) return false;
@@ -162,7 +206,7 @@ bool compare(const Workload& w, int repetitions) {
     }
   }
   print(w, first, methods, stages);
-  return true;
+  return w.count < 100000 || compare_helpers(w, scene, repetitions);
 }
 
 int main_of(int count, char** arguments) {

@@ -32,4 +32,13 @@ class Candidates {
   virtual std::string describe() const { return {}; }
 };
 
+/// Candidates in parts, for several threads.
+class DividedCandidates {
+ public:
+  virtual ~DividedCandidates() = default;
+  virtual std::size_t parts() const = 0;
+  /// Each part is asked for once, by any thread, and looked at by the thread whose `interrupt` it takes.
+  virtual std::unique_ptr<Candidates> part(std::size_t i, Interrupt& interrupt) = 0;
+};
+
 }  // namespace foresee

@@ -8,6 +8,7 @@
 #include "query/join_candidates.h"
 #include "query/join_plan.h"
 #include "query/join_question.h"
+#include "query/slab_helpers.h"
 #include "query/sorted_hits.h"
 
 namespace foresee {
@@ -48,6 +49,7 @@ struct Join::Progress {
         sorted(question) {}
   ~Progress() {
     candidates.reset();
+    helpers.reset();
     question.space->trim();
   }
 
@@ -60,24 +62,37 @@ struct Join::Progress {
   bool open_slab() {
     slab = slabs.next();
     if (!slab) return false;
-    candidates.reset();  // before the next grid takes its space
-    candidates = join_candidates(question, plan.method, slab->horizon, stage.reach(), interrupt);
     // What touches at `now` has one t.
     sorts = question.order == JoinOrder::by_t ? slab->before > std::nextafter(question.now, HUGE_VAL)
                                               : question.order != JoinOrder::any;
+    if (plan.with_helpers)
+      helpers = std::make_unique<SlabHelpers>(question, *slab, sorts, stage.reach(), interrupt);
+    else
+      candidates = join_candidates(question, plan.method, slab->horizon, stage.reach(), interrupt);
     return true;
   }
 
-  /// One batch of candidates, or the end of the slab.
+  /// One batch, or the end of the slab: then the next one may have its space.
   void advance() {
-    pairs.clear();
-    if (!candidates->next(pairs)) {
+    if (helpers ? !advance_helpers() : !advance_alone()) {
+      helpers.reset();
       candidates.reset();
       sorted.sort(interrupt);
-      return;
     }
+  }
+
+  bool advance_alone() {
+    pairs.clear();
+    if (!candidates->next(pairs)) return false;
     stage.ask(pairs, *slab, hits);
     sorts ? sorted.add(hits) : stage.write(hits, rows);
+    return true;
+  }
+
+  bool advance_helpers() {
+    if (!helpers->next(batch)) return false;
+    sorts ? sorted.add(batch.hits) : rows.swap(batch.rows);
+    return true;
   }
 
   JoinQuestion question;
@@ -86,7 +101,9 @@ struct Join::Progress {
   JoinPlan plan;
   TimeSlabs slabs;
   std::optional<TimeSlab> slab;
-  std::unique_ptr<Candidates> candidates;  // of the slab, until it has no more
+  std::unique_ptr<Candidates> candidates;  // of the slab, until it has no more, or
+  std::unique_ptr<SlabHelpers> helpers;
+  SlabBatch batch;
   bool sorts = false;
   SortedHits sorted;
   std::vector<Pair> pairs;
@@ -108,7 +125,7 @@ std::span<const JoinRow> Join::next() {
     if (p.sorted.any()) {
       p.sorted.take(p.hits);
       p.stage.write(p.hits, p.rows);
-    } else if (p.candidates) {
+    } else if (p.candidates || p.helpers) {
       p.advance();
     } else if (!p.open_slab()) {
       break;

@@ -10,8 +10,8 @@
 //
 // Rows come in the order that is asked for. The grid answers long horizons in time slabs (time_slabs.h), and
 // questions for an order in slabs that begin short: whoever stops after the first rows does not pay for the
-// others. Memory: the scenes, about a hundred bytes an object, one batch of pairs, and 24 bytes for each row
-// of a slab that has to be sorted.
+// others. With helpers (slab_helpers.h) rows and their order are the same. Memory: the scenes, about a
+// hundred bytes an object, one batch of pairs, and 24 bytes for each row of a slab that has to be sorted.
 #pragma once
 
 #include <cstdint>
@@ -74,6 +74,7 @@ struct JoinQuestion {
   AskedTimes asked_t = {}, asked_dt = {};
   JoinOrder order = JoinOrder::any;
   JoinWants wants = {};
+  std::size_t helpers = 0;                     ///< threads that the grid may use beside the caller's
   std::shared_ptr<GridSpace> space = nullptr;  ///< memory kept between joins, not shared by two at a time
 
   bool asks_about_all_times() const { return asked_t.are_all() && asked_dt.are_all(); }

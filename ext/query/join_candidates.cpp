@@ -55,7 +55,30 @@ std::unique_ptr<Candidates> by_index(const JoinQuestion& question, JoinMethod me
   return make_gpcd_grid<D>(a, &b, interrupt, question.space);
 }
 
+template <int D>
+std::unique_ptr<DividedCandidates> divided(const JoinQuestion& question, const Horizon& horizon,
+                                           const Contact::Reach& reach, Interrupt& interrupt) {
+  const Vec<D> margin = margin_of<D>(reach);
+  const MovingBoxes<D> a{question.a->bodies(), horizon, margin};
+  if (!question.b) return make_divided_grid<D>(a, nullptr, question.helpers, interrupt, question.space);
+  const MovingBoxes<D> b{question.b->bodies(), horizon, margin};
+  return make_divided_grid<D>(a, &b, question.helpers, interrupt, question.space);
+}
+
 }  // namespace
+
+std::unique_ptr<DividedCandidates> divided_candidates(const JoinQuestion& question, const Horizon& horizon,
+                                                      const Contact::Reach& reach, Interrupt& interrupt) {
+  const FloatEnvironment environment;
+  switch (question.a->layout.axes) {
+    case 1:
+      return divided<1>(question, horizon, reach, interrupt);
+    case 2:
+      return divided<2>(question, horizon, reach, interrupt);
+    default:
+      return divided<3>(question, horizon, reach, interrupt);
+  }
+}
 
 std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMethod method,
                                             const Horizon& horizon, const Contact::Reach& reach,

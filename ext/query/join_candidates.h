@@ -11,4 +11,8 @@ std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMe
                                             const Horizon& horizon, const Contact::Reach& reach,
                                             Interrupt& interrupt);
 
+/// The same by the grid, in parts for question.helpers threads.
+std::unique_ptr<DividedCandidates> divided_candidates(const JoinQuestion& question, const Horizon& horizon,
+                                                      const Contact::Reach& reach, Interrupt& interrupt);
+
 }  // namespace foresee

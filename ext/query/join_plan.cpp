@@ -18,6 +18,7 @@ constexpr double grid_repetition = 60;  // a pair in contact already is looked a
 
 constexpr std::size_t sample_share = 256, sample_least = 48, sample_most = 256;
 constexpr std::size_t slabs_max = 4096;
+constexpr double worth_helpers = 1e6;  // a slab of a millisecond; to start threads takes a tenth of that
 
 double pairs_of(const JoinQuestion& question) {
   const double a = static_cast<double>(question.a->size());
@@ -126,8 +127,10 @@ JoinPlan plan_join(const JoinQuestion& question, const Contact::Reach& reach) {
   if (automatic && scan <= grid_setup + grid_object * objects_of(question))
     return {JoinMethod::scan, "a look at each of so few pairs costs less than a grid", 1};
   const SlabChoice grid = choose_slabs(question, reach);
-  if (!automatic) return {question.method, "as asked", grid.slabs};
-  return {JoinMethod::grid, "there are too many pairs to look at each", grid.slabs};
+  const bool with_helpers =
+      question.helpers > 0 && grid.cost >= worth_helpers * static_cast<double>(grid.slabs);
+  const char* why = automatic ? "there are too many pairs to look at each" : "as asked";
+  return {JoinMethod::grid, why, grid.slabs, with_helpers};
 }
 
 TimeSlabs slabs_of(const JoinPlan& plan, const JoinQuestion& question) {

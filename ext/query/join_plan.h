@@ -17,6 +17,7 @@ struct JoinPlan {
   JoinMethod method;  ///< never automatic
   const char* why;    ///< for people
   std::size_t slabs;  ///< of equal length, where the order of rows does not matter; 1 but for the grid
+  bool with_helpers = false;  ///< a slab is enough work to be shared with threads
 };
 
 JoinPlan plan_join(const JoinQuestion& question, const Contact::Reach& reach);

@@ -6,6 +6,7 @@
 // for one ContentVersion.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <memory>
@@ -58,6 +59,11 @@ class Connection {
   std::shared_ptr<const Scene> scene(const OpenTable& table) { return scene(table, false); }
   /// The same with the outline of its tree.
   std::shared_ptr<const Scene> scene_with_outline(const OpenTable& table) { return scene(table, true); }
+
+  /// PRAGMA threads: how many a computation may use beside the caller's; 0 unless somebody asks for more.
+  std::size_t helper_threads() const {
+    return static_cast<std::size_t>(std::max(0, sqlite3_limit(db_, SQLITE_LIMIT_WORKER_THREADS, -1)));
+  }
 
   /// Memory for one join, kept from join to join; one that runs beside another gets its own.
   std::shared_ptr<GridSpace> grid_space() {

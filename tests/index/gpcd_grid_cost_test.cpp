@@ -22,9 +22,10 @@ struct Cost {
 template <int D>
 Cost cost_of(const std::vector<Box<D>>& boxes) {
   GridSpace space;
-  gpcd::Grid<D> grid(gpcd::RestingSource<D>(boxes), nullptr, space, never);
-  const std::size_t candidates = drain(grid).size();
-  return {grid.entry_count(), grid.giant_count(), grid.steps_taken(), candidates};
+  gpcd::Grid<D> grid(gpcd::RestingSource<D>(boxes), nullptr, space, 0, never);
+  gpcd::GridVisit<D> visit(grid, space.visit, never);
+  const std::size_t candidates = drain(visit).size();
+  return {grid.entry_count(), grid.giant_count(), visit.steps_taken(), candidates};
 }
 
 template <int D>
@@ -117,7 +118,7 @@ TEST(GpcdGridInterrupt, IsSeenDuringTheBuild) {
   for (int checks : {0, 1, 5, 20}) {
     StopAt stop(checks);
     GridSpace space;
-    EXPECT_THROW(gpcd::Grid<2>(gpcd::RestingSource<2>(boxes), nullptr, space, stop), Interrupted);
+    EXPECT_THROW(gpcd::Grid<2>(gpcd::RestingSource<2>(boxes), nullptr, space, 0, stop), Interrupted);
   }
 }
 
@@ -125,11 +126,12 @@ TEST(GpcdGridInterrupt, IsSeenInEveryBatch) {
   const std::vector<Box<2>> boxes(20000, Box<2>{Vec<2>::Zero(), Vec<2>::Constant(1)});
   StopAt stop(1000);
   GridSpace space;
-  gpcd::Grid<2> grid(gpcd::RestingSource<2>(boxes), nullptr, space, stop);
+  gpcd::Grid<2> grid(gpcd::RestingSource<2>(boxes), nullptr, space, 0, stop);
+  gpcd::GridVisit<2> visit(grid, space.visit, stop);
   std::vector<Pair> batch;
-  ASSERT_TRUE(grid.next(batch));
+  ASSERT_TRUE(visit.next(batch));
   stop.checks_left = 0;
-  EXPECT_THROW(grid.next(batch), Interrupted);
+  EXPECT_THROW(visit.next(batch), Interrupted);
 }
 
 TEST(GpcdGridInterrupt, IsSeenWhileSortingWhatHasNoOrder) {

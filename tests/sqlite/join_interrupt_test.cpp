@@ -53,6 +53,14 @@ TEST_F(JoinInterrupt, EndsAJoinThatFindsRowsAllTheTime) {
         << method;
 }
 
+TEST_F(JoinInterrupt, EndsAJoinWithHelperThreads) {
+  db.exec("PRAGMA threads = 2");
+  for (const std::string order : {"", " ORDER BY t"})
+    EXPECT_LT(
+        median_latency("SELECT count(d_cpa + t) FROM (SELECT * FROM predictive_join(600)" + order + ")"), 50)
+        << order;
+}
+
 TEST_F(JoinInterrupt, EndsAJoinThatFindsNothing) {
   // Each ship ends before it could meet another: candidates without end, no row.
   db.exec(

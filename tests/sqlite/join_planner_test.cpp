@@ -114,6 +114,22 @@ TEST_F(JoinPlanner, GivesRowsInTheOrderOfTimeWithoutSorting) {
       db.rows("SELECT a, b, t FROM whole WHERE dt > 0 ORDER BY t, a, b LIMIT 5"));
 }
 
+TEST_F(JoinPlanner, GivesTheSameRowsWithHelperThreads) {
+  build_table(
+      db, "fleet",
+      random_scene({.layout = {.axes = 2, .law = Law::uniform, .shape = Shape::ball}, .count = 15000}));
+  const auto rows = [this](const std::string& rest) {
+    return db.rows("SELECT a, b, t, d_cpa FROM predictive_join(3, 'fleet') " + rest);
+  };
+  const std::string alone = rows(""), ordered = rows("WHERE dt > 0 ORDER BY t, a, b"),
+                    first = rows("WHERE dt > 0 ORDER BY t, a, b LIMIT 3");
+  db.exec("PRAGMA threads = 2");
+  EXPECT_EQ(rows(""), alone);
+  EXPECT_EQ(rows("WHERE dt > 0 ORDER BY t, a, b"), ordered);
+  EXPECT_EQ(rows("WHERE dt > 0 ORDER BY t, a, b LIMIT 3"), first);
+  db.exec("DROP TABLE fleet");
+}
+
 TEST_F(JoinPlanner, UsesBoundsOfTimeAsTheyAreWritten) {
   const std::string t = db.rows("SELECT t FROM whole WHERE dt > 0 ORDER BY t LIMIT 1 OFFSET 50");
   for (const std::string op : {"<", "<=", ">", ">=", "=", "IS"})

@@ -21,6 +21,7 @@ class BeamSource {
   virtual std::size_t count() const = 0;
   /// What read() fills in beyond boxes.
   virtual Columns columns() const = 0;
+  /// By several threads at a time.
   virtual void read(std::size_t first, std::span<Beam<D>> out) const = 0;
 };
 
@@ -28,7 +29,7 @@ template <int D>
 class FloatRows {
  public:
   FloatRows(const BeamSource<D>& source, const Frame<D>& frame, Columns columns, Buffer<float>& memory,
-            Interrupt& interrupt);
+            std::size_t helpers, Interrupt& interrupt);
 
   std::size_t count() const { return count_; }
   Columns columns() const { return columns_; }
@@ -45,6 +46,9 @@ class FloatRows {
   }
 
  private:
+  void fill(const BeamSource<D>& source, const Frame<D>& frame, std::size_t begin, std::size_t end,
+            float* out, Interrupt& interrupt) const;
+
   Columns columns_;
   int width_;
   std::size_t count_;

@@ -24,7 +24,7 @@ void Giants<D>::advance(int row) {
   std::erase_if(active_, [row](const Place& giant) { return giant.y.last < row; });
   const auto old = static_cast<std::ptrdiff_t>(active_.size());
   for (; !waiting_.empty() && waiting_.back().y.first <= row; waiting_.pop_back())
-    active_.push_back(waiting_.back());
+    if (waiting_.back().y.last >= row) active_.push_back(waiting_.back());
   std::inplace_merge(active_.begin(), active_.begin() + old, active_.end(),
                      [](const Place& a, const Place& b) { return a.key < b.key; });
 }

@@ -4,8 +4,8 @@
 // its stripes in order and every giant that crosses one is compared with what lies there. Seen from a stripe
 // a giant has classes like any box, so each of its pairs is still reported once.
 //
-// Requires: stripes are visited along y first. Cost: one step for each stripe that a giant crosses; memory
-// follows the number of giants only.
+// Requires: stripes are visited along y first, from any of them on. Cost: one step for each stripe that a
+// giant crosses; memory follows the number of giants only.
 #pragma once
 
 #include <vector>

@@ -11,14 +11,56 @@ class GridWithSpace final : public Candidates {
  public:
   GridWithSpace(const gpcd::BeamSource<D>& a, const gpcd::BeamSource<D>* b, std::shared_ptr<GridSpace> space,
                 Interrupt& interrupt)
-      : space_(space ? std::move(space) : std::make_shared<GridSpace>()), grid_(a, b, *space_, interrupt) {}
+      : space_(space ? std::move(space) : std::make_shared<GridSpace>()),
+        grid_(a, b, *space_, 0, interrupt),
+        visit_(grid_, space_->visit, interrupt) {}
 
-  bool next(std::vector<Pair>& out) override { return grid_.next(out); }
-  std::string describe() const override { return grid_.describe(); }
+  bool next(std::vector<Pair>& out) override { return visit_.next(out); }
+  std::string describe() const override { return visit_.describe(); }
 
  private:
   std::shared_ptr<GridSpace> space_;
   gpcd::Grid<D> grid_;
+  gpcd::GridVisit<D> visit_;
+};
+
+template <int D>
+class DividedGrid final : public DividedCandidates {
+ public:
+  DividedGrid(const gpcd::BeamSource<D>& a, const gpcd::BeamSource<D>* b, std::size_t helpers,
+              std::shared_ptr<GridSpace> space, Interrupt& interrupt)
+      : space_(space ? std::move(space) : std::make_shared<GridSpace>()),
+        grid_(a, b, *space_, helpers, interrupt) {
+    constexpr std::size_t entries_per_part = 8192;
+    std::size_t entries = 0;
+    for (std::size_t stripe = 0; stripe < grid_.partition().stripes(); ++stripe) {
+      if (ends_.empty() || entries >= entries_per_part) ends_.push_back(stripe), entries = 0;
+      for (std::size_t i = 0; i < grid_.side_count(); ++i)
+        entries += grid_.side(i).stripes.entries(stripe).size();
+      ends_.back() = stripe + 1;
+    }
+  }
+
+  std::size_t parts() const override { return ends_.size(); }
+  std::unique_ptr<Candidates> part(std::size_t i, Interrupt& interrupt) override {
+    return std::make_unique<Part>(grid_, i == 0 ? 0 : ends_[i - 1], ends_[i], interrupt);
+  }
+
+ private:
+  class Part final : public Candidates {
+   public:
+    Part(gpcd::Grid<D>& grid, std::size_t first, std::size_t last, Interrupt& interrupt)
+        : visit_(grid, first, last, memory_, interrupt) {}
+    bool next(std::vector<Pair>& out) override { return visit_.next(out); }
+
+   private:
+    GridSpace::Visit memory_;
+    gpcd::GridVisit<D> visit_;
+  };
+
+  std::shared_ptr<GridSpace> space_;
+  gpcd::Grid<D> grid_;
+  std::vector<std::size_t> ends_;  // the stripe behind the last one of each part
 };
 
 }  // namespace
@@ -33,6 +75,16 @@ std::unique_ptr<Candidates> make_gpcd_grid(const MovingBoxes<D>& a, const Moving
 }
 
 template <int D>
+std::unique_ptr<DividedCandidates> make_divided_grid(const MovingBoxes<D>& a, const MovingBoxes<D>* b,
+                                                     std::size_t helpers, Interrupt& interrupt,
+                                                     std::shared_ptr<GridSpace> space) {
+  const gpcd::MovingSource<D> first(a, interrupt);
+  if (!b) return std::make_unique<DividedGrid<D>>(first, nullptr, helpers, std::move(space), interrupt);
+  const gpcd::MovingSource<D> second(*b, interrupt);
+  return std::make_unique<DividedGrid<D>>(first, &second, helpers, std::move(space), interrupt);
+}
+
+template <int D>
 std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>> boxes, Interrupt& interrupt) {
   return std::make_unique<GridWithSpace<D>>(gpcd::RestingSource<D>(boxes), nullptr, nullptr, interrupt);
 }
@@ -44,11 +96,13 @@ std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>> boxes_a, std:
   return std::make_unique<GridWithSpace<D>>(gpcd::RestingSource<D>(boxes_a), &b, nullptr, interrupt);
 }
 
-#define FORESEE_GRID_OF_AXES(D)                                                                         \
-  template std::unique_ptr<Candidates> make_gpcd_grid(const MovingBoxes<D>&, const MovingBoxes<D>*,     \
-                                                      Interrupt&, std::shared_ptr<GridSpace>);          \
-  template std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>>, Interrupt&);             \
-  template std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>>, std::span<const Box<D>>, \
+#define FORESEE_GRID_OF_AXES(D)                                                                           \
+  template std::unique_ptr<Candidates> make_gpcd_grid(const MovingBoxes<D>&, const MovingBoxes<D>*,       \
+                                                      Interrupt&, std::shared_ptr<GridSpace>);            \
+  template std::unique_ptr<DividedCandidates> make_divided_grid(                                          \
+      const MovingBoxes<D>&, const MovingBoxes<D>*, std::size_t, Interrupt&, std::shared_ptr<GridSpace>); \
+  template std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>>, Interrupt&);               \
+  template std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>>, std::span<const Box<D>>,   \
                                                       Interrupt&)
 FORESEE_GRID_OF_AXES(1);
 FORESEE_GRID_OF_AXES(2);

@@ -30,6 +30,13 @@ template <int D>
 std::unique_ptr<Candidates> make_gpcd_grid(const MovingBoxes<D>& a, const MovingBoxes<D>* b,
                                            Interrupt& interrupt, std::shared_ptr<GridSpace> space = nullptr);
 
+/// The same grid for several threads: entered by this one and `helpers` beside it, then visited in parts of
+/// about as many objects. Part after part gives the candidates in the order of make_gpcd_grid().
+template <int D>
+std::unique_ptr<DividedCandidates> make_divided_grid(const MovingBoxes<D>& a, const MovingBoxes<D>* b,
+                                                     std::size_t helpers, Interrupt& interrupt,
+                                                     std::shared_ptr<GridSpace> space);
+
 /// Pairs among boxes at rest. The grid keeps no reference to them.
 template <int D>
 std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>> boxes, Interrupt& interrupt);

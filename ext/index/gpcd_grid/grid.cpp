@@ -37,8 +37,8 @@ Columns columns_of(const BeamSource<D>& a, const BeamSource<D>* b, const Frame<D
 }  // namespace
 
 template <int D>
-Grid<D>::Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, Interrupt& interrupt)
-    : interrupt_(interrupt), batch_(space.batch.room(pairs_per_batch + lanes_max)) {
+Grid<D>::Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, std::size_t helpers,
+              Interrupt& interrupt) {
   const std::vector<Beam<D>> sample = sample_of(a, b);
   const Frame<D> frame = frame_of(std::span<const Beam<D>>(sample));
   const Columns columns = columns_of(a, b, frame);
@@ -47,12 +47,26 @@ Grid<D>::Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, 
   partition_ = choose_partition(std::span<const FloatBox<D>>(boxes), a.count() + (b ? b->count() : 0));
   for (const BeamSource<D>* source : {&a, b})
     if (source)
-      sides_.push_back(
-          std::make_unique<Side>(*source, frame, columns, partition_, space.sides[sides_.size()], interrupt));
+      sides_.push_back(std::make_unique<Side>(*source, frame, columns, partition_, space.sides[sides_.size()],
+                                              helpers, interrupt));
 }
 
 template <int D>
-bool Grid<D>::next(std::vector<Pair>& out) {
+GridVisit<D>::GridVisit(Grid<D>& grid, std::size_t first, std::size_t last, GridSpace::Visit& memory,
+                        Interrupt& interrupt)
+    : grid_(grid),
+      interrupt_(interrupt),
+      giants_met_(first > 0),
+      next_stripe_(first),
+      last_stripe_(last),
+      batch_(memory.batch.room(pairs_per_batch + lanes_max)) {
+  sides_.reserve(2);
+  for (std::size_t i = 0; i < grid.side_count(); ++i)
+    sides_.emplace_back(grid.side(i).giants, memory.inside[i], memory.crossing[i]);
+}
+
+template <int D>
+bool GridVisit<D>::next(std::vector<Pair>& out) {
   interrupt_.check();
   std::size_t written = 0, steps = steps_per_batch;
   bool more = true;
@@ -70,7 +84,7 @@ bool Grid<D>::next(std::vector<Pair>& out) {
 }
 
 template <int D>
-bool Grid<D>::open_next() {
+bool GridVisit<D>::open_next() {
   scans_.clear();
   scan_ = 0;
   if (!giants_met_) {
@@ -78,42 +92,46 @@ bool Grid<D>::open_next() {
     open_giants();
     return true;
   }
-  if (next_stripe_ == partition_.stripes()) return false;
+  if (next_stripe_ == last_stripe_) return false;
   open_stripe(next_stripe_++);
   return true;
 }
 
 template <int D>
-void Grid<D>::open_giants() {
-  for (auto& side : sides_) side->crossing.gather(side->giants.all(), side->rows, interrupt_);
+void GridVisit<D>::open_giants() {
+  for (std::size_t i = 0; i < sides_.size(); ++i)
+    sides_[i].crossing.gather(sides_[i].giants.all(), grid_.side(i).rows, interrupt_);
   if (sides_.size() == 1)
-    scans_.push_back(scan_within(side(0).crossing.view()));
+    scans_.push_back(scan_within(sides_[0].crossing.view()));
   else
-    scans_.push_back(scan_between(side(0).crossing.view(), side(1).crossing.view(), false));
+    scans_.push_back(scan_between(sides_[0].crossing.view(), sides_[1].crossing.view(), false));
 }
 
 template <int D>
-void Grid<D>::open_stripe(std::size_t number) {
+void GridVisit<D>::open_stripe(std::size_t number) {
+  const Partition<D>& partition = grid_.partition();
   int stripe[D] = {};
   if constexpr (D == 2) stripe[1] = static_cast<int>(number);
   if constexpr (D == 3) {
-    const auto across = static_cast<std::size_t>(partition_.axis[2].count);
+    const auto across = static_cast<std::size_t>(partition.axis[2].count);
     stripe[1] = static_cast<int>(number / across), stripe[2] = static_cast<int>(number % across);
   }
-  for (auto& side : sides_) {
-    const std::span<Key> keys = side->stripes.entries(number);
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    auto& entered = grid_.side(i);
+    const std::span<Key> keys = entered.stripes.entries(number);
     sort_keys(keys, interrupt_);
-    side->inside.gather(keys, side->rows, partition_, stripe, interrupt_);
-    side->crossing.gather(side->giants.crossing(stripe), side->rows, partition_, stripe, interrupt_);
+    sides_[i].inside.gather(keys, entered.rows, partition, stripe, interrupt_);
+    sides_[i].crossing.gather(sides_[i].giants.crossing(stripe), entered.rows, partition, stripe, interrupt_);
   }
-  const LaneView<D>&inside = side(0).inside.view(), &crossing = side(0).crossing.view();
+  const LaneView<D>&inside = sides_[0].inside.view(), &crossing = sides_[0].crossing.view();
   if (sides_.size() == 1) {
     scans_.push_back(scan_within(inside));
     scans_.push_back(scan_between(crossing, inside, false));
   } else {
-    scans_.push_back(scan_between(inside, side(1).inside.view(), false));
-    scans_.push_back(scan_between(crossing, side(1).inside.view(), false));
-    scans_.push_back(scan_between(side(1).crossing.view(), inside, true));
+    const LaneView<D>&other_inside = sides_[1].inside.view(), &other_crossing = sides_[1].crossing.view();
+    scans_.push_back(scan_between(inside, other_inside, false));
+    scans_.push_back(scan_between(crossing, other_inside, false));
+    scans_.push_back(scan_between(other_crossing, inside, true));
   }
 }
 
@@ -143,5 +161,8 @@ std::string Grid<D>::describe() const {
 template class Grid<1>;
 template class Grid<2>;
 template class Grid<3>;
+template class GridVisit<1>;
+template class GridVisit<2>;
+template class GridVisit<3>;
 
 }  // namespace foresee::gpcd

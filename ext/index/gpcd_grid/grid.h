@@ -4,9 +4,10 @@
 //   step 1  swept boxes (motion)            step 3  enter: stripes.h, giants.h
 //   step 2  cell size: cell_size.h          step 4, 5a  share a stripe and overlap: lanes.h, scan.h
 //
-// Stripes are visited one after another. At each, what lies in it is gathered into lanes, and up to three
-// scans follow: its boxes among themselves (or of the two sides), and the giants that cross it against its
-// boxes. Giants meet one another before the first stripe.
+// A Grid is what has been entered. A GridVisit goes through a range of its stripes, one after another: at
+// each, what lies in it is gathered into lanes, and up to three scans follow, its boxes among themselves (or
+// of the two sides), and the giants that cross it against its boxes. Giants meet one another before the first
+// stripe. Several threads may each visit stripes of their own.
 #pragma once
 
 #include <memory>
@@ -21,50 +22,74 @@
 namespace foresee::gpcd {
 
 template <int D>
-class Grid final : public Candidates {
+class Grid {
  public:
-  /// Pairs among the objects of `a`, or between them and those of `b` if that is not null. What is read from
-  /// them is kept in `space`, which must outlive the grid; so must `interrupt`.
-  Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, Interrupt& interrupt);
+  /// The objects of one side of the join.
+  struct Side {
+    Side(const BeamSource<D>& source, const Frame<D>& frame, Columns columns, const Partition<D>& partition,
+         GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
+        : rows(source, frame, columns, memory.rows, helpers, interrupt),
+          stripes(partition, rows, memory, helpers, interrupt),
+          giants(partition, stripes, interrupt) {}
+    FloatRows<D> rows;
+    Stripes<D> stripes;
+    Giants<D> giants;
+  };
 
-  bool next(std::vector<Pair>& out) override;
+  /// Of the objects of `a`, or of both if `b` is not null. What is read from them is kept in `space`, which
+  /// must outlive the grid. `helpers` are threads beside this one.
+  Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, std::size_t helpers,
+       Interrupt& interrupt);
 
+  /// One side, or two.
+  std::size_t side_count() const { return sides_.size(); }
+  Side& side(std::size_t i) { return *sides_[i]; }
+  const Partition<D>& partition() const { return partition_; }
   /// Entries in all stripes: at least one per box inside the grid.
   std::size_t entry_count() const;
   std::size_t giant_count() const;
-  std::string describe() const override;
+  std::string describe() const;
+
+ private:
+  Partition<D> partition_;
+  std::vector<std::unique_ptr<Side>> sides_;
+};
+
+template <int D>
+class GridVisit final : public Candidates {
+ public:
+  /// The stripes from `first` to before `last`. All must outlive the visit.
+  GridVisit(Grid<D>& grid, std::size_t first, std::size_t last, GridSpace::Visit& memory,
+            Interrupt& interrupt);
+  /// All stripes.
+  GridVisit(Grid<D>& grid, GridSpace::Visit& memory, Interrupt& interrupt)
+      : GridVisit(grid, 0, grid.partition().stripes(), memory, interrupt) {}
+
+  bool next(std::vector<Pair>& out) override;
+  std::string describe() const override { return grid_.describe(); }
   /// Steps of the scan kernel so far.
   std::size_t steps_taken() const { return steps_taken_; }
 
  private:
-  /// The objects of one side of the join and what is gathered of them.
   struct Side {
-    Side(const BeamSource<D>& source, const Frame<D>& frame, Columns columns, const Partition<D>& partition,
-         GridSpace::Side& memory, Interrupt& interrupt)
-        : rows(source, frame, columns, memory.rows, interrupt),
-          stripes(partition, rows, memory, interrupt),
-          giants(partition, stripes, interrupt),
-          inside(memory.inside),
-          crossing(memory.crossing) {}
-    FloatRows<D> rows;
-    Stripes<D> stripes;
+    Side(const Giants<D>& giants, GridSpace::Visit::Lanes& inside, GridSpace::Visit::Lanes& crossing)
+        : giants(giants), inside(inside), crossing(crossing) {}
     Giants<D> giants;
     Lanes<D> inside, crossing;
   };
 
-  Side& side(std::size_t i) { return *sides_[i]; }
   /// Puts the scans of the next stripe into scans_; false behind the last one.
   bool open_next();
   void open_giants();
   void open_stripe(std::size_t number);
 
+  Grid<D>& grid_;
   Interrupt& interrupt_;
-  Partition<D> partition_;
-  std::vector<std::unique_ptr<Side>> sides_;  // one side, or two
+  std::vector<Side> sides_;
   std::vector<Scan<D>> scans_;
   std::size_t scan_ = 0;
-  bool giants_met_ = false;
-  std::size_t next_stripe_ = 0;
+  bool giants_met_;
+  std::size_t next_stripe_, last_stripe_;
   Pair* batch_;
   std::size_t steps_taken_ = 0;
 };

@@ -18,7 +18,7 @@ namespace foresee::gpcd {
 template <int D>
 class Lanes {
  public:
-  explicit Lanes(GridSpace::Side::Lanes& memory) : memory_(memory) {}
+  explicit Lanes(GridSpace::Visit::Lanes& memory) : memory_(memory) {}
 
   /// Takes the boxes of `keys`, in that order, as they are seen from one stripe (its numbers along y and z).
   void gather(std::span<const Key> keys, const FloatRows<D>& rows, const Partition<D>& partition,
@@ -33,7 +33,7 @@ class Lanes {
   void make_room(std::size_t count, Columns columns);
   void classify(const Partition<D>& partition, const int (&stripe)[D]);
 
-  GridSpace::Side::Lanes& memory_;
+  GridSpace::Visit::Lanes& memory_;
   LaneView<D> view_;
   float* floats_ = nullptr;
   std::uint32_t* classes_ = nullptr;

@@ -51,33 +51,41 @@ class Buffer {
 
 /// What a grid computes in. Used by one grid at a time.
 struct GridSpace {
+  /// What is kept of the objects of one side.
   struct Side {
     Buffer<float> rows;
     Buffer<std::uint32_t> cells;
     Buffer<std::uint64_t> keys;
+  } sides[2];
+
+  /// What one thread needs to visit stripes.
+  struct Visit {
     struct Lanes {
       Buffer<float> floats;
       Buffer<std::uint32_t> words;
-    } inside, crossing;
-  } sides[2];
-  Buffer<Pair> batch;
+    } inside[2], crossing[2];
+    Buffer<Pair> batch;
+  } visit;
 
   /// After each query: the space stays at most some times as large as the last one needed.
   void trim() {
-    for (Side& side : sides) {
-      side.rows.trim(), side.cells.trim(), side.keys.trim();
-      for (Side::Lanes* lanes : {&side.inside, &side.crossing}) lanes->floats.trim(), lanes->words.trim();
-    }
-    batch.trim();
+    for_each([](auto& buffer) { buffer.trim(); });
   }
-  std::size_t bytes() const {
-    std::size_t sum = batch.bytes();
-    for (const Side& side : sides) {
-      sum += side.rows.bytes() + side.cells.bytes() + side.keys.bytes();
-      for (const Side::Lanes* lanes : {&side.inside, &side.crossing})
-        sum += lanes->floats.bytes() + lanes->words.bytes();
-    }
+  std::size_t bytes() {
+    std::size_t sum = 0;
+    for_each([&sum](auto& buffer) { sum += buffer.bytes(); });
     return sum;
+  }
+
+ private:
+  template <class Work>
+  void for_each(Work work) {
+    for (int i = 0; i < 2; ++i) {
+      work(sides[i].rows), work(sides[i].cells), work(sides[i].keys);
+      for (Visit::Lanes* lanes : {&visit.inside[i], &visit.crossing[i]})
+        work(lanes->floats), work(lanes->words);
+    }
+    work(visit.batch);
   }
 };
 

@@ -1,0 +1,157 @@
+#include "query/slab_helpers.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+
+#include "index/together.h"
+#include "motion/float_environment.h"
+#include "query/join_candidates.h"
+
+namespace foresee {
+namespace {
+
+constexpr std::size_t parts_ahead_per_helper = 4;
+constexpr std::size_t batches_ahead = 8;  // of a part; a batch is at most some thousand rows
+constexpr std::chrono::milliseconds between_checks{1};
+
+struct Part {
+  std::deque<SlabBatch> batches;
+  std::exception_ptr failure;
+  bool done = false;
+};
+
+}  // namespace
+
+struct SlabHelpers::Shared {
+  Shared(const JoinQuestion& asked, const TimeSlab& part_of_time, bool sorted, const Contact::Reach& reach,
+         Interrupt& asked_while_waiting)
+      : question(asked),
+        slab(part_of_time),
+        sorts(sorted),
+        interrupt(asked_while_waiting),
+        candidates(divided_candidates(question, slab.horizon, reach, interrupt)),
+        parts(candidates->parts()) {}
+
+  ~Shared() {
+    {
+      const std::lock_guard lock(mutex);
+      stop.stop();
+    }
+    changed.notify_all();
+    threads.clear();
+  }
+
+  /// What a helper does.
+  void run(ContactStage& stage) noexcept {
+    const FloatEnvironment environment;
+    for (std::size_t i; take_part(i);) {
+      try {
+        answer(i, stage);
+      } catch (...) {
+        const std::lock_guard lock(mutex);
+        parts[i].failure = std::current_exception();
+      }
+      const std::lock_guard lock(mutex);
+      parts[i].done = true;
+      changed.notify_all();
+    }
+  }
+
+  bool take_part(std::size_t& part) {
+    std::unique_lock lock(mutex);
+    changed.wait(lock, [this] { return stop.stopped() || taken >= parts.size() || taken < read + ahead; });
+    if (stop.stopped() || taken >= parts.size()) return false;
+    part = taken++;
+    return true;
+  }
+
+  void answer(std::size_t i, ContactStage& stage) {
+    const std::unique_ptr<Candidates> part = candidates->part(i, stop);
+    std::vector<Pair> pairs;
+    for (; part->next(pairs); pairs.clear()) {
+      SlabBatch batch;
+      stage.ask(pairs, slab, batch.hits);
+      if (!sorts) stage.write(batch.hits, batch.rows), batch.hits = {};
+      if (!batch.rows.empty() || !batch.hits.pairs.empty()) hand_over(i, std::move(batch));
+    }
+  }
+
+  void hand_over(std::size_t i, SlabBatch batch) {
+    std::unique_lock lock(mutex);
+    changed.wait(lock, [&] { return stop.stopped() || parts[i].batches.size() < batches_ahead; });
+    stop.check();
+    parts[i].batches.push_back(std::move(batch));
+    changed.notify_all();
+  }
+
+  /// What the caller does: false once there are no batches left.
+  bool next(SlabBatch& batch) {
+    std::unique_lock lock(mutex);
+    while (read < parts.size()) {
+      Part& part = parts[read];
+      if (!part.batches.empty()) {
+        batch = std::move(part.batches.front());
+        part.batches.pop_front();
+        changed.notify_all();
+        return true;
+      }
+      if (part.failure) std::rethrow_exception(part.failure);
+      if (part.done) {
+        ++read;
+        changed.notify_all();
+        continue;
+      }
+      changed.wait_for(lock, between_checks);
+      lock.unlock();
+      interrupt.check();
+      lock.lock();
+    }
+    return false;
+  }
+
+  const JoinQuestion& question;
+  const TimeSlab slab;
+  const bool sorts;
+  Interrupt& interrupt;
+  std::unique_ptr<DividedCandidates> candidates;
+  std::size_t ahead = 0;
+  HelperInterrupt stop;
+
+  std::mutex mutex;  // guards what follows
+  std::condition_variable changed;
+  std::vector<Part> parts;
+  std::size_t taken = 0, read = 0;
+
+  std::deque<ContactStage> stages;    // one a helper
+  std::vector<std::jthread> threads;  // last: ended first
+};
+
+SlabHelpers::SlabHelpers(const JoinQuestion& question, const TimeSlab& slab, bool sorts,
+                         const Contact::Reach& reach, Interrupt& interrupt)
+    : shared_(std::make_unique<Shared>(question, slab, sorts, reach, interrupt)) {
+  Shared& shared = *shared_;
+  shared.ahead = parts_ahead_per_helper * question.helpers;
+  shared.threads.reserve(question.helpers);
+  for (std::size_t i = 0; i < question.helpers; ++i) shared.stages.emplace_back(question, shared.stop);
+  for (ContactStage& stage : shared.stages) {
+    try {
+      shared.threads.emplace_back([&shared, &stage] { shared.run(stage); });
+    } catch (const std::system_error&) {
+      if (shared.threads.empty()) throw std::bad_alloc();  // the system is out of what threads are made of
+      break;
+    }
+  }
+}
+
+SlabHelpers::~SlabHelpers() = default;
+
+bool SlabHelpers::next(SlabBatch& batch) {
+  return shared_->next(batch);
+}
+
+}  // namespace foresee

@@ -1,0 +1,40 @@
+// One time slab of a join, answered by helper threads: candidates, contact and rows part by part, while the
+// caller reads.
+//
+//   SlabHelpers helpers(question, slab, reach, interrupt);
+//   while (helpers.next(batch)) …                        // in the order of one thread
+//
+// Helpers never call SQLite. Each takes the next part of the grid; a part that is not yet read waits once it
+// has some thousand rows, and no helper runs far ahead, so memory stays bounded. The caller looks for an
+// interrupt while it waits. What a helper throws, next() throws in its place among the batches.
+#pragma once
+
+#include "query/contact_stage.h"
+
+namespace foresee {
+
+struct SlabBatch {
+  Hits hits;                  ///< where the question wants an order
+  std::vector<JoinRow> rows;  ///< where it does not
+};
+
+class SlabHelpers {
+ public:
+  /// Enters the slab's objects into a grid with question.helpers threads, then starts them. All must outlive
+  /// this. `sorts`: batches have hits, else rows.
+  SlabHelpers(const JoinQuestion& question, const TimeSlab& slab, bool sorts, const Contact::Reach& reach,
+              Interrupt& interrupt);
+  /// Stops the helpers, which takes them a millisecond.
+  ~SlabHelpers();
+  SlabHelpers(const SlabHelpers&) = delete;
+  SlabHelpers& operator=(const SlabHelpers&) = delete;
+
+  /// The next batch, which may be empty; false once there are none left.
+  bool next(SlabBatch& batch);
+
+ private:
+  struct Shared;
+  std::unique_ptr<Shared> shared_;
+};
+
+}  // namespace foresee

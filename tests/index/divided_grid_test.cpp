@@ -1,0 +1,78 @@
+// A grid visited by several threads has the candidates of the grid, in its order.
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "index/gpcd_grid/gpcd_grid.h"
+#include "index/pairs.h"
+#include "index/together.h"
+
+namespace foresee::testing {
+namespace {
+
+NeverInterrupt never;
+
+/// The parts' candidates, part after part, from threads that take every third part.
+std::vector<Pair> from_three_threads(DividedCandidates& grid) {
+  std::vector<std::vector<Pair>> parts(grid.parts());
+  run_together(2, never, [&](std::size_t mine, std::size_t threads, Interrupt& interrupt) {
+    for (std::size_t i = mine; i < parts.size(); i += threads) parts[i] = drain(*grid.part(i, interrupt));
+  });
+  std::vector<Pair> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+template <int D>
+void expect_same(SceneKind kind, std::size_t count) {
+  const auto scene_of_seed = [&](std::uint64_t seed) {
+    return random_scene({.layout = {.axes = D, .law = Law::accelerated, .shape = Shape::box, .has_t = true},
+                         .kind = kind,
+                         .count = count,
+                         .seed = seed});
+  };
+  const RandomScene one = scene_of_seed(1), other = scene_of_seed(2);
+  const MovingBoxes<D> a{one.bodies(), one.horizon(), Vec<D>::Zero()};
+  const MovingBoxes<D> b{other.bodies(), one.horizon(), Vec<D>::Zero()};
+  for (const MovingBoxes<D>* second : {static_cast<const MovingBoxes<D>*>(nullptr), &b}) {
+    const auto divided = make_divided_grid<D>(a, second, 2, never, nullptr);
+    EXPECT_GE(divided->parts(), D > 1 ? 3u : 1u) << name_of(kind);
+    EXPECT_EQ(from_three_threads(*divided), drain(*make_gpcd_grid<D>(a, second, never))) << name_of(kind);
+  }
+}
+
+TEST(DividedGrid, HasTheCandidatesOfTheGridInItsOrder) {
+  for (SceneKind kind : {SceneKind::uniform, SceneKind::one_giant, SceneKind::one_fast}) {
+    expect_same<1>(kind, 20000);
+    expect_same<2>(kind, 30000);
+    expect_same<3>(kind, 20000);
+  }
+}
+
+TEST(DividedGrid, OfNobodyHasNoCandidates) {
+  const Bodies nobody{Layout{.axes = 2}, nullptr, 0};
+  const auto divided = make_divided_grid<2>({nobody, {0, 1}, Vec<2>::Zero()}, nullptr, 2, never, nullptr);
+  EXPECT_TRUE(from_three_threads(*divided).empty());
+}
+
+TEST(Together, DoesEveryPartOnceAndThrowsWhatAPartThrows) {
+  for (std::size_t helpers : {0u, 1u, 3u}) {
+    std::vector<int> done(helpers + 1);
+    run_together(helpers, never, [&](std::size_t part, std::size_t parts, Interrupt&) {
+      EXPECT_EQ(parts, helpers + 1);
+      ++done[part];
+    });
+    EXPECT_EQ(done, std::vector<int>(helpers + 1, 1));
+    for (std::size_t bad = 0; bad <= helpers; ++bad)
+      EXPECT_THROW(run_together(helpers, never,
+                                [bad](std::size_t part, std::size_t, Interrupt& interrupt) {
+                                  if (part == bad) throw std::bad_alloc();
+                                  if (bad == 0 && part > 0)
+                                    for (;;) interrupt.check();  // stopped by the part that failed
+                                }),
+                   std::bad_alloc);
+  }
+}
+
+}  // namespace
+}  // namespace foresee::testing

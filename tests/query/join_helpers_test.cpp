@@ -1,0 +1,94 @@
+// Helper threads change no row and not their order; interrupts and failures reach the caller.
+#include <gtest/gtest.h>
+
+#include "query/join_cases.h"
+#include "query/join_plan.h"
+
+namespace foresee {
+namespace {
+
+using testing::numbers_of;
+using testing::random_scene;
+using testing::scene_of;
+using testing::SceneKind;
+
+JoinQuestion question_of(SceneKind kind, const Layout& layout, std::size_t count) {
+  const auto scene = random_scene({.layout = layout, .kind = kind, .count = count, .seed = 21});
+  return {.a = scene_of(scene), .now = scene.now, .h = scene.h, .within = scene.within};
+}
+
+const Layout discs{.axes = 2, .law = Law::uniform, .shape = Shape::ball};
+
+std::vector<double> numbers_in_order(const JoinQuestion& question) {
+  NeverInterrupt never;
+  Join join(question, never);
+  std::vector<JoinRow> all;
+  for (auto rows = join.next(); !rows.empty(); rows = join.next())
+    all.insert(all.end(), rows.begin(), rows.end());
+  return numbers_of(all);
+}
+
+TEST(JoinHelpers, GiveTheSameRowsInTheSameOrder) {
+  std::vector<JoinQuestion> questions = {
+      question_of(SceneKind::uniform, discs, 15000), question_of(SceneKind::one_giant, discs, 15000),
+      question_of(SceneKind::one_fast, {.axes = 3, .law = Law::accelerated, .shape = Shape::box}, 14000)};
+  questions.push_back(questions[0]);
+  questions.back().h = 20;
+  questions.push_back(questions[0]);
+  questions.back().b = questions[1].a;
+  for (JoinQuestion& question : questions)
+    for (JoinOrder order : {JoinOrder::any, JoinOrder::by_t_and_ids}) {
+      question.order = order, question.helpers = 0;
+      const auto alone = numbers_in_order(question);
+      EXPECT_GT(alone.size(), 9 * 4096u) << "several batches";
+      for (std::size_t helpers : {1u, 3u}) {
+        question.helpers = helpers;
+        EXPECT_TRUE(plan_join(question, {}).with_helpers);
+        EXPECT_EQ(numbers_in_order(question), alone) << helpers;
+      }
+    }
+}
+
+TEST(JoinHelpers, AreLeftAloneBySmallScenes) {
+  JoinQuestion question = question_of(SceneKind::uniform, discs, 1000);
+  question.helpers = 8;
+  EXPECT_FALSE(plan_join(question, {}).with_helpers);
+}
+
+TEST(JoinHelpers, EndWithAJoinThatIsNotReadToItsEnd) {
+  JoinQuestion question = question_of(SceneKind::one_spot, discs, 20000);  // 200 million pairs
+  question.helpers = 2;
+  NeverInterrupt never;
+  for (int batches : {0, 1, 20}) {
+    Join join(question, never);
+    for (int i = 0; i < batches; ++i) EXPECT_FALSE(join.next().empty());
+  }
+}
+
+/// Asks to stop at one of the first checks.
+struct StopAt final : Interrupt {
+  explicit StopAt(int checks) : checks_left(checks) {}
+  void check() override {
+    if (--checks_left < 0) throw Interrupted();
+  }
+  int checks_left;
+};
+
+TEST(JoinHelpers, AreStoppedByAnInterrupt) {
+  JoinQuestion question = question_of(SceneKind::one_spot, discs, 20000);
+  question.helpers = 2, question.order = JoinOrder::by_dt;
+  for (int checks : {0, 1, 5, 30}) {
+    StopAt stop(checks);
+    EXPECT_THROW(
+        {
+          Join join(question, stop);
+          while (!join.next().empty()) {
+          }
+        },
+        Interrupted)
+        << checks;
+  }
+}
+
+}  // namespace
+}  // namespace foresee
