@@ -27,10 +27,13 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
 
   void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) override {
     const FloatEnvironment environment;
-    in_lanes(pairs, [&](const Pair& pair, int l) {
-      if (lanes_.misses[l] > 0) return;
-      if (lanes_.touches_now[l] > 0 || lanes_.meets[l] > 0 || this->touches(row_a(pair), row_b(pair)))
-        hits.push_back(pair);
+    in_lanes(pairs, [&](std::span<const Pair> some) {
+      for (int l = 0; l < static_cast<int>(some.size()); ++l) {
+        if (lanes_.misses[l] > 0) continue;
+        const Pair& pair = some[static_cast<std::size_t>(l)];
+        if (lanes_.touches_now[l] > 0 || lanes_.meets[l] > 0 || this->touches(row_a(pair), row_b(pair)))
+          hits.push_back(pair);
+      }
     });
   }
 
@@ -38,30 +41,34 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
                       std::vector<ContactTimes>& times) override {
     const FloatEnvironment environment;
     ContactTimes found;
-    in_lanes(pairs, [&](const Pair& pair, int l) {
-      if (lanes_.misses[l] > 0) return;
-      if (!quick_contact(pair, l, wanted, found) &&
-          !this->first_contact(row_a(pair), row_b(pair), wanted, found))
-        return;
-      hits.push_back(pair);
-      times.push_back(found);
+    in_lanes(pairs, [&](std::span<const Pair> some) {
+      find_meetings_of(some);
+      for (int l = 0; l < static_cast<int>(some.size()); ++l) {
+        if (lanes_.misses[l] > 0) continue;
+        const Pair& pair = some[static_cast<std::size_t>(l)];
+        if (!quick_contact(pair, l, wanted, found) &&
+            !this->first_contact(row_a(pair), row_b(pair), wanted, found))
+          continue;
+        hits.push_back(pair);
+        times.push_back(found);
+      }
     });
   }
 
  private:
   using Lanes = BoxLanes<D, Degree>;
 
-  /// Settles the pairs, some at a time, and visits each with its lane.
+  /// Settles the pairs, some at a time, and visits those.
   template <class Visit>
   void in_lanes(std::span<const Pair> pairs, Visit&& visit) {
     for (std::size_t begin = 0; begin < pairs.size(); begin += Lanes::width) {
-      const std::size_t count = std::min<std::size_t>(Lanes::width, pairs.size() - begin);
-      for (std::size_t l = 0; l < count; ++l) {
+      const auto some = pairs.subspan(begin, std::min<std::size_t>(Lanes::width, pairs.size() - begin));
+      for (std::size_t l = 0; l < some.size(); ++l) {
         this->fetch_ahead(pairs, begin + l);
-        put(row_a(pairs[begin + l]), row_b(pairs[begin + l]), static_cast<int>(l));
+        put(row_a(some[l]), row_b(some[l]), static_cast<int>(l));
       }
       settle(lanes_);
-      for (std::size_t l = 0; l < count; ++l) visit(pairs[begin + l], static_cast<int>(l));
+      visit(some);
     }
   }
 
@@ -93,14 +100,13 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
 
   /// The times, where the lane tells them.
   bool quick_contact(const Pair& pair, int l, TimesWanted wanted, ContactTimes& found) const {
-    const double *a = row_a(pair), *b = row_b(pair);
-    Instant begin{0, setup_.horizon.now}, end = begin;
     const bool touches_now = lanes_.touches_now[l] > 0;
-    if (!touches_now) {
-      if (!(lanes_.meets_first[l] > 0)) return false;
-      begin = meeting(a, b, l);
-    }
+    if (!touches_now && !(lanes_.meets_first[l] > 0)) return false;
+    const Instant begin =
+        touches_now ? Instant{0, setup_.horizon.now} : Instant{meetings_.dt[l], meetings_.t[l]};
+    Instant end = begin;
     if (wanted == TimesWanted::both && begin.known()) {
+      const double *a = row_a(pair), *b = row_b(pair);
       const Moments moments = moments_of(setup_, a, b);
       const double from = touches_now ? 0 : lanes_.after[l];
       end = this->end_of_contact(this->track(a, b, moments), from, moments, a, b);
@@ -109,22 +115,27 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
     return begin.known() && end.known();
   }
 
-  /// When the pair of a lane that meets_first() does so.
-  Instant meeting(const double* a, const double* b, int l) const {
-    constexpr double u = unit_roundoff, tiny = 0x1p-900;
+  /// Finds the moments of all pairs that meet on their lanes.
+  void find_meetings_of(std::span<const Pair> pairs) {
+    bool any = false;
+    for (int l = 0; l < static_cast<int>(pairs.size()); ++l) {
+      if (!(lanes_.meets_first[l] > 0)) continue;
+      put_meeting(row_a(pairs[static_cast<std::size_t>(l)]), row_b(pairs[static_cast<std::size_t>(l)]), l);
+      any = true;
+    }
+    if (any) find_meetings(meetings_, setup_.horizon.now);
+  }
+
+  [[gnu::flatten]] void put_meeting(const double* a, const double* b, int l) {
     const int j = static_cast<int>(lanes_.axis[l]);
-    const double x = lanes_.x[j][l], v = lanes_.v[j][l], half_turn = lanes_.moment[l] * lanes_.a[j][l];
-    const double tau = lanes_.moment[l], speed = std::abs(v) + std::abs(half_turn);
-    const double error = lanes_.ex[j][l] + tau * lanes_.ev[j][l] +
-                         32 * u * (std::abs(x) + lanes_.half[j][l] + tau * speed) + tiny;
-    const double rate = v + 2 * half_turn, rate_error = lanes_.ev[j][l] + 16 * u * speed + tiny;
     const auto course = axis_course_of<DoubleDouble>(setup_, a, b, j);
-    const DoubleDouble t{tau, 0}, place = course.x + t * (course.v + t * course.a);
     const DoubleDouble half = this->template sizes<DoubleDouble>(a, b).half[j];
-    // DoubleDouble loses at most 2^-97 of what the bound for doubles counts in 2^-53.
-    return root_of<Way::in>({x >= 0 ? place - half : -place - half, error * 0x1p-44 + tiny,
-                             x >= 0 ? rate : -rate, rate_error, 2 * std::abs(lanes_.a[j][l]) + tiny},
-                            setup_.horizon.now, tau, lanes_.after[l] - lanes_.before[l]);
+    MeetingLanes& m = meetings_;
+    m.x[l] = course.x.high, m.v[l] = course.v.high, m.a[l] = course.a.high, m.half[l] = half.high;
+    m.x_low[l] = course.x.low, m.v_low[l] = course.v.low, m.a_low[l] = course.a.low, m.half_low[l] = half.low;
+    m.ex[l] = lanes_.ex[j][l], m.ev[l] = lanes_.ev[j][l];
+    m.side[l] = lanes_.x[j][l] < 0 ? -1 : 1;
+    m.moment[l] = lanes_.moment[l], m.room[l] = lanes_.after[l] - lanes_.before[l];
   }
 
   const double* row_a(const Pair& pair) const { return setup_.a.row(pair.a); }
@@ -134,6 +145,7 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
   /// Of some bodies the motion may end within the horizon, or it is too long for what lanes look at.
   const bool own_ends_ = setup_.a.layout.has_until || setup_.b.layout.has_until || setup_.horizon.h > 0x1p39;
   Lanes lanes_;
+  MeetingLanes meetings_;
 };
 
 }  // namespace foresee

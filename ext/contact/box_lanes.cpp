@@ -15,6 +15,14 @@ void settle(BoxLanes<D, Degree>& lanes) {
   settle_here(lanes);
 }
 
+void find_meetings(MeetingLanes& lanes, double now) {
+#if defined(__x86_64__)
+  if (simd_in_use() == Simd::avx512) return find_meetings_avx512(lanes, now);
+  if (simd_in_use() == Simd::avx2) return find_meetings_avx2(lanes, now);
+#endif
+  find_meetings_here(lanes, now);
+}
+
 template void settle(BoxLanes<1, 1>&);
 template void settle(BoxLanes<1, 2>&);
 template void settle(BoxLanes<2, 1>&);

@@ -41,12 +41,27 @@ struct BoxLanes {
 template <int D, int Degree>
 void settle(BoxLanes<D, Degree>& lanes);
 
+/// When? The course and the half extents, in DoubleDouble, on the axis on which the boxes of each lane meet.
+struct MeetingLanes {
+  static constexpr int width = 8;
+
+  double x[width] = {}, v[width] = {}, a[width] = {}, half[width] = {};
+  double x_low[width] = {}, v_low[width] = {}, a_low[width] = {}, half_low[width] = {};
+  double ex[width] = {}, ev[width] = {};                          ///< as in BoxLanes
+  double side[width] = {}, moment[width] = {}, room[width] = {};  ///< 1 or -1: of x; after - before
+
+  double dt[width], t[width];  ///< what find_meetings() finds, each rounded once; NaN where it cannot tell
+};
+void find_meetings(MeetingLanes& lanes, double now);
+
 #if defined(__x86_64__)
 // The same for CPUs that have more than the build asks for; each in a file compiled for that CPU.
 template <int D, int Degree>
 void settle_avx2(BoxLanes<D, Degree>& lanes);
 template <int D, int Degree>
 void settle_avx512(BoxLanes<D, Degree>& lanes);
+void find_meetings_avx2(MeetingLanes& lanes, double now);
+void find_meetings_avx512(MeetingLanes& lanes, double now);
 #endif
 
 }  // namespace foresee

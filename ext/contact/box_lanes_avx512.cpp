@@ -9,6 +9,10 @@ void settle_avx512(BoxLanes<D, Degree>& lanes) {
   settle_here(lanes);
 }
 
+void find_meetings_avx512(MeetingLanes& lanes, double now) {
+  find_meetings_here(lanes, now);
+}
+
 template void settle_avx512(BoxLanes<1, 1>&);
 template void settle_avx512(BoxLanes<1, 2>&);
 template void settle_avx512(BoxLanes<2, 1>&);

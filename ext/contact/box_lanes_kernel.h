@@ -10,6 +10,7 @@
 #pragma once
 
 #include "contact/box_lanes.h"
+#include "contact/crossed_root.h"
 
 namespace foresee {
 namespace {
@@ -110,6 +111,24 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
     lanes.meets[l] = meets;
     lanes.meets_first[l] = least(apart_before, meets);
     lanes.moment[l] = moment, lanes.before[l] = before, lanes.after[l] = after, lanes.axis[l] = axis;
+  }
+}
+
+void find_meetings_here(MeetingLanes& lanes, double now) {
+  for (int l = 0; l < lanes.width; ++l) {
+    const double tau = lanes.moment[l], side = lanes.side[l], half_turn = tau * lanes.a[l];
+    const double speed = size_of(lanes.v[l]) + size_of(half_turn);
+    const double error =
+        error_bound(lanes.ex[l] + tau * lanes.ev[l], size_of(lanes.x[l]) + lanes.half[l] + tau * speed);
+    const DoubleDouble t{tau, 0}, x{lanes.x[l], lanes.x_low[l]}, v{lanes.v[l], lanes.v_low[l]},
+        a{lanes.a[l], lanes.a_low[l]}, half{lanes.half[l], lanes.half_low[l]};
+    const DoubleDouble place = x + t * (v + t * a);
+    const DoubleDouble value = DoubleDouble{side * place.high, side * place.low} - half;
+    // DoubleDouble loses at most 2^-97 of what the bound for doubles counts in 2^-53.
+    const Crossed crossed{value, error * 0x1p-44 + underflow, side * (lanes.v[l] + 2 * half_turn),
+                          lanes.ev[l] + 0x1p-49 * speed + underflow, 2 * size_of(lanes.a[l]) + underflow};
+    const Instant meeting = root_of<Way::in>(crossed, now, tau, lanes.room[l]);
+    lanes.dt[l] = meeting.dt, lanes.t[l] = meeting.t;
   }
 }
 

@@ -7,15 +7,10 @@
 // compared: rounding keeps order. What this cannot settle is NaN.
 #pragma once
 
+#include "contact/crossed_root.h"
 #include "contact/track.h"
 
 namespace foresee {
-
-/// A moment from `now` and absolute, each rounded once.
-struct Instant {
-  double dt, t;
-  bool known() const { return dt == dt && t == t; }
-};
 
 inline Instant unknown_instant() {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -30,43 +25,6 @@ inline Instant later(const Instant& a, const Instant& b) {
 inline Instant earlier(const Instant& a, const Instant& b) {
   if (!a.known() || !b.known()) return unknown_instant();
   return {std::min(a.dt, b.dt), std::min(a.t, b.t)};
-}
-
-/// base + s for every s within `radius` of `step`, rounded; unknown if they round differently.
-inline Instant rounded_instant(double now, double base, double step, double radius) {
-  const double low = step - radius, high = step + radius;
-  const DoubleDouble moment = sum(now, base);
-  const double wider = radius + 4 * unit_roundoff * (std::abs(moment.low) + std::abs(step));
-  const double t_low = moment.high + ((moment.low + step) - wider);
-  const double t_high = moment.high + ((moment.low + step) + wider);
-  if (base + low == base + high && t_low == t_high) return {base + low, t_low};
-  return unknown_instant();
-}
-
-/// Which way a primitive is crossed: from outside in (the begin of contact) or from inside out (its end).
-enum class Way : std::uint8_t { in, out };
-
-/// A primitive's polynomial near bracket.before: value in DoubleDouble, slope and bend in double. Inside: p
-/// <= 0.
-struct Crossed {
-  DoubleDouble value;
-  double value_error;
-  double slope, slope_error;
-  double bend;  ///< bound on |p''| / 2 in the bracket
-};
-
-/// The root of a polynomial known to be crossed in the given way, or unknown.
-template <Way way>
-Instant root_of(const Crossed& p, double now, double base, double width) {
-  const double steep = way == Way::in ? -p.slope : p.slope;
-  const double step = -p.value.high / p.slope;
-  const double reach = std::max(width, 2 * std::abs(step));
-  // Monotone, and at least half as steep as at the base, wherever the root can be.
-  if (!(steep - p.slope_error - 2 * p.bend * reach > 0.5 * steep)) return unknown_instant();
-  const double lost = p.value_error + std::abs(p.value.low) + p.bend * step * step;
-  const double radius =
-      2 * (lost / steep) + 2 * std::abs(step) * (p.slope_error / steep + 4 * unit_roundoff) + 0x1p-1060;
-  return rounded_instant(now, base, step, radius);
 }
 
 template <Way way, int D, int Degree>

@@ -10,31 +10,33 @@
 
 namespace foresee {
 
+constexpr double unit_roundoff = 0x1p-53;
+
 struct DoubleDouble {
   double high = 0;
   double low = 0;
 };
 
 /// a + b exactly (Knuth).
-inline DoubleDouble sum(double a, double b) {
+[[gnu::always_inline]] inline DoubleDouble sum(double a, double b) {
   const double s = a + b;
   const double b_part = s - a;
   return {s, (a - (s - b_part)) + (b - b_part)};
 }
 
 /// a - b exactly.
-inline DoubleDouble difference(double a, double b) {
+[[gnu::always_inline]] inline DoubleDouble difference(double a, double b) {
   return sum(a, -b);
 }
 
 /// a + b exactly. Requires: |a| >= |b| or a == 0.
-inline DoubleDouble ordered_sum(double a, double b) {
+[[gnu::always_inline]] inline DoubleDouble ordered_sum(double a, double b) {
   const double s = a + b;
   return {s, b - (s - a)};
 }
 
 /// a * b exactly, unless it under- or overflows (Dekker).
-inline DoubleDouble product(double a, double b) {
+[[gnu::always_inline]] inline DoubleDouble product(double a, double b) {
   constexpr double splitter = 134217729;  // 2^27 + 1
   const double p = a * b;
   const double ca = splitter * a, cb = splitter * b;
@@ -43,31 +45,31 @@ inline DoubleDouble product(double a, double b) {
   return {p, ((a_high * b_high - p) + a_high * b_low + a_low * b_high) + a_low * b_low};
 }
 
-inline DoubleDouble operator-(DoubleDouble a) {
+[[gnu::always_inline]] inline DoubleDouble operator-(DoubleDouble a) {
   return {-a.high, -a.low};
 }
 
-inline DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
+[[gnu::always_inline]] inline DoubleDouble operator+(DoubleDouble a, DoubleDouble b) {
   const DoubleDouble high = sum(a.high, b.high), low = sum(a.low, b.low);
   const DoubleDouble middle = ordered_sum(high.high, high.low + low.high);
   return ordered_sum(middle.high, low.low + middle.low);
 }
 
-inline DoubleDouble operator-(DoubleDouble a, DoubleDouble b) {
+[[gnu::always_inline]] inline DoubleDouble operator-(DoubleDouble a, DoubleDouble b) {
   return a + -b;
 }
 
-inline DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
+[[gnu::always_inline]] inline DoubleDouble operator*(DoubleDouble a, DoubleDouble b) {
   const DoubleDouble p = product(a.high, b.high);
   return ordered_sum(p.high, p.low + (a.high * b.low + a.low * b.high));
 }
 
 /// Exact unless it underflows.
-inline DoubleDouble half_of(DoubleDouble a) {
+[[gnu::always_inline]] inline DoubleDouble half_of(DoubleDouble a) {
   return {a.high * 0.5, a.low * 0.5};
 }
 
-inline DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
+[[gnu::always_inline]] inline DoubleDouble operator/(DoubleDouble a, DoubleDouble b) {
   const double first = a.high / b.high;
   const DoubleDouble rest = a - DoubleDouble{first, 0} * b;
   const double second = rest.high / b.high;

@@ -10,8 +10,6 @@
 
 namespace foresee {
 
-constexpr double unit_roundoff = 0x1p-53;
-
 /// What underflow loses while no time exceeds 2^40.
 constexpr double usual_underflow = 0x1p-988;
 
