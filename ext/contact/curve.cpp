@@ -1,9 +1,9 @@
 #include "contact/curve.h"
 
-#include <bit>
 #include <cmath>
-#include <limits>
 
+#include "contact/narrowing.h"
+#include "contact/quadratic_formula.h"
 #include "contact/quadratic_root.h"
 
 namespace foresee {
@@ -20,34 +20,88 @@ int side_of_root(Curve& curve, int which, int sign, auto&& sign_of_slope) {
   return slope == which ? 0 : slope;
 }
 
-/// Doubles in their order as whole numbers.
-std::int64_t place_of(double value) {
-  const auto pattern = std::bit_cast<std::int64_t>(value + 0.0);
-  return pattern >= 0 ? pattern : std::numeric_limits<std::int64_t>::min() - pattern;
-}
-double double_at(std::int64_t place) {
-  return std::bit_cast<double>(place >= 0 ? place : std::numeric_limits<std::int64_t>::min() - place);
-}
-
 /// As rounding has it, infinity stands for 2^1024.
 Dyadic as_bound(double value) {
   if (std::isfinite(value)) return Dyadic(value);
   return value > 0 ? Dyadic::power_of_two(1024) : -Dyadic::power_of_two(1024);
 }
 
+/// Is the event, a simple root of a polynomial that `divisor` divides, a root of it too?
+bool has_root_at(const Polynomial& divisor, const Event& event) {
+  return sign_at(divisor, event.bracket->low) * sign_at(divisor, event.bracket->high) <= 0;
+}
+
 }  // namespace
 
-Root& Event::root() {
-  if (!narrowed) narrowed = std::make_unique<Root>(curve->exact(), low.dyadic(), high.dyadic(), sign_low);
-  return *narrowed;
+Precise Event::enclosure(int bits) {
+  if (known) return {*known, bits};
+  if (!bracket) bracket = std::make_unique<Bracket>(Bracket{at.low().dyadic(), at.high().dyadic(), 0, 0});
+  Bracket& b = *bracket;
+  if (b.bits < bits) {
+    b.bits = bits;
+    if (curve->degree() > 2) {
+      narrow(bits);
+    } else {
+      const Precise root = by_formula(bits);
+      b.low = root.low(), b.high = root.high();
+    }
+  }
+  return Precise::hull(b.low, b.high, bits);
+}
+
+void Event::narrow(int bits) {
+  Bracket& b = *bracket;
+  const auto p = curve->precise(bits);
+  const int degree = curve->degree();
+  // Seen from the nearer end, which may be next to the root of another curve, a few digits tell.
+  const bool from_low = value_at(p, degree, Precise(half_of(b.low + b.high), bits)).sign() != b.sign_low;
+  const Dyadic origin = from_low ? b.low : b.high;
+  auto local = around(p, degree, Precise(origin, bits));
+  if (!from_low) local[1] = -local[1], local[3] = -local[3];
+  Dyadic near, far = b.high - b.low;
+  const int enough = b.high.sign() == 0 ? 0 : b.high.magnitude() - bits;
+  for (int length = 128; length < bits && (far - near).sign() > 0 && (far - near).magnitude() > enough;
+       length *= 2) {
+    Powers<Precise> cut;
+    std::transform(local.begin(), local.end(), cut.begin(),
+                   [&](const Precise& c) { return c.cut_to(length); });
+    const Narrowing<Precise> n(cut, degree, near, far, from_low ? b.sign_low : -b.sign_low, length);
+    near = n.low, far = n.high;
+  }
+  b.low = from_low ? origin + near : origin - far;
+  b.high = from_low ? origin + far : origin - near;
+}
+
+Precise Event::by_formula(int bits) const {
+  const auto c = curve->precise(bits);
+  if (curve->degree() == 1) return -c[0] / c[1];
+  if (which == 0) return -c[1] / c[2].scaled(1);
+  const Precise d = c[1] * c[1] - (c[0] * c[2]).scaled(2);
+  if (d.sign() == unknown_sign) return {at, bits};
+  return roots_of_quadratic(c, d)[which < 0 ? 0 : 1];
 }
 
 int compare(Event& x, const Dyadic& y) {
   if (x.known) return (*x.known - y).sign();
   Curve& curve = *x.curve;
-  if (curve.degree() > 2) return x.root().compare(y);
+  if (curve.degree() > 2) {
+    if (y < x.bracket->low) return 1;
+    if (x.bracket->high < y) return -1;
+    const int sign = curve.sign_at(y);
+    return sign == x.bracket->sign_low ? 1 : -sign * sign;
+  }
   return -side_of_root(curve, x.which, curve.sign_at(y), [&] { return curve.slope().sign_at(y); });
 }
+
+namespace {
+/// Of different moments, narrowed until they are apart.
+int compare_by_length(Event& x, Event& y) {
+  for (int bits = first_length;; bits *= 2) {
+    const int sign = (x.enclosure(bits) - y.enclosure(bits)).sign();
+    if (sign != unknown_sign) return sign;
+  }
+}
+}  // namespace
 
 int compare(Event& x, Event& y) {
   if (&x == &y) return 0;
@@ -55,31 +109,29 @@ int compare(Event& x, Event& y) {
   if (rough != unknown_sign) return rough;
   if (y.known) return compare(x, *y.known);
   if (x.known) return -compare(y, *x.known);
+  if (surely_coprime(x.curve->exact(), y.curve->exact())) return compare_by_length(x, y);
   if (y.curve->degree() <= 2)
     return side_of_root(*y.curve, y.which, y.curve->sign_at(x), [&] { return y.curve->slope().sign_at(x); });
   if (x.curve->degree() <= 2) return -compare(y, x);
-  const Dyadic low = y.root().low(), high = y.root().high();
-  const int after_low = compare(x, low);
-  if (after_low <= 0 || low == high) return after_low;
-  if (compare(x, high) >= 0) return 1;
+  // Copies, as the bracket may be narrowed meanwhile.
+  const Dyadic low = y.bracket->low, high = y.bracket->high;
+  if (compare(x, low) < 0) return -1;
+  if (compare(x, high) > 0) return 1;
   const int sign = y.curve->sign_at(x);
-  return sign == y.sign_low ? -1 : sign == 0 ? 0 : 1;
+  return sign == y.bracket->sign_low ? -1 : sign * sign;
 }
 
 double rounded(Event& event, const Dyadic& offset) {
   const Wide moment = event.at + Wide(offset);
-  std::int64_t low = place_of(moment.low().rounded()), high = place_of(moment.high().rounded());
-  // The answer is one of [low, high]; where they differ, exact comparisons narrow them.
-  while (low < high - 1) {
-    const std::int64_t middle = low / 2 + high / 2 + (low % 2 + high % 2) / 2;
-    const int side = compare(event, Dyadic(double_at(middle)) - offset);
-    if (side == 0) return double_at(middle);
-    (side > 0 ? low : high) = middle;
+  double low = moment.low().rounded(), high = moment.high().rounded();
+  for (int bits = first_length; low != high && std::nextafter(low, high) != high; bits *= 2) {
+    const Precise enclosure = event.enclosure(bits);
+    low = rounded(enclosure.low() + offset), high = rounded(enclosure.high() + offset);
   }
-  if (low == high) return double_at(low);
-  const Dyadic tie = half_of(as_bound(double_at(low)) + as_bound(double_at(high)));
+  if (low == high) return low;
+  const Dyadic tie = half_of(as_bound(low) + as_bound(high));
   const int side = compare(event, tie - offset);
-  return side == 0 ? rounded(tie) : double_at(side < 0 ? low : high);
+  return side == 0 ? rounded(tie) : side < 0 ? low : high;
 }
 
 const Polynomial& Curve::exact() {
@@ -92,7 +144,13 @@ const Polynomial& Curve::exact() {
 void Curve::sharpen() {
   const Polynomial& p = exact();
   degree_ = p.degree;
-  for (int k = 0; k <= most; ++k) rough_[k] = k <= degree_ ? Wide(Dyadic(p.c[k], 0)) : Wide();
+  for (int k = 0; k <= most; ++k) rough_[k] = k <= degree_ ? Wide(p.c[k]) : Wide();
+}
+
+std::array<Precise, Curve::most + 1> Curve::precise(int bits) {
+  std::array<Precise, most + 1> c;
+  for (int k = 0; k <= exact().degree; ++k) c[k] = Precise(exact().c[k], bits);
+  return c;
 }
 
 int Curve::degree() {
@@ -122,38 +180,45 @@ Event& Curve::add_root(int which, const Wide& at) {
   return event;
 }
 
-Event& Curve::add_root(const Wide& low, const Wide& high, int sign_low) {
-  Event& event = add_root(0, Wide::hull(low, high));
-  event.low = low, event.high = high, event.sign_low = sign_low;
-  return event;
-}
-
-Event& Curve::add_root(Root&& root, int sign_low) {
-  Event& event = add_root(Wide(root.low()).low(), Wide(root.high()).high(), sign_low);
-  event.narrowed = std::make_unique<Root>(std::move(root));
+Event& Curve::add_root(const Dyadic& low, const Dyadic& high, int sign_low) {
+  Event& event = add_root(0, Wide::hull(Wide(low), Wide(high)));
+  event.bracket = std::make_unique<Event::Bracket>(Event::Bracket{low, high, sign_low, 0});
   return event;
 }
 
 Wide Curve::value_at(const Wide& tau) const {
-  const int highest = degree_ <= most ? degree_ : most;
-  if (highest < 0) return {};
-  Wide value = rough_[highest];
-  for (int k = highest - 1; k >= 0; --k) value = value * tau + rough_[k];
-  return value;
+  return foresee::value_at(rough_, degree_ <= most ? degree_ : most, tau);
 }
+
+namespace {
+/// Near a turn, where the slope almost vanishes, an enclosure half as long will do.
+Precise value_within(const Powers<Precise>& p, int degree, const Precise& x, int bits) {
+  const Precise middle(x.middle(), bits);
+  return value_at(around(p, degree, middle), degree, x - middle);
+}
+}  // namespace
 
 int Curve::sign_at(Event& event) {
   if (event.curve == this) return 0;
-  const int sign = value_at(event.at).sign();
+  if (event.known) return sign_at(*event.known);
+  int sign = value_at(event.at).sign();
   if (sign != unknown_sign) return sign;
-  if (event.known) return foresee::sign_at(exact(), *event.known);
-  if (event.curve->degree() <= 2) return sign_at_root(exact(), event.curve->exact(), event.which);
-  return event.root().sign_of(exact());
+  const Polynomial &p = event.curve->exact(), &q = exact();
+  if (!surely_coprime(p, q)) {
+    if (p.degree <= 2) return sign_at_root(q, p, event.which);
+    if (has_root_at(common_divisor(p, q), event)) return 0;
+  }
+  const bool turns = event.curve->parent_ == this;
+  for (int bits = first_length; sign == unknown_sign; bits *= 2)
+    sign = value_within(precise(bits), q.degree, event.enclosure(turns ? bits / 2 : bits), bits).sign();
+  return sign;
 }
 
 int Curve::sign_at(const Dyadic& tau) {
-  const int sign = value_at(Wide(tau)).sign();
-  return sign != unknown_sign ? sign : foresee::sign_at(exact(), tau);
+  int sign = value_at(Wide(tau)).sign();
+  for (int bits = first_length; sign == unknown_sign; bits *= 2)
+    sign = foresee::value_at(precise(bits), exact().degree, Precise(tau, bits)).sign();
+  return sign;
 }
 
 }  // namespace foresee

@@ -2,16 +2,17 @@
 // end.
 //
 // Each question is first put to numbers of 128 bits with error bounds (Wide). Only where those cannot tell,
-// in ties and what is nearer than some 2^-100, are the integers made and asked. Nothing is ever decided by a
-// tolerance. An event is never computed: it is a root with an enclosure, and everything about it follows from
-// exact signs.
+// in ties and what is nearer than some 2^-100, are the exact coefficients made. If they show that two curves
+// may have a common root, exact algebra tells whether it is this one; if not, numbers of 512, 1024, ... bits
+// (Precise) tell the sign in the end. Nothing is ever decided by a tolerance. An event is never computed: it
+// is a root with an enclosure, and everything about it follows from signs.
 #pragma once
 
 #include <array>
 #include <memory>
 
-#include "contact/roots.h"
-#include "contact/wide.h"
+#include "contact/polynomial.h"
+#include "contact/precise.h"
 
 namespace foresee {
 
@@ -33,12 +34,22 @@ struct Event {
   const Dyadic* known = nullptr;  ///< a moment given exactly
   Curve* curve = nullptr;         ///< otherwise: the curve that has its root here
   int which = 0;                  ///< degree 1 and 2: -1 the lesser root, 1 the greater, 0 the only one
-  /// Degree 3 and 4: the ends of `at`, between which the curve has this root alone and changes its sign.
-  Wide low, high;
-  int sign_low = 0;
-  std::unique_ptr<Root> narrowed;  ///< the same in integers, once needed
+  /// [low, high] holds this root. Degree 3 and 4: this one alone, a simple one at which the sign changes.
+  struct Bracket {
+    Dyadic low, high;
+    int sign_low;
+    int bits;  ///< how far it has been narrowed
+  };
+  std::unique_ptr<Bracket> bracket;
 
-  Root& root();
+  /// Encloses it in numbers of so many bits, the more the narrower.
+  Precise enclosure(int bits);
+
+ private:
+  /// Degree 3 and 4: narrows the bracket.
+  void narrow(int bits);
+  /// Degree 1 and 2.
+  Precise by_formula(int bits) const;
 };
 
 /// The sign of x - y.
@@ -61,6 +72,7 @@ class Curve {
   int lead() { return degree() < 0 ? 0 : rough_[degree_].side(); }  ///< sign of the leading coefficient
   const Coefficients& rough() const { return rough_; }
   const Polynomial& exact();
+  std::array<Precise, most + 1> precise(int bits);  ///< encloses the coefficients of exact()
   Curve& slope();
 
   Wide value_at(const Wide& tau) const;
@@ -72,9 +84,8 @@ class Curve {
 
   /// The event of a root of degree 1 or 2. The curve must not move afterwards.
   Event& add_root(int which, const Wide& at);
-  /// The event of a root of degree 3 or 4, alone between two exact numbers.
-  Event& add_root(const Wide& low, const Wide& high, int sign_low);
-  Event& add_root(Root&& root, int sign_low);
+  /// The event of a root of degree 3 or 4, a simple one and alone between two numbers.
+  Event& add_root(const Dyadic& low, const Dyadic& high, int sign_low);
 
  private:
   Coefficients rough_;

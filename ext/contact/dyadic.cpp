@@ -7,6 +7,30 @@
 
 namespace foresee {
 
+namespace {
+constexpr int limb_bits = std::numeric_limits<boost::multiprecision::limb_type>::digits;
+}
+
+int length_of(const Integer& value) {
+  const auto& digits = value.backend();
+  return static_cast<int>(digits.size()) * limb_bits - std::countl_zero(digits.limbs()[digits.size() - 1]);
+}
+
+int zeros_of(const Integer& value) {
+  const auto* digit = value.backend().limbs();
+  int zeros = 0;
+  for (; *digit == 0; ++digit) zeros += limb_bits;
+  return zeros + std::countr_zero(*digit);
+}
+
+Integer without_last(Integer value, int bits) {
+  const bool negative = value.sign() < 0;
+  value.backend().sign(false);
+  value >>= bits;
+  if (negative) value.backend().negate();
+  return value;
+}
+
 Dyadic::Dyadic(double value) {
   if (value == 0) return;
   constexpr int digits = std::numeric_limits<double>::digits;
@@ -17,7 +41,13 @@ Dyadic::Dyadic(double value) {
 }
 
 int Dyadic::magnitude() const {
-  return static_cast<int>(msb(abs(mantissa_))) + exponent_;
+  return length_of(mantissa_) - 1 + exponent_;
+}
+
+Dyadic Dyadic::reduced() const {
+  if (sign() == 0) return {};
+  const int zeros = zeros_of(mantissa_);
+  return zeros == 0 ? *this : Dyadic(without_last(mantissa_, zeros), exponent_ + zeros);
 }
 
 Dyadic operator+(const Dyadic& a, const Dyadic& b) {

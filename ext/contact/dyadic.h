@@ -17,6 +17,13 @@ using Integer = boost::multiprecision::number<
                                            boost::multiprecision::unchecked>,
     boost::multiprecision::et_off>;
 
+/// Bits of the magnitude; 0 of 0.
+int length_of(const Integer& value);
+/// How often 2 divides it. Requires: not 0.
+int zeros_of(const Integer& value);
+/// Without its last bits, towards 0. (>> of Boost 1.74 loses the sign of some negative numbers.)
+Integer without_last(Integer value, int bits);
+
 class Dyadic {
  public:
   Dyadic() = default;
@@ -30,6 +37,8 @@ class Dyadic {
   int exponent() const { return exponent_; }
   /// floor(log2 |value|). Requires: not zero.
   int magnitude() const;
+  /// The same number with an odd mantissa.
+  Dyadic reduced() const;
   /// value 2^shift
   Dyadic scaled(int shift) const { return {mantissa_, exponent_ + shift}; }
 

@@ -1,114 +1,105 @@
 #include "contact/polynomial.h"
 
-#include <limits>
+#include <utility>
+
+#include "contact/residue.h"
 
 namespace foresee {
 namespace {
 
-/// Multiplies by the divisor's leading coefficient as often as needed; returns the quotient, leaves the
-/// remainder.
-Polynomial pseudo_divide(Polynomial& a, const Polynomial& b) {
-  Polynomial quotient;
-  quotient.degree = a.degree - b.degree;
-  const Integer lead = b.c[b.degree];
-  for (int k = a.degree - b.degree; k >= 0; --k) {
-    const Integer top = a.c[k + b.degree];
-    for (int i = 0; i <= a.degree; ++i) a.c[i] *= lead;
-    for (int i = 0; i <= quotient.degree; ++i) quotient.c[i] *= lead;
-    for (int i = 0; i <= b.degree; ++i) a.c[k + i] -= top * b.c[i];
-    quotient.c[k] = top;
-  }
-  a.trim();
-  quotient.trim();
-  return quotient;
+/// Requires: b divides a; both reduced, so that its mantissa divides a's.
+Dyadic exact_quotient(const Dyadic& a, const Dyadic& b) {
+  return {a.mantissa() / b.mantissa(), a.exponent() - b.exponent()};
 }
 
-Integer power(const Integer& base, int exponent) {
-  Integer result = 1;
-  for (int i = 0; i < exponent; ++i) result *= base;
+Dyadic power(const Dyadic& base, int exponent) {
+  Dyadic result(1.0);
+  for (int i = 0; i < exponent; ++i) result = result * base;
   return result;
 }
 
+/// a becomes its remainder, times the divisor's leading coefficient for every step.
+template <class Coefficients>
+void pseudo_divide(Coefficients& a, int degree_a, const Coefficients& b, int degree_b) {
+  for (int k = degree_a; k >= degree_b; --k) {
+    const auto top = std::exchange(a[k], {});
+    for (int i = 0; i < k; ++i) {
+      a[i] = a[i] * b[degree_b];
+      const int place = i - (k - degree_b);
+      if (place >= 0) a[i] = a[i] - top * b[place];
+    }
+  }
+}
+
+struct Residues {
+  std::array<Residue, Polynomial::most + 1> c;
+  int degree;
+
+  explicit Residues(const Polynomial& p) : degree(p.degree) {
+    for (int k = 0; k <= degree; ++k) c[k] = Residue(p.c[k]);
+    trim();
+  }
+  void trim() {
+    while (degree >= 0 && c[degree].is_zero()) --degree;
+  }
+};
+
 }  // namespace
 
-Polynomial::Polynomial(const std::array<Dyadic, most + 1>& coefficients) {
-  int least = std::numeric_limits<int>::max();
-  for (const Dyadic& d : coefficients)
-    if (d.sign() != 0) least = std::min(least, d.exponent());
-  for (int k = 0; k <= most; ++k)
-    if (coefficients[k].sign() != 0)
-      c[k] = coefficients[k].mantissa() << (coefficients[k].exponent() - least);
-  degree = most;
+Polynomial::Polynomial(const std::array<Dyadic, most + 1>& coefficients) : degree(most) {
+  for (int k = 0; k <= most; ++k) c[k] = coefficients[k].reduced();
   trim();
 }
 
 void Polynomial::trim() {
-  while (degree >= 0 && c[degree].is_zero()) --degree;
+  while (degree >= 0 && c[degree].sign() == 0) --degree;
 }
 
 Dyadic value_at(const Polynomial& p, const Dyadic& x) {
   Dyadic value;
-  for (int k = p.degree; k >= 0; --k) value = value * x + Dyadic(p.c[k], 0);
+  for (int k = p.degree; k >= 0; --k) value = value * x + p.c[k];
   return value;
 }
 
 Polynomial derivative(const Polynomial& p) {
-  Polynomial d;
-  d.degree = p.degree < 1 ? -1 : p.degree - 1;
-  for (int k = 1; k <= p.degree; ++k) d.c[k - 1] = p.c[k] * k;
-  return d;
+  std::array<Dyadic, Polynomial::most + 1> slope;
+  for (int k = 1; k <= p.degree; ++k) slope[k - 1] = p.c[k] * Dyadic(k);
+  return Polynomial(slope);
+}
+
+Dyadic discriminant(const Polynomial& p) {
+  return p.c[1] * p.c[1] - (p.c[0] * p.c[2]).scaled(2);
 }
 
 Polynomial common_divisor(Polynomial a, Polynomial b) {
-  // Subresultant remainders: coefficients grow in proportion, and no integer divisors have to be searched.
+  // Subresultant remainders: coefficients grow in proportion, and no divisors have to be searched.
   if (a.degree < b.degree) std::swap(a, b);
-  Integer g = 1, h = 1;
+  Dyadic g(1.0), h(1.0);
   while (b.degree > 0) {
     const int drop = a.degree - b.degree;
-    const Integer divisor = g * power(h, drop);
-    pseudo_divide(a, b);
+    const Dyadic divisor = (g * power(h, drop)).reduced();
+    pseudo_divide(a.c, a.degree, b.c, b.degree);
+    a.trim();
     std::swap(a, b);
     if (b.degree < 0) return a;
-    for (int k = 0; k <= b.degree; ++k) b.c[k] /= divisor;
+    for (int k = 0; k <= b.degree; ++k) b.c[k] = exact_quotient(b.c[k].reduced(), divisor);
     g = a.c[a.degree];
-    h = drop == 0 ? h : power(g, drop) / power(h, drop - 1);
+    h = drop == 0 ? h : exact_quotient(power(g, drop).reduced(), power(h, drop - 1).reduced());
   }
-  if (b.degree < 0) return a;
-  Polynomial one;
-  one.degree = 0;
-  one.c[0] = 1;
-  return one;
+  return b.degree < 0 ? a : b;
 }
 
-Polynomial square_free(const Polynomial& p) {
-  const Polynomial repeated = common_divisor(p, derivative(p));
-  if (repeated.degree == 0) return p;
-  Polynomial rest = p;
-  return pseudo_divide(rest, repeated);
-}
-
-Descartes descartes(const Polynomial& p, const Dyadic& low, const Dyadic& high) {
-  Descartes answer{0, 0};
-  if (p.degree < 0) return answer;
-  // p(low + width y) by repeated synthetic division, then powers of the width.
-  std::array<Dyadic, Polynomial::most + 1> d;
-  for (int k = 0; k <= p.degree; ++k) d[k] = Dyadic(p.c[k], 0);
-  for (int k = 0; k < p.degree; ++k)
-    for (int i = p.degree - 1; i >= k; --i) d[i] = d[i] + low * d[i + 1];
-  const Dyadic width = high - low;
-  Dyadic scale = width;
-  for (int k = 1; k <= p.degree; ++k, scale = scale * width) d[k] = d[k] * scale;
-  int last = 0;
-  for (int i = 0; i <= p.degree; ++i) {
-    Dyadic b;
-    for (int k = 0; k <= i; ++k) b = b + d[k] * Dyadic(Integer(bernstein_weight(p.degree, i, k)), 0);
-    const int sign = b.sign();
-    if (sign == 0) continue;
-    if (answer.first == 0) answer.first = sign;
-    if (last != 0 && sign != last) ++answer.variations;
-    last = sign;
+bool surely_coprime(const Polynomial& p, const Polynomial& q) {
+  Residues a(p), b(q);
+  // A common divisor's leading coefficient divides both; where it may vanish there is no proof.
+  if (a.degree < p.degree && b.degree < q.degree) return false;
+  if (a.degree < b.degree) std::swap(a, b);
+  while (b.degree > 0) {
+    pseudo_divide(a.c, a.degree, b.c, b.degree);
+    a.trim();
+    std::swap(a, b);
   }
-  return answer;
+  return b.degree == 0;
 }
 
 }  // namespace foresee

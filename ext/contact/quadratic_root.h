@@ -2,7 +2,7 @@
 //
 // At r = (-b + which sqrt D) / 2a every polynomial is alpha + beta sqrt D, up to a positive factor: its
 // remainder on division by the quadratic is linear. The signs of alpha and beta, and if they differ that of
-// alpha^2 - beta^2 D, decide. Cost: about twenty products of integers, no loop that converges.
+// alpha^2 - beta^2 D, decide. Cost: about twenty products, no loop that converges.
 #pragma once
 
 #include "contact/polynomial.h"
@@ -12,10 +12,5 @@ namespace foresee {
 /// p's roots are told apart by `which`: -1 the lesser, 1 the greater, 0 the only one.
 /// Requires: p has degree 1 or 2 and has that root.
 int sign_at_root(const Polynomial& q, const Polynomial& p, int which);
-
-/// c1^2 - 4 c0 c2
-inline Integer discriminant(const Polynomial& p) {
-  return p.c[1] * p.c[1] - 4 * p.c[0] * p.c[2];
-}
 
 }  // namespace foresee

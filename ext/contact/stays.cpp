@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "contact/quadratic_root.h"
+#include "contact/narrowing.h"
+#include "contact/quadratic_formula.h"
 
 namespace foresee {
 namespace {
@@ -19,18 +20,13 @@ struct Waypoints {
   void add(Event* event, int sign) { list[count++] = {event, sign}; }
 };
 
-struct Events {
-  std::array<Event*, Curve::most> list;
-  int count = 0;
-};
-
 /// Sign of the discriminant; the coefficients or `discriminant` are made sharper where that takes integers.
 int discriminant_of(Curve& curve, Wide& d) {
   const auto& c = curve.rough();
   d = c[1] * c[1] - (c[0] * c[2]).scaled(2);
   if (d.sign() == unknown_sign || (c[1].sign() == unknown_sign && d.sign() > 0)) {
     curve.sharpen();
-    d = Wide(Dyadic(discriminant(curve.exact()), 0));
+    d = Wide(discriminant(curve.exact()));
   }
   return d.sign();
 }
@@ -52,14 +48,9 @@ Events roots_by_formula(Curve& curve) {
     roots.list[roots.count++] = &curve.add_root(0, -c[1] / c[2].scaled(1));
     return roots;
   }
-  // -b and the root of D with one sign: nothing cancels. That is the lesser root if b / a > 0.
-  const Wide root = sqrt(d);
-  const bool positive = c[1].side() >= 0;
-  const Wide sum = half_of(positive ? -c[1] - root : root - c[1]);
-  const Wide one = sum / c[2], other = c[0] / sum;
-  const bool lesser = positive == (curve.lead() > 0);
-  roots.list[0] = &curve.add_root(-1, lesser ? one : other);
-  roots.list[1] = &curve.add_root(1, lesser ? other : one);
+  const auto [lesser, greater] = roots_of_quadratic(c, d);
+  roots.list[0] = &curve.add_root(-1, lesser);
+  roots.list[1] = &curve.add_root(1, greater);
   roots.count = 2;
   return roots;
 }
@@ -86,135 +77,31 @@ Stays inside_by_formula(Curve& curve, const Asked& asked) {
   return clipped({{begin, one}, {other, end}}, asked);
 }
 
-/// Strictly between two numbers: their middle, or the middle of the exponents where these are far apart.
-/// Requires: 0 <= low < high, both exact.
-Wide between(const Wide& low, const Wide& high, int round) {
-  if (low.sign() == 0) return high.scaled(-(1 << std::min(round, 12)));
-  const int least = low.magnitude(), most = high.magnitude();
-  if (most - least >= 2) return Wide(1.0).scaled(least + (most - least + 1) / 2);
-  return half_of(low + high).middle();
-}
-
-bool less(const Wide& a, const Wide& b) {
-  return (b - a).sign() == 1;
-}
-
-/// A bracket of one simple root that closes in on it as far as 128 bits can tell its signs.
-class Narrowing {
- public:
-  Narrowing(Curve& curve, const Wide& low, const Wide& high, int sign_low)
-      : curve_(curve), low_(low), high_(high), sign_low_(sign_low) {}
-
-  Event& event() {
-    close_in();
-    return curve_.add_root(low_, high_, sign_low_);
-  }
-
- private:
-  /// Newton's steps, kept inside the bracket; where one leaves it or does not help, the middle.
-  void close_in() {
-    int round = 0;
-    while (low_.sign() == 0 || high_.magnitude() - low_.magnitude() >= 2) {
-      const Wide x = between(low_, high_, round++);
-      if (!look_at(x)) return pinch(x, x.magnitude() - most_digits);
-    }
-    Wide x = between(low_, high_, round);
-    for (int step = 0; step < 200; ++step) {
-      const Wide value = curve_.value_at(x), steep = curve_.slope().value_at(x);
-      if (!narrow(x, value)) return pinch(x, x.magnitude() - most_digits);
-      const int slope_sign = steep.sign();
-      Wide next = between(low_, high_, round);
-      if (slope_sign != 0 && slope_sign != unknown_sign && step % 8 != 7) {
-        const Wide move = (value / steep).middle();
-        if (move.side() == 0 || move.magnitude() < x.magnitude() - most_digits)
-          return pinch(x, x.magnitude() - most_digits);
-        const Wide newton = (x - move).middle();
-        if (less(low_, newton) && less(newton, high_)) next = newton;
-      }
-      if (!less(low_, next) || !less(next, high_)) return;
-      x = next;
-    }
-  }
-
-  /// Looks on both sides of x, at ever greater distance until the signs are certain.
-  void pinch(const Wide& x, int magnitude) {
-    for (int attempt = 0; attempt < 10; ++attempt, magnitude += 8) {
-      const Wide away = Wide(1.0).scaled(magnitude);
-      const Wide left = (x - away).middle(), right = (x + away).middle();
-      if (less(low_, left)) look_at(left);
-      if (less(right, high_)) look_at(right);
-      if (less(high_ - low_, away.scaled(2))) return;
-    }
-  }
-
-  bool look_at(const Wide& x) { return narrow(x, curve_.value_at(x)); }
-  /// False if the sign is not certain, or 0.
-  bool narrow(const Wide& x, const Wide& value) {
-    const int sign = value.sign();
-    if (sign == 0 || sign == unknown_sign) return false;
-    (sign == sign_low_ ? low_ : high_) = x;
-    return true;
-  }
-
-  static constexpr int most_digits = 112;
-
-  Curve& curve_;
-  Wide low_, high_;
-  int sign_low_;
-};
-
-/// Exact bounds of an event that can be narrowed as far as one likes.
-class Bounds {
- public:
-  explicit Bounds(Event& event) : event_(event) {
-    low = event.known ? *event.known : event.at.low().dyadic();
-    high = event.known ? *event.known : event.at.high().dyadic();
-    if (low.sign() < 0) low = Dyadic();  // no moment is before now
-  }
-
-  void narrow() {
-    if (low == high) return;
-    if (event_.curve->degree() > 2) {
-      event_.root().narrow(round_++);
-      low = event_.root().low(), high = event_.root().high();
-      return;
-    }
-    const Dyadic middle = half_of(low + high);
-    const int side = compare(event_, middle);
-    if (side >= 0) low = middle;
-    if (side <= 0) high = middle;
-  }
-
-  Dyadic low, high;
-
- private:
-  Event& event_;
-  int round_ = 0;
-};
-
 /// The only root between two neighbours at which the signs differ.
 Event& root_between(Curve& curve, Event& before, Event& after, int sign_before) {
   const Wide low = before.at.high(), high = after.at.low();
-  if (less(low, high) && curve.value_at(low).sign() == sign_before &&
-      curve.value_at(high).sign() == -sign_before)
-    return Narrowing(curve, low, high, sign_before).event();
-  // So near to a neighbour that 128 bits do not tell them apart.
-  Bounds left(before), right(after);
-  while (!(left.high < right.low)) left.narrow(), right.narrow();
-  while (curve.sign_at(left.high) != sign_before) left.narrow();
-  while (curve.sign_at(right.low) != -sign_before) right.narrow();
-  Root root(curve.exact(), left.high, right.low, sign_before);
-  for (int round = 0; round < 200 && !root.exact(); ++round) {
-    if (root.low().sign() != 0 && (root.high() - root.low()).magnitude() < root.low().magnitude() - 120)
-      break;
-    root.narrow(round);
+  if ((high - low).sign() == 1 && curve.value_at(low).sign() == sign_before &&
+      curve.value_at(high).sign() == -sign_before) {
+    const Narrowing<Wide> narrow(curve.rough(), curve.degree(), low, high, sign_before, 128);
+    return curve.add_root(narrow.low.dyadic(), narrow.high.dyadic(), sign_before);
   }
-  return curve.add_root(std::move(root), sign_before);
+  // So near to a neighbour that 128 bits do not tell them apart.
+  for (int bits = first_length;; bits *= 2) {
+    const Dyadic left = before.enclosure(bits).high(), right = after.enclosure(bits).low();
+    const auto sign_at = [&](const Dyadic& x) {
+      return value_at(curve.precise(bits), curve.degree(), Precise(x, bits)).sign();
+    };
+    if (!(left < right) || sign_at(left) != sign_before || sign_at(right) != -sign_before) continue;
+    Event& root = curve.add_root(left, right, sign_before);
+    root.enclosure(first_length);
+    return root;
+  }
 }
 
 Waypoints waypoints_of(Curve& curve, const Asked& asked);
 
-/// Where a curve of any degree is 0, strictly within the moments asked about.
+}  // namespace
+
 Events zeros_within(Curve& curve, const Asked& asked) {
   Events zeros;
   if (curve.degree() <= 2) {
@@ -230,6 +117,8 @@ Events zeros_within(Curve& curve, const Asked& asked) {
   return zeros;
 }
 
+namespace {
+
 /// The ends, the zeros of the slope, and between them the roots.
 Waypoints waypoints_of(Curve& curve, const Asked& asked) {
   const Events turns = zeros_within(curve.slope(), asked);
@@ -243,6 +132,13 @@ Waypoints waypoints_of(Curve& curve, const Asked& asked) {
     way.add(&next, sign);
   }
   return way;
+}
+
+/// 12 C(i, k) / C(n, k): from the powers of y on [0, 1] to Bernstein's form, times 12.
+constexpr int bernstein_weight(int n, int i, int k) {
+  constexpr int choose[5][5] = {
+      {1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
+  return 12 * choose[i][k] / choose[n][k];
 }
 
 /// Never 0 on the whole of it, told from Bernstein's coefficients: their sign, or 0 where they do not tell.

@@ -1,6 +1,6 @@
 // When is a polynomial at most 0? All its stays, stretches of the time asked about with exact events as ends.
 //
-// Degree 1 and 2 by the formula; a discriminant whose sign 128 bits cannot tell is taken from the integers.
+// Degree 1 and 2 by the formula; a discriminant whose sign 128 bits cannot tell is taken exactly.
 // Degree 3 and 4 by their slope: between its zeros the polynomial runs one way, so its signs there say where
 // it has roots and that there are no others. No bound on how near roots may lie to each other is needed, as a
 // sign in doubt is asked exactly.
@@ -29,6 +29,14 @@ struct Stays {
 struct Asked {
   Event &begin, &end;
 };
+
+struct Events {
+  std::array<Event*, Curve::most> list;
+  int count = 0;
+};
+
+/// Where a curve is 0, in order and strictly within the moments asked about. To be asked once.
+Events zeros_within(Curve& curve, const Asked& asked);
 
 Stays inside(Curve& curve, const Asked& asked);
 

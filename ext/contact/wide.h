@@ -4,7 +4,7 @@
 //   Wide gap = Wide(1e300) - Wide(0.1) * Wide(3);        // some double's worth of error in the 128th bit
 //   gap.sign() == 1                                       // or unknown_sign where the error reaches 0
 //
-// The stage between certified doubles and integers of any length: forty digits at some ten nanoseconds an
+// The stage between certified doubles and numbers of any length: forty digits at some ten nanoseconds an
 // operation, where a double's range does not matter (squares of 1e-300, fourth powers of 1e300). What fits
 // into 128 bits is exact and stays exact, with error 0, so that ties between numbers of few digits are
 // decided here too. Whole arithmetic only, and the same on every processor.

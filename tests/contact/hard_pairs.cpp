@@ -37,6 +37,11 @@ const Family extremes[] = {
     {.name = "many scales", .spread = 200},
 };
 
+const Family hostile[] = {
+    {.name = "hostile scales", .horizon = 1, .spread = 300},
+    {.name = "hostile scales, reference times", .ages = 1, .horizon = 1, .spread = 300},
+};
+
 void describe(std::ostream& out, const Object& o) {
   out << "  t " << o.t << " until " << o.until << " law " << static_cast<int>(o.layout.law) << " r " << o.r
       << " hz " << o.hz;
@@ -52,6 +57,10 @@ std::span<const Family> ordinary_families() {
 }
 std::span<const Family> extreme_families() {
   return extremes;
+}
+
+std::span<const Family> hostile_families() {
+  return hostile;
 }
 
 oracle::Rule rule_of(const Object& a, const Object& b, const ContactQuestion& question) {

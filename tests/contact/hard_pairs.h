@@ -31,6 +31,9 @@ std::span<const Family> ordinary_families();
 /// Families in which products leave the range of doubles.
 std::span<const Family> extreme_families();
 
+/// Families of exponents so far apart that 128 bits seldom tell.
+std::span<const Family> hostile_families();
+
 enum class Shapes {
   boxes,
   balls,

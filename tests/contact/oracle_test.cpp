@@ -94,6 +94,13 @@ TEST(Oracle, CylindersOfExtremeNumbers) {
   check_all(extreme_families(), Shapes::cylinder_and_box, {3}, 10);
 }
 
+TEST(Oracle, HostileScales) {
+  check_all(hostile_families(), Shapes::boxes, {2, 3}, 40);
+  check_all(hostile_families(), Shapes::balls, {2, 3}, 20);
+  check_all(hostile_families(), Shapes::box_and_ball, {2, 3}, 4);
+  check_all(hostile_families(), Shapes::cylinders, {3}, 10);
+}
+
 /// A judge that finds nothing wrong would prove nothing either.
 TEST(Oracle, ObjectsToAnyOtherAnswer) {
   for (const Shapes shapes : {Shapes::boxes, Shapes::balls, Shapes::box_and_ball, Shapes::cylinders}) {

@@ -1,0 +1,110 @@
+// Closing in on the one root that a polynomial has between two numbers, as far as the length of the numbers
+// allows.
+//
+// Newton's method on intervals: the root lies within x - p(x) / p'([low, high]), which is rigorous and needs
+// no signs at the new ends; it at least doubles the digits as soon as the slope has one sign. Until then the
+// sign at x halves the interval, or halves its exponent: a root may be 2^-5000 away from 0. (R. Moore,
+// "Interval Analysis", 1966, chapter 7.)
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "contact/precise.h"
+
+namespace foresee {
+
+inline Wide number(const Wide& x, int /*bits*/) {
+  return x;
+}
+inline Precise number(const Dyadic& x, int bits) {
+  return {x, bits};
+}
+inline Wide hull(const Wide& low, const Wide& high, int /*bits*/) {
+  return Wide::hull(low, high);
+}
+inline Precise hull(const Dyadic& low, const Dyadic& high, int bits) {
+  return Precise::hull(low, high, bits);
+}
+
+template <class N>
+using Powers = std::array<N, 5>;
+
+template <class N>
+N value_at(const Powers<N>& p, int degree, const N& x) {
+  if (degree < 0) return {};
+  N value = p[degree];
+  for (int k = degree - 1; k >= 0; --k) value = value * x + p[k];
+  return value;
+}
+
+/// The same polynomial by powers of the distance from x.
+template <class N>
+Powers<N> around(Powers<N> p, int degree, const N& x) {
+  for (int k = 0; k < degree; ++k)
+    for (int i = degree - 1; i >= k; --i) p[i] = p[i] + x * p[i + 1];
+  return p;
+}
+
+/// N is Wide or Precise; ends are exact numbers.
+template <class N>
+class Narrowing {
+ public:
+  using End = decltype(N().low());
+
+  /// The polynomial has one root in [low, high], at which its sign changes from `sign_low`.
+  /// Requires: 0 <= low.
+  Narrowing(const Powers<N>& p, int degree, const End& low, const End& high, int sign_low, int bits)
+      : low(low), high(high), p_(p), degree_(degree), bits_(bits), sign_low_(sign_low) {
+    while (closer()) {
+    }
+  }
+
+  End low, high;
+
+ private:
+  /// Halves the bracket at least; false if that is all.
+  bool closer() {
+    const End width = high - low;
+    const N x = number(number(between(), bits_).middle(), bits_);
+    const End place = x.middle();
+    if (!less(low, place) || !less(place, high)) return false;
+    // From x the slope is bounded far better than from 0, where almost all cancels.
+    const N rest = hull(low, high, bits_) - x;
+    const Powers<N> d = around(p_, degree_, x);
+    const N slope = d[1] + rest * (d[2].scaled(1) + rest * (d[3] * three_ + rest * d[4].scaled(2)));
+    const int sign = d[0].sign(), way = slope.sign();
+    if (sign == 0) {
+      low = high = place;
+      return false;
+    }
+    if (sign != unknown_sign) (sign == sign_low_ ? low : high) = place;
+    if (way != 0 && way != unknown_sign) {
+      const N root = x - d[0] / slope;
+      const End left = root.low(), right = root.high();
+      if (less(low, left)) low = left;
+      if (less(right, high)) high = right;
+    }
+    if (less(high - low, high.scaled(lost_digits - bits_))) return false;
+    return sign != unknown_sign || less(high - low, width.scaled(-1));
+  }
+
+  /// The middle, or that of the exponents where these are far apart.
+  End between() {
+    if (low.sign() == 0) return high.scaled(-(1 << std::min(round_++, 12)));
+    const int least = low.magnitude(), most = high.magnitude();
+    if (most - least >= 2) return End(1.0).scaled(least + (most - least + 1) / 2);
+    return half_of(low + high);
+  }
+
+  static bool less(const End& a, const End& b) { return (b - a).sign() == 1; }
+
+  static constexpr int lost_digits = 16;  ///< about as many as a step may lose
+
+  const Powers<N>& p_;
+  N three_ = number(End(3.0), 2);
+  int degree_, bits_, sign_low_;
+  int round_ = 0;
+};
+
+}  // namespace foresee

@@ -1,0 +1,129 @@
+#include "contact/precise.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foresee {
+namespace {
+
+Integer shifted(const Integer& value, int left) {
+  return left >= 0 ? Integer(value << left) : without_last(value, -left);
+}
+
+/// Off by at most 4. Requires: not negative.
+Integer rough_root(const Integer& square) {
+  const int length = length_of(square);
+  if (length <= 104) return static_cast<std::int64_t>(std::sqrt(square.convert_to<double>()));
+  // The upper half of the root and four bits more, then one of Newton's steps: off by 4^2 / 2^9 and the cut.
+  const int half = length / 4 - 4;
+  const Integer start = rough_root(square >> (2 * half)) << half;
+  return (start + square / start) >> 1;
+}
+
+}  // namespace
+
+Precise Precise::of(Integer mantissa, int exponent, int error, int bits) {
+  Precise p;
+  p.bits_ = bits;
+  int cut = length_of(mantissa) - bits;
+  if (error != none) cut = std::max(cut, error - 2 - exponent);
+  if (!mantissa.is_zero() && cut > 0) {
+    if (error != none || zeros_of(mantissa) < cut) error = both(error, exponent + cut);
+    mantissa = without_last(std::move(mantissa), cut);
+    exponent += cut;
+  }
+  p.mantissa_ = std::move(mantissa), p.exponent_ = exponent, p.error_ = error;
+  return p;
+}
+
+int Precise::both(int error, int other) {
+  if (error == none || other == none) return std::max(error, other);
+  return std::max(error, other) + 1;
+}
+
+Precise::Precise(const Wide& value, int bits)
+    : Precise(hull(value.low().dyadic(), value.high().dyadic(), bits)) {}
+
+Precise Precise::hull(const Dyadic& low, const Dyadic& high, int bits) {
+  const Dyadic middle = half_of(low + high), width = high - low;
+  return of(middle.mantissa(), middle.exponent(), width.sign() == 0 ? none : width.magnitude(), bits);
+}
+
+int Precise::sign() const {
+  if (mantissa_.is_zero()) return exact() ? 0 : unknown_sign;
+  return exact() || magnitude() > error_ ? mantissa_.sign() : unknown_sign;
+}
+
+Dyadic Precise::low() const {
+  return exact() ? middle() : middle() - Dyadic::power_of_two(error_);
+}
+
+Dyadic Precise::high() const {
+  return exact() ? middle() : middle() + Dyadic::power_of_two(error_);
+}
+
+Precise Precise::scaled(int shift) const {
+  Precise p = *this;
+  p.exponent_ += shift, p.error_ = times(error_, shift);
+  return p;
+}
+
+Precise operator-(Precise a) {
+  a.mantissa_ = -a.mantissa_;
+  return a;
+}
+
+Precise operator+(const Precise& a, const Precise& b) {
+  if (a.is_zero()) return b;
+  if (b.is_zero()) return a;
+  const int bits = std::max(a.bits_, b.bits_);
+  int top = Precise::none;
+  for (const Precise* p : {&a, &b})
+    if (!p->mantissa_.is_zero()) top = std::max(top, p->magnitude());
+  int error = Precise::both(a.error_, b.error_);
+  if (top == Precise::none) return Precise::of(0, 0, error, bits);
+  // What lies below the last digit of the sum is cut off before.
+  const int last = std::max(top - bits - 2, std::min(a.exponent_, b.exponent_));
+  for (const Precise* p : {&a, &b})
+    if (p->exponent_ < last) error = Precise::both(error, last);
+  const Integer sum = shifted(a.mantissa_, a.exponent_ - last) + shifted(b.mantissa_, b.exponent_ - last);
+  return Precise::of(sum, last, error, bits);
+}
+
+Precise operator*(const Precise& a, const Precise& b) {
+  if (a.is_zero() || b.is_zero()) return {};
+  int error = a.exact() || b.exact() ? Precise::none : a.error_ + b.error_;
+  if (!a.mantissa_.is_zero()) error = Precise::both(error, Precise::times(b.error_, a.magnitude() + 1));
+  if (!b.mantissa_.is_zero()) error = Precise::both(error, Precise::times(a.error_, b.magnitude() + 1));
+  return Precise::of(a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_, error, std::max(a.bits_, b.bits_));
+}
+
+Precise operator/(const Precise& a, const Precise& b) {
+  if (a.is_zero()) return {};
+  const int bits = std::max(a.bits_, b.bits_), divisor = length_of(b.mantissa_),
+            divided = length_of(a.mantissa_);
+  // As many digits as mean something.
+  int wanted = bits;
+  if (!a.exact()) wanted = std::min(wanted, divided);
+  if (!b.exact()) wanted = std::min(wanted, divisor);
+  const int shift = wanted + 4 + divisor - divided;
+  const int exponent = a.exponent_ - b.exponent_ - shift;
+  // The true divisor is more than half of b; cutting a off and dividing each lose less than a unit.
+  const int least = b.magnitude() - 1;
+  int error = Precise::both(exponent + 1, Precise::times(a.error_, -least));
+  if (divided > 0)
+    error = Precise::both(error, Precise::times(b.error_, a.magnitude() + 1 - b.magnitude() - least));
+  return Precise::of(shifted(a.mantissa_, shift) / b.mantissa_, exponent, error, bits);
+}
+
+Precise sqrt(const Precise& a) {
+  if (a.is_zero()) return {};
+  int shift = 2 * a.bits_ - length_of(a.mantissa_);
+  if ((a.exponent_ - shift) % 2 != 0) --shift;
+  const int exponent = (a.exponent_ - shift) / 2;
+  // The derivative is below 2^-(magnitude / 2), as a is more than half its midpoint.
+  const int error = Precise::both(exponent + 3, Precise::times(a.error_, -(a.magnitude() - 1) / 2 + 1));
+  return Precise::of(rough_root(shifted(a.mantissa_, shift)), exponent, error, a.bits_);
+}
+
+}  // namespace foresee

@@ -1,0 +1,91 @@
+// Numbers of any length: what they enclose, how narrowly, and the quick proof that two polynomials have no
+// common root.
+#include "contact/precise.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "contact/polynomial.h"
+
+namespace foresee {
+namespace {
+
+class Numbers {
+ public:
+  /// A few dozen to some hundred bits, now and then 0.
+  Dyadic number() {
+    Dyadic sum;
+    if (random_() % 20 == 0) return sum;
+    for (int i = static_cast<int>(random_() % 8); i >= 0; --i)
+      sum = sum + Dyadic(std::ldexp(static_cast<double>(static_cast<std::int64_t>(random_())),
+                                    static_cast<int>(random_() % 400) - 200));
+    return sum;
+  }
+  int length() { return 64 + static_cast<int>(random_() % 300); }
+
+ private:
+  std::mt19937_64 random_{20260101};
+};
+
+bool holds(const Precise& enclosure, const Dyadic& exact) {
+  return enclosure.low() <= exact && exact <= enclosure.high();
+}
+
+TEST(Precise, EnclosesWhatIsExact) {
+  Numbers numbers;
+  for (int i = 0; i < 2000; ++i) {
+    const Dyadic a = numbers.number(), b = numbers.number();
+    const int bits = numbers.length();
+    const Precise x(a, bits), y(b, bits);
+    EXPECT_TRUE(holds(x, a));
+    EXPECT_TRUE(holds(x + y, a + b));
+    EXPECT_TRUE(holds(x * y, a * b));
+    EXPECT_TRUE(holds(x * x - y * y + (x + y) * (x * y), a * a - b * b + (a + b) * (a * b)));
+    EXPECT_TRUE(holds(Precise::hull(std::min(a, b), std::max(a, b), bits), a));
+    if (b.sign() != 0) {
+      const Precise quotient = x / y;
+      const Dyadic one = quotient.low() * b, other = quotient.high() * b;
+      EXPECT_TRUE(std::min(one, other) <= a && a <= std::max(one, other));
+    }
+    if (a.sign() > 0) {
+      const Precise root = sqrt(x);
+      EXPECT_TRUE(root.low() * root.low() <= a && a <= root.high() * root.high());
+    }
+  }
+}
+
+TEST(Precise, IsAsNarrowAsItIsLong) {
+  const int bits = 1000, lost = 10;
+  const Precise third = Precise(Dyadic(1.0), bits) / Precise(Dyadic(3.0), bits);
+  EXPECT_LT((third.high() - third.low()).magnitude(), lost - bits);
+  const Precise root = sqrt(Precise(Dyadic(2.0), bits));
+  EXPECT_LT((root.high() - root.low()).magnitude(), lost - bits);
+  EXPECT_EQ((root * root - Precise(Dyadic(2.0), bits)).sign(), unknown_sign);
+  EXPECT_EQ(
+      (Precise(Dyadic(1e300), 2000) + Precise(Dyadic(1e-300), 2000) - Precise(Dyadic(1e300), 2000)).sign(),
+      1);
+}
+
+/// Whose lowest word is 1: >> of Boost 1.74 makes it positive.
+TEST(Dyadic, CutNegativeNumbersStayNegative) {
+  const Integer number = -((Integer(5) << 128) + 1);
+  EXPECT_EQ(without_last(number, 3), -(Integer(5) << 125));
+}
+
+Polynomial quadratic(double c0, double c1, double c2) {
+  return Polynomial({Dyadic(c0), Dyadic(c1), Dyadic(c2), Dyadic(), Dyadic()});
+}
+
+TEST(Polynomial, CommonRootsAreFound) {
+  const Polynomial p = quadratic(-2, 0, 1), same = quadratic(6, 0, -3), apart = quadratic(-3, 0, 1);
+  EXPECT_TRUE(surely_coprime(p, apart));
+  EXPECT_FALSE(surely_coprime(p, same));
+  EXPECT_EQ(common_divisor(p, same).degree, 2);
+  EXPECT_EQ(common_divisor(quadratic(2, -3, 1), quadratic(-2, 1, 1)).degree, 1);  // both are 0 at 1
+  EXPECT_EQ(common_divisor(p, apart).degree, 0);
+}
+
+}  // namespace
+}  // namespace foresee
