@@ -107,18 +107,23 @@ Answer by_join(const std::shared_ptr<const Scene>& scene, double h, std::size_t 
 /// False if the helpers change the answer.
 bool compare_helpers(const Workload& w, const std::shared_ptr<const Scene>& scene, int repetitions) {
   constexpr std::size_t most = 2;
-  std::vector<double> seconds[most + 1];
+  std::vector<double> seconds[most + 1], processor[most + 1];
   const Answer alone = by_join(scene, w.h, 0);
   for (int i = 0; i < repetitions; ++i)
     for (std::size_t helpers = 0; helpers <= most; ++helpers) {
       const auto begin = std::chrono::steady_clock::now();
+      const double processor_begin = cpu_seconds();
       if (!by_join(scene, w.h, helpers).same_as(alone)) return false;
+      processor[helpers].push_back(cpu_seconds() - processor_begin);
       seconds[helpers].push_back(
           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
     }
-  const double milliseconds = 1000 * median(seconds[0]);
-  std::printf("    by the clock: alone %.1f ms; with 1 helper %.2fx, with 2 helpers %.2fx as fast\n\n",
-              milliseconds, median(seconds[0]) / median(seconds[1]), median(seconds[0]) / median(seconds[2]));
+  for (std::size_t helpers = 0; helpers <= most; ++helpers)
+    std::printf(
+        "    %zu helpers: %8.1f ms by the clock (%.2fx as fast as alone), %8.1f ms of processor time\n",
+        helpers, 1000 * median(seconds[helpers]), median(seconds[0]) / median(seconds[helpers]),
+        1000 * median(processor[helpers]));
+  std::printf("\n");
   return true;
 }
 

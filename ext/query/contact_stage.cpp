@@ -92,6 +92,7 @@ void ContactStage::write(Hits& hits, std::vector<JoinRow>& rows) {
       contact_->closest_approach(std::span(hits.pairs).subspan(begin, count),
                                  std::span(approaches_).subspan(begin, count));
     });
+  rows.reserve(rows.size() + hits.pairs.size());
   for (std::size_t i = 0; i < hits.pairs.size(); ++i)
     rows.push_back({a.ids[hits.pairs[i].a], b.ids[hits.pairs[i].b], hits.times[i], approaches_[i]});
 }

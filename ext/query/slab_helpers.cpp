@@ -15,7 +15,7 @@
 namespace foresee {
 namespace {
 
-constexpr std::size_t parts_ahead_per_helper = 4;
+constexpr std::size_t parts_ahead_per_helper = 16;
 constexpr std::size_t batches_ahead = 8;  // of a part; a batch is at most some thousand rows
 constexpr std::chrono::milliseconds between_checks{1};
 
@@ -73,20 +73,28 @@ struct SlabHelpers::Shared {
   void answer(std::size_t i, ContactStage& stage) {
     const std::unique_ptr<Candidates> part = candidates->part(i, stop);
     std::vector<Pair> pairs;
+    SlabBatch batch;
     for (; part->next(pairs); pairs.clear()) {
-      SlabBatch batch;
       stage.ask(pairs, slab, batch.hits);
-      if (!sorts) stage.write(batch.hits, batch.rows), batch.hits = {};
-      if (!batch.rows.empty() || !batch.hits.pairs.empty()) hand_over(i, std::move(batch));
+      batch.rows.clear();
+      if (!sorts) stage.write(batch.hits, batch.rows);
+      if (!batch.hits.pairs.empty()) batch = hand_over(i, std::move(batch));
     }
   }
 
-  void hand_over(std::size_t i, SlabBatch batch) {
+  /// Answers a batch that has been read, for its memory.
+  SlabBatch hand_over(std::size_t i, SlabBatch batch) {
     std::unique_lock lock(mutex);
     changed.wait(lock, [&] { return stop.stopped() || parts[i].batches.size() < batches_ahead; });
     stop.check();
     parts[i].batches.push_back(std::move(batch));
     changed.notify_all();
+    SlabBatch spare;
+    if (!spares.empty()) {
+      spare = std::move(spares.back());
+      spares.pop_back();
+    }
+    return spare;
   }
 
   /// What the caller does: false once there are no batches left.
@@ -95,6 +103,7 @@ struct SlabHelpers::Shared {
     while (read < parts.size()) {
       Part& part = parts[read];
       if (!part.batches.empty()) {
+        spares.push_back(std::move(batch));
         batch = std::move(part.batches.front());
         part.batches.pop_front();
         changed.notify_all();
@@ -126,6 +135,7 @@ struct SlabHelpers::Shared {
   std::condition_variable changed;
   std::vector<Part> parts;
   std::size_t taken = 0, read = 0;
+  std::vector<SlabBatch> spares;
 
   std::deque<ContactStage> stages;    // one a helper
   std::vector<std::jthread> threads;  // last: ended first

@@ -14,14 +14,14 @@
 namespace foresee {
 
 struct SlabBatch {
-  Hits hits;                  ///< where the question wants an order
-  std::vector<JoinRow> rows;  ///< where it does not
+  Hits hits;
+  std::vector<JoinRow> rows;  ///< of the hits, where they need no sorting
 };
 
 class SlabHelpers {
  public:
   /// Enters the slab's objects into a grid with question.helpers threads, then starts them. All must outlive
-  /// this. `sorts`: batches have hits, else rows.
+  /// this. `sorts`: batches have hits only.
   SlabHelpers(const JoinQuestion& question, const TimeSlab& slab, bool sorts, const Contact::Reach& reach,
               Interrupt& interrupt);
   /// Stops the helpers, which takes them a millisecond.
@@ -29,7 +29,7 @@ class SlabHelpers {
   SlabHelpers(const SlabHelpers&) = delete;
   SlabHelpers& operator=(const SlabHelpers&) = delete;
 
-  /// The next batch, which may be empty; false once there are none left.
+  /// The next batch in place of the one that has been read; false once there are none left.
   bool next(SlabBatch& batch);
 
  private:

@@ -29,7 +29,7 @@ class Grid {
     Side(const BeamSource<D>& source, const Frame<D>& frame, Columns columns, const Partition<D>& partition,
          GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
         : rows(source, frame, columns, memory.rows, helpers, interrupt),
-          stripes(partition, rows, memory, helpers, interrupt),
+          stripes(partition, rows, memory, interrupt),
           giants(partition, stripes, interrupt) {}
     FloatRows<D> rows;
     Stripes<D> stripes;

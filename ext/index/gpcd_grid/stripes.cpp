@@ -1,9 +1,6 @@
 #include "index/gpcd_grid/stripes.h"
 
-#include <atomic>
 #include <bit>
-
-#include "index/together.h"
 
 namespace foresee::gpcd {
 namespace {
@@ -45,14 +42,14 @@ void sort_keys(std::span<Key> keys, Interrupt& interrupt) {
 
 template <int D>
 Stripes<D>::Stripes(const Partition<D>& partition, const FloatRows<D>& rows, GridSpace::Side& memory,
-                    std::size_t helpers, Interrupt& interrupt)
+                    Interrupt& interrupt)
     : partition_(partition), rows_(rows) {
   const std::size_t cells = partition.stripes() * partition.buckets() + 1;
   cells_ = memory.cells.room(cells);
   std::fill_n(cells_, cells, 0);
-  count_all(helpers, interrupt);
+  count(interrupt);
   keys_ = memory.keys.room(entry_count_);
-  place_all(helpers, interrupt);
+  place(interrupt);
 }
 
 template <int D>
@@ -74,66 +71,32 @@ void Stripes<D>::for_each_cell(const FloatBox<D>& box, Visit visit) const {
   }
 }
 
-/// Adds to a counter that other threads may add to; answers what it was.
-template <bool beside_others>
-std::uint32_t add(std::uint32_t& counter, std::uint32_t number) {
-  if constexpr (beside_others) {
-    return std::atomic_ref(counter).fetch_add(number, std::memory_order_relaxed);
-  } else {
-    counter += number;
-    return counter - number;
-  }
-}
-
 template <int D>
-template <bool beside_others>
-void Stripes<D>::count(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& giants,
-                       Interrupt& interrupt) {
-  for (std::size_t i = begin; i < end; ++i) {
-    if ((i - begin) % objects_per_check == 0) interrupt.check();
+void Stripes<D>::count(Interrupt& interrupt) {
+  for (std::size_t i = 0; i < rows_.count(); ++i) {
+    if (i % objects_per_check == 0) interrupt.check();
     const FloatBox<D> box = rows_.box(i);
     if (box.is_empty()) continue;
     if (partition_.is_giant(box)) {
-      giants.push_back(static_cast<std::uint32_t>(i));
+      giants_.push_back(static_cast<std::uint32_t>(i));
       continue;
     }
-    for_each_cell(box, [this](std::size_t cell) { add<beside_others>(cells_[cell], 1); });
+    for_each_cell(box, [this](std::size_t cell) { ++cells_[cell]; });
   }
-}
-
-template <int D>
-void Stripes<D>::count_all(std::size_t helpers, Interrupt& interrupt) {
-  std::vector<std::vector<std::uint32_t>> giants(helpers + 1);
-  run_together(helpers, interrupt, [&](std::size_t part, std::size_t parts, Interrupt& asked) {
-    const std::size_t begin = part * rows_.count() / parts, end = (part + 1) * rows_.count() / parts;
-    parts > 1 ? count<true>(begin, end, giants[part], asked) : count<false>(begin, end, giants[part], asked);
-  });
-  for (const auto& some : giants) giants_.insert(giants_.end(), some.begin(), some.end());
   const std::size_t cells = partition_.stripes() * partition_.buckets() + 1;
   for (std::size_t i = 0; i < cells; ++i) cells_[i] = static_cast<std::uint32_t>(entry_count_ += cells_[i]);
   if (entry_count_ > std::numeric_limits<std::uint32_t>::max()) throw Error("too many objects for one grid");
 }
 
 template <int D>
-template <bool beside_others>
-void Stripes<D>::place(std::size_t begin, std::size_t end, Interrupt& interrupt) {
-  for (std::size_t i = end; i-- > begin;) {
+void Stripes<D>::place(Interrupt& interrupt) {
+  for (std::size_t i = rows_.count(); i-- > 0;) {
     if (i % objects_per_check == 0) interrupt.check();
     const FloatBox<D> box = rows_.box(i);
     if (box.is_empty() || partition_.is_giant(box)) continue;
     const Key key = key_of(box.lower[0], static_cast<std::uint32_t>(i));
-    for_each_cell(box, [this, key](std::size_t cell) {
-      keys_[add<beside_others>(cells_[cell], static_cast<std::uint32_t>(-1)) - 1] = key;
-    });
+    for_each_cell(box, [this, key](std::size_t cell) { keys_[--cells_[cell]] = key; });
   }
-}
-
-template <int D>
-void Stripes<D>::place_all(std::size_t helpers, Interrupt& interrupt) {
-  run_together(helpers, interrupt, [&](std::size_t part, std::size_t parts, Interrupt& asked) {
-    const std::size_t begin = part * rows_.count() / parts, end = (part + 1) * rows_.count() / parts;
-    parts > 1 ? place<true>(begin, end, asked) : place<false>(begin, end, asked);
-  });
 }
 
 template <int D>

@@ -44,24 +44,20 @@ class Stripes {
   /// Requires: rows.count() < 2^32; rows and memory outlive the stripes. Throws Error if there are more
   /// entries than 2^32.
   Stripes(const Partition<D>& partition, const FloatRows<D>& rows, GridSpace::Side& memory,
-          std::size_t helpers, Interrupt& interrupt);
+          Interrupt& interrupt);
 
   const FloatRows<D>& rows() const { return rows_; }
   /// Row numbers of the boxes outside the grid.
   const std::vector<std::uint32_t>& giants() const { return giants_; }
-  /// The boxes in one stripe, in bucket order but in any order within a bucket; the caller may sort them.
+  /// The boxes in one stripe, in bucket order; the caller may sort them.
   std::span<Key> entries(std::size_t stripe);
   std::size_t entry_count() const { return entry_count_; }
 
  private:
   template <class Visit>
   void for_each_cell(const FloatBox<D>& box, Visit visit) const;
-  template <bool beside_others>
-  void count(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& giants, Interrupt& interrupt);
-  template <bool beside_others>
-  void place(std::size_t begin, std::size_t end, Interrupt& interrupt);
-  void count_all(std::size_t helpers, Interrupt& interrupt);
-  void place_all(std::size_t helpers, Interrupt& interrupt);
+  void count(Interrupt& interrupt);
+  void place(Interrupt& interrupt);
 
   Partition<D> partition_;
   const FloatRows<D>& rows_;
