@@ -59,10 +59,9 @@ Cost plain_join(const Workload& w, bool with_times) {
   const PlainContact<D, Degree> contact(w.bodies(), w.h);
   std::vector<double> times;
   return joined<D>(w, [&](const std::vector<Pair>& candidates, std::vector<Pair>& hits) {
-    contact.decide(candidates, hits);
-    if (!with_times) return;
-    times.resize(hits.size());
-    contact.begins(hits, times);
+    if (!with_times) return contact.decide(candidates, hits);
+    times.clear();
+    contact.first_contacts(candidates, hits, times);
   });
 }
 

@@ -24,10 +24,12 @@ class PlainContact {
       if (first_contact(pairs[i]) >= 0) hits.push_back(pairs[i]);
     }
   }
-  void begins(std::span<const Pair> hits, std::span<double> out) const {
-    for (std::size_t i = 0; i < hits.size(); ++i) {
-      fetch_ahead(hits, i);
-      out[i] = first_contact(hits[i]);
+  void first_contacts(std::span<const Pair> pairs, std::vector<Pair>& hits,
+                      std::vector<double>& times) const {
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      fetch_ahead(pairs, i);
+      const double t = first_contact(pairs[i]);
+      if (t >= 0) hits.push_back(pairs[i]), times.push_back(t);
     }
   }
 

@@ -19,8 +19,8 @@
 #include <random>
 
 #include "measure.h"
+#include "sql_ours.h"
 #include "sql_rival.h"
-#include "sqlite/foresee.h"
 
 namespace foresee::bench {
 namespace {
@@ -36,23 +36,6 @@ std::vector<Row> rows_of(Statement& statement) {
   std::vector<Row> rows;
   while (statement.step()) rows.push_back({statement.integer(0), statement.integer(1), statement.number(2)});
   return rows;
-}
-
-void create_ours(Database& db) {
-  db.check(sqlite3_foresee_init(db.handle(), nullptr, nullptr));
-  db.run("CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y, vx, vy, ax, ay, hx, hy)");
-}
-
-void load_ours(Database& db, const Workload& w) {
-  Statement insert(db, "INSERT INTO ships VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
-  db.run("BEGIN");
-  for (std::size_t i = 0; i < w.count; ++i) {
-    const double* row = w.bodies().row(i);
-    insert.bind(1, static_cast<std::int64_t>(i + 1));
-    for (int k = 0; k < 8; ++k) insert.bind(2 + k, row[k]);
-    insert.step();
-  }
-  db.run("COMMIT");
 }
 
 /// Medians of both times and of their ratio, one repetition after another.
@@ -76,12 +59,12 @@ struct Comparison {
 bool compare_joins(std::size_t count, int repetitions) {
   const Workload w = make_workload("S-" + std::to_string(count));
   Database db(":memory:");
-  create_ours(db);
+  create_ours(db, w);
   load_ours(db, w);
   Rival rival(db, w);
   rival.load();
   Statement our_join(db, "SELECT a, b, t FROM predictive_join(3)");
-  Statement rival_join(db, Rival::join_sql());
+  Statement rival_join(db, rival.join_sql());
   std::vector<Row> our_rows = rows_of(our_join), rival_rows = rows_of(rival_join);  // also warms up
   std::sort(our_rows.begin(), our_rows.end());
   std::sort(rival_rows.begin(), rival_rows.end());
@@ -124,7 +107,7 @@ void compare_updates(std::size_t count, int repetitions) {
   for (const std::string& path : {ours, theirs}) std::filesystem::remove(path);
   {
     Database our_db(ours), rival_db(theirs);
-    create_ours(our_db);
+    create_ours(our_db, w);
     load_ours(our_db, w);
     Rival rival(rival_db, w);
     rival.load();
@@ -166,7 +149,7 @@ void compare_loads(std::size_t count, int repetitions, bool into_file) {
     for (const std::string& path : {ours, theirs})
       if (into_file) std::filesystem::remove(path);
     Database our_db(ours), rival_db(theirs);
-    create_ours(our_db);
+    create_ours(our_db, w);
     Rival rival(rival_db, w);
     const double our_seconds = seconds_of([&] { load_ours(our_db, w); });
     comparison.add(our_seconds, seconds_of([&] { rival.load(); }));

@@ -1,29 +1,33 @@
 #include "sql_rival.h"
 
+#include "sql_ours.h"
+
 namespace foresee::bench {
 
-Rival::Rival(Database& db, const Workload& workload) : db_(db), workload_(workload) {
-  NeverInterrupt never;
-  const Horizon horizon{0, workload.h};
-  boxes_ = swept_boxes<2>(workload.bodies(), horizon, Vec<2>::Zero(), never);
-  pair_rows_.resize(2 * static_cast<std::size_t>(workload.bodies().at.size));
+Rival::Rival(Database& db, const Workload& workload, Tables tables) : db_(db), workload_(workload) {
+  const int numbers = workload.bodies().at.size;
+  pair_rows_.resize(2 * static_cast<std::size_t>(numbers));
   const Bodies pair(workload.layout, pair_rows_.data(), 2);
-  contact_ = make_contact(pair, pair, {.horizon = horizon}, "base", "base");
-  db.run("CREATE TABLE base(id INTEGER PRIMARY KEY, x, y, vx, vy, ax, ay, hx, hy)");
+  contact_ = make_contact(pair, pair, {.horizon = {0, workload.h}}, "base", "base");
+  db.check(sqlite3_create_function(db.handle(), "first_contact", 2 * numbers,
+                                   SQLITE_UTF8 | SQLITE_DETERMINISTIC, this, first_contact, nullptr,
+                                   nullptr));
+  if (tables == stands_ready) return;
+  NeverInterrupt never;
+  boxes_ = swept_boxes<2>(workload.bodies(), {0, workload.h}, Vec<2>::Zero(), never);
+  db.run("CREATE TABLE base(id INTEGER PRIMARY KEY, " + columns_of(workload) + ")");
   db.run("CREATE VIRTUAL TABLE boxes USING rtree(id, x0, x1, y0, y1)");
-  db.check(sqlite3_create_function(db.handle(), "first_contact", 16, SQLITE_UTF8 | SQLITE_DETERMINISTIC, this,
-                                   first_contact, nullptr, nullptr));
 }
 
 void Rival::load() {
-  Statement object(db_, "INSERT INTO base VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Statement object(db_, "INSERT INTO base VALUES" + places_for(workload_));
   Statement box(db_, "INSERT INTO boxes VALUES(?, ?, ?, ?, ?)");
   db_.run("BEGIN");
   for (std::size_t i = 0; i < workload_.count; ++i) {
     const auto id = static_cast<std::int64_t>(i + 1);
     const double* row = workload_.bodies().row(i);
     object.bind(1, id);
-    for (int k = 0; k < 8; ++k) object.bind(2 + k, row[k]);
+    for (int k = 0; k < workload_.bodies().at.size; ++k) object.bind(2 + k, row[k]);
     object.step();
     box.bind(1, id);
     for (int axis = 0; axis < 2; ++axis) {
@@ -52,10 +56,16 @@ void Rival::move(Statement& object, Statement& box, std::size_t row, double dx, 
 }
 
 // LIMIT -1 keeps SQLite from flattening the subquery, which would call the function twice for every hit.
-const char* Rival::join_sql() {
-  return "SELECT a, b, t FROM (SELECT p.id AS a, q.id AS b,"
-         "  first_contact(p.x, p.y, p.vx, p.vy, p.ax, p.ay, p.hx, p.hy,"
-         "                q.x, q.y, q.vx, q.vy, q.ax, q.ay, q.hx, q.hy) AS t"
+std::string Rival::join_sql() const {
+  const auto columns_of_table = [&](const std::string& table) {
+    std::string columns = table + "." + columns_of(workload_);
+    for (std::size_t at = 0; (at = columns.find(", ", at)) != std::string::npos; at += 2 + table.size())
+      columns.insert(at + 2, table + ".");
+    return columns;
+  };
+  return "SELECT a, b, t FROM (SELECT p.id AS a, q.id AS b, first_contact(" + columns_of_table("p") + ", " +
+         columns_of_table("q") +
+         ") AS t"
          "  FROM boxes i CROSS JOIN base p CROSS JOIN boxes j CROSS JOIN base q"
          "  WHERE j.x0 <= i.x1 AND j.x1 >= i.x0 AND j.y0 <= i.y1 AND j.y1 >= i.y0 AND i.id < j.id"
          "    AND p.id = i.id AND q.id = j.id LIMIT -1) WHERE t IS NOT NULL";

@@ -14,11 +14,13 @@
 
 namespace foresee::bench {
 
-/// Objects of two axes: box, velocity and acceleration (the workloads S, K and M).
+/// Boxes of two axes (the workloads S, K, L and M).
 class Rival {
  public:
-  /// Makes the two tables in `db` and the function first_contact().
-  Rival(Database& db, const Workload& workload);
+  enum Tables { makes_tables, stands_ready };
+
+  /// Makes the two tables in `db`, unless they stand ready, and the function first_contact().
+  Rival(Database& db, const Workload& workload, Tables tables = makes_tables);
 
   /// Single-row INSERTs into both tables, in one transaction. The swept boxes are ready.
   void load();
@@ -29,7 +31,7 @@ class Rival {
   static constexpr const char* move_box_sql = "UPDATE boxes SET x0 = ?, x1 = ?, y0 = ?, y1 = ? WHERE id = ?";
 
   /// Rows (a, b, t) of the self-join over the workload's horizon.
-  static const char* join_sql();
+  std::string join_sql() const;
 
  private:
   static void first_contact(sqlite3_context* context, int count, sqlite3_value** values);

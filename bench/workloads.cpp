@@ -15,7 +15,7 @@ using testing::Random;
 /// The name's last part as a number.
 double number_at_end(const std::string& name) {
   const double number = std::strtod(name.c_str() + name.rfind('-') + 1, nullptr);
-  if (!(number >= 1)) throw Error("workload '" + name + "' needs a number at its end");
+  if (!(number > 0)) throw Error("workload '" + name + "' needs a number at its end");
   return number;
 }
 
@@ -79,6 +79,15 @@ void cluster(Workload& w) {
     rows.insert(rows.end(), w.rows.begin() + static_cast<std::ptrdiff_t>(i * size),
                 w.rows.begin() + static_cast<std::ptrdiff_t>((i + 1) * size));
   w.rows = std::move(rows);
+}
+
+/// So many per cent of the objects, spread evenly over the rows, 100 times larger.
+void add_giants(Workload& w, double per_cent) {
+  const Offsets at = w.bodies().at;
+  const auto step = static_cast<std::size_t>(100 / per_cent);
+  for (std::size_t i = step / 2; i < w.count; i += step)
+    for (int axis = 0; axis < 2; ++axis)
+      w.rows[i * static_cast<std::size_t>(at.size) + static_cast<std::size_t>(at.half + axis)] *= 100;
 }
 
 /// Draws centres on one axis of [0, 10000].
@@ -164,6 +173,11 @@ Workload make_workload(const std::string& name) {
   const double number = number_at_end(name);
   const auto count = static_cast<std::size_t>(number);
   if (name.starts_with("S-")) return plane(name, count, Law::accelerated, 3);
+  if (name.starts_with("G-")) {
+    Workload w = plane(name, 100000, Law::accelerated, 3);
+    add_giants(w, number);
+    return w;
+  }
   if (name.starts_with("L-")) return plane(name, 100000, Law::uniform, number);
   for (Spread spread : all_spreads)
     if (name.starts_with("P-" + name_of(spread) + "-"))

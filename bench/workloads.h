@@ -2,14 +2,22 @@
 //
 //   Workload w = make_workload("S-100000");               // rows, layout, horizon
 //
-//   S-<n>        plane of side sqrt(14 n), half extents 0.5, |v| <= 3, |a| <= 0.5, h = 3: one true pair an
-//   object K-<n>        S-<n>, stored in Morton order M-<n>        S-<n>, but 1 % of the objects 1000 times
-//   faster and 0.1 % 1000 times larger L-<h>        S-100000 without acceleration, horizon h P-uniform-<n>,
-//   P-zipf-<n>, P-city-<n>
-//                the paper's scene: 10000 x 10000 x 50, half extents 2.5, |v| <= 3, |a| <= 0.5 (along z a
-//                tenth of the speed and no acceleration), h = 3; centres uniform, by Zipf's law in 1000 bins,
-//                or around 50 cities
-//   P-cube-<n>   a cube of side (40 n)^(1/3), half extents 0.5
+//   S-<n>   plane of side sqrt(14 n), half extents 0.5, |v| <= 3, |a| <= 0.5, h = 3: about a pair an object
+//
+//   K-<n>   S-<n>, stored in Morton order
+//
+//   M-<n>   S-<n>, but 1 % of the objects 1000 times faster and 0.1 % 1000 times larger
+//
+//   L-<h>   S-100000 without acceleration, horizon h
+//
+//   G-<p>   S-100000, but p per cent of the objects 100 times larger
+//
+//   P-uniform-<n>, P-zipf-<n>, P-city-<n>
+//           the paper's scene: 10000 x 10000 x 50, half extents 2.5, |v| <= 3, |a| <= 0.5 (along z a tenth of
+//           the speed and no acceleration), h = 3; centres uniform, by Zipf's law in 1000 bins, or around 50
+//           cities
+//
+//   P-cube-<n>  a cube of side (40 n)^(1/3), half extents 0.5
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,61 @@
+// Batches of candidates in, (a, b, t) out, through the textbook's contact in plain double.
+#pragma once
+
+#include <vector>
+
+#include "core_rivals.h"
+#include "motion/swept_box.h"
+#include "plain_contact.h"
+
+namespace foresee::bench {
+
+template <int D, int Degree>
+class PlainEmitter {
+ public:
+  static constexpr std::size_t batch_size = 4096;
+
+  explicit PlainEmitter(const Workload& w) : contact_(w.bodies(), w.h) { batch_.reserve(batch_size); }
+
+  void take(std::uint32_t a, std::uint32_t b) {
+    batch_.push_back({a, b});
+    if (batch_.size() == batch_size) flush();
+  }
+  Answer finish() {
+    flush();
+    return answer_;
+  }
+
+ private:
+  void flush() {
+    answer_.candidates += batch_.size();
+    hits_.clear(), times_.clear();
+    contact_.first_contacts(batch_, hits_, times_);
+    for (std::size_t i = 0; i < hits_.size(); ++i) answer_.add(hits_[i], times_[i]);
+    batch_.clear();
+  }
+
+  PlainContact<D, Degree> contact_;
+  std::vector<Pair> batch_, hits_;
+  std::vector<double> times_;
+  Answer answer_;
+};
+
+/// Calls `work` with the dimension and the degree of the workload's motion as constants.
+template <class Work>
+Answer typed(const Workload& w, Work&& work) {
+  using std::integral_constant;
+  const bool accelerated = w.layout.law == Law::accelerated;
+  if (w.layout.axes == 2)
+    return accelerated ? work(integral_constant<int, 2>(), integral_constant<int, 2>())
+                       : work(integral_constant<int, 2>(), integral_constant<int, 1>());
+  return accelerated ? work(integral_constant<int, 3>(), integral_constant<int, 2>())
+                     : work(integral_constant<int, 3>(), integral_constant<int, 1>());
+}
+
+template <int D>
+std::vector<Box<D>> boxes_swept_by(const Workload& w) {
+  NeverInterrupt never;
+  return swept_boxes<D>(w.bodies(), {0, w.h}, Vec<D>::Zero(), never);
+}
+
+}  // namespace foresee::bench

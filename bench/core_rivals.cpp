@@ -1,0 +1,97 @@
+#include "core_rivals.h"
+
+#include <boost/geometry.hpp>
+#include <boost/geometry/index/rtree.hpp>
+#include <cmath>
+#include <unordered_set>
+
+#include "core_emitter.h"
+#include "index/gpcd_grid/gpcd_grid.h"
+
+namespace foresee::bench {
+namespace {
+
+template <int D>
+using BoostPoint = boost::geometry::model::point<double, D, boost::geometry::cs::cartesian>;
+
+template <int D>
+BoostPoint<D> boost_point(const Vec<D>& x) {
+  if constexpr (D == 2)
+    return {x[0], x[1]};
+  else
+    return {x[0], x[1], x[2]};
+}
+
+/// Where the boxes are at the moment t.
+template <int D>
+void place_boxes(const Workload& w, double t, std::vector<Box<D>>& boxes) {
+  const Bodies bodies = w.bodies();
+  const Offsets& at = bodies.at;
+  boxes.resize(w.count);
+  for (std::size_t i = 0; i < w.count; ++i) {
+    const double* row = bodies.row(i);
+    for (int axis = 0; axis < D; ++axis) {
+      const double a = at.a == Offsets::absent ? 0 : row[at.a + axis];
+      const double x = row[at.x + axis] + t * (row[at.v + axis] + 0.5 * a * t);
+      boxes[i].lower[axis] = x - row[at.half + axis];
+      boxes[i].upper[axis] = x + row[at.half + axis];
+    }
+  }
+}
+
+}  // namespace
+
+Answer by_brute_force(const Workload& w) {
+  return typed(w, [&](auto axes, auto degree) {
+    PlainEmitter<axes, degree> emitter(w);
+    for (std::uint32_t a = 0; a < w.count; ++a)
+      for (std::uint32_t b = a + 1; b < w.count; ++b) emitter.take(a, b);
+    return emitter.finish();
+  });
+}
+
+Answer by_boost(const Workload& w) {
+  namespace index = boost::geometry::index;
+  return typed(w, [&](auto axes, auto degree) {
+    constexpr int D = axes;
+    using Value = std::pair<boost::geometry::model::box<BoostPoint<D>>, std::uint32_t>;
+    PlainEmitter<axes, degree> emitter(w);
+    const std::vector<Box<D>> boxes = boxes_swept_by<D>(w);
+    std::vector<Value> values;
+    values.reserve(boxes.size());
+    for (std::uint32_t i = 0; i < boxes.size(); ++i)
+      values.push_back({{boost_point<D>(boxes[i].lower), boost_point<D>(boxes[i].upper)}, i});
+    const index::rtree<Value, index::rstar<16>> tree(values);
+    for (const Value& value : values)
+      for (auto hit = tree.qbegin(index::intersects(value.first)); hit != tree.qend(); ++hit)
+        if (value.second < hit->second) emitter.take(value.second, hit->second);
+    return emitter.finish();
+  });
+}
+
+Answer by_stepping(const Workload& w, double dt) {
+  return typed(w, [&](auto axes, auto) {
+    constexpr int D = axes;
+    NeverInterrupt never;
+    Answer answer;
+    std::unordered_set<std::uint64_t> seen;
+    std::vector<Box<D>> boxes;
+    std::vector<Pair> batch;
+    const long steps = std::lround(std::floor(w.h / dt + 1e-9));
+    for (long step = 0; step <= steps; ++step) {
+      const double t = static_cast<double>(step) * dt;
+      place_boxes<D>(w, t, boxes);
+      const auto grid = make_gpcd_grid<D>(std::span<const Box<D>>(boxes), never);
+      for (; grid->next(batch); batch.clear())
+        for (const Pair& pair : batch) {
+          ++answer.candidates;
+          const std::uint64_t low = std::min(pair.a, pair.b), high = std::max(pair.a, pair.b);
+          // The grid rounds outward; the boxes themselves decide.
+          if (boxes[pair.a].meets(boxes[pair.b]) && seen.insert(low << 32 | high).second) answer.add(pair, t);
+        }
+    }
+    return answer;
+  });
+}
+
+}  // namespace foresee::bench

@@ -1,0 +1,47 @@
+#include "sql_ours.h"
+
+#include "sqlite/foresee.h"
+
+namespace foresee::bench {
+
+std::string columns_of(const Workload& w) {
+  std::string columns;
+  const auto add = [&](const char* prefix) {
+    for (int axis = 0; axis < w.layout.axes; ++axis)
+      columns += (columns.empty() ? "" : ", ") + std::string(prefix) + "xyz"[axis];
+  };
+  add("");
+  add("v");
+  if (w.layout.law == Law::accelerated) add("a");
+  add("h");
+  return columns;
+}
+
+std::string places_for(const Workload& w) {
+  std::string places = "(?";
+  for (int i = 0; i < w.bodies().at.size; ++i) places += ", ?";
+  return places + ")";
+}
+
+void register_foresee(Database& db) {
+  db.check(sqlite3_foresee_init(db.handle(), nullptr, nullptr));
+}
+
+void create_ours(Database& db, const Workload& w) {
+  register_foresee(db);
+  db.run("CREATE VIRTUAL TABLE ships USING moving_objects(id, " + columns_of(w) + ")");
+}
+
+void load_ours(Database& db, const Workload& w) {
+  Statement insert(db, "INSERT INTO ships VALUES" + places_for(w));
+  db.run("BEGIN");
+  for (std::size_t i = 0; i < w.count; ++i) {
+    const double* row = w.bodies().row(i);
+    insert.bind(1, static_cast<std::int64_t>(i + 1));
+    for (int k = 0; k < w.bodies().at.size; ++k) insert.bind(2 + k, row[k]);
+    insert.step();
+  }
+  db.run("COMMIT");
+}
+
+}  // namespace foresee::bench

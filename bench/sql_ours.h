@@ -1,0 +1,24 @@
+// Our table of a workload's objects in a database: foresee registered, declared, loaded row by row.
+#pragma once
+
+#include "sql.h"
+#include "workloads.h"
+
+namespace foresee::bench {
+
+/// Registers the extension; no table yet.
+void register_foresee(Database& db);
+
+/// CREATE VIRTUAL TABLE ships with the columns that the workload has.
+void create_ours(Database& db, const Workload& w);
+
+/// Prepared single-row INSERTs in one transaction; ids count from 1.
+void load_ours(Database& db, const Workload& w);
+
+/// "x, y, vx, vy, …": the columns that a workload's rows have, in their order. Boxes, without times.
+std::string columns_of(const Workload& w);
+
+/// "(?, ?, …)" for an id and those columns.
+std::string places_for(const Workload& w);
+
+}  // namespace foresee::bench
