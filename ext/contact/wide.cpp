@@ -156,8 +156,21 @@ Wide operator+(const Wide& left, const Wide& right) {
                   a.exponent_ + 1);
 }
 
+Wide Wide::coarse_product(const Wide& a, const Wide& b) {
+  const auto bits_a = static_cast<double>(a.bits_), bits_b = static_cast<double>(b.bits_);
+  const auto error_a = static_cast<double>(a.error_), error_b = static_cast<double>(b.error_);
+  const double error = (bits_a * error_b + (bits_b + error_b) * error_a) * (1 + 0x1p-50);
+  // Both errors are 2^61 or more, so that at least 64 bits mean nothing and the rest fits.
+  const int shift = std::ilogb(error) - 58;
+  const Product p = product(a.bits_, b.bits_);
+  const Uint128 bits = shift < 128 ? (p.high << (128 - shift)) | (p.low >> shift) : p.high >> (shift - 128);
+  return of(a.negative_ != b.negative_, bits, static_cast<std::uint64_t>(std::ldexp(error, -shift)) + 2,
+            a.exponent_ + b.exponent_ + shift);
+}
+
 Wide operator*(const Wide& a, const Wide& b) {
   if ((a.bits_ == 0 && a.error_ == 0) || (b.bits_ == 0 && b.error_ == 0)) return {};
+  if (!((a.bits_ | b.bits_) & top_bit)) return Wide::coarse_product(a, b);
   Product p = product(a.bits_, b.bits_);
   std::uint64_t error = a.error_ + b.error_ + (a.error_ != 0 && b.error_ != 0 ? 1 : 0);
   int exponent = a.exponent_ + b.exponent_ + 128;

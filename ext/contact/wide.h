@@ -80,6 +80,8 @@ class Wide {
   static Wide of(bool negative, Uint128 bits, std::uint64_t error, int exponent);
   /// The same with any error bound, also one that no integer holds.
   static Wide with_error(bool negative, Uint128 bits, double error, int exponent);
+  /// Where neither has its highest bit set: both are wide, and the error is multiplied out.
+  static Wide coarse_product(const Wide& a, const Wide& b);
   Wide moved_by_error(bool up) const;
   /// As large a part of the error as a double tells: error / bits, rounded up.
   double relative_error() const;

@@ -68,6 +68,28 @@ TEST(Precise, IsAsNarrowAsItIsLong) {
       1);
 }
 
+/// Of wide intervals: Newton's method has to see a slope's sign early.
+TEST(Wide, ProductsOfWideIntervalsStayNarrow) {
+  const auto lies_within = [](const Wide& w, double least, double most) {
+    return Dyadic(least) <= w.low().dyadic() && w.high().dyadic() <= Dyadic(most);
+  };
+  const Wide around_zero = Wide::hull(Wide(), Wide(20.0)) - Wide(10.0);
+  const Wide far = Wide::hull(Wide(2.0), Wide(4.0));
+  EXPECT_TRUE(lies_within(around_zero * around_zero, -101, 101));
+  EXPECT_TRUE(lies_within(far * far, 1, 17));
+  Numbers numbers;
+  for (int i = 0; i < 2000; ++i) {
+    const auto size = [&] { return Wide(numbers.number() * numbers.number()); };
+    const Wide a = size(), b = size(), c = size(), d = size();
+    const Wide x = Wide::hull(Wide(), a * a) - b * b, y = Wide::hull(Wide(), c * c) - d * d, product = x * y;
+    for (const Wide& one : {x.low(), x.high()})
+      for (const Wide& other : {y.low(), y.high()}) {
+        const Dyadic corner = one.dyadic() * other.dyadic();
+        EXPECT_TRUE(product.low().dyadic() <= corner && corner <= product.high().dyadic());
+      }
+  }
+}
+
 /// Whose lowest word is 1: >> of Boost 1.74 makes it positive.
 TEST(Dyadic, CutNegativeNumbersStayNegative) {
   const Integer number = -((Integer(5) << 128) + 1);
