@@ -1,5 +1,6 @@
 #include "contact/curve.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact/narrowing.h"
@@ -26,6 +27,16 @@ Dyadic as_bound(double value) {
   return value > 0 ? Dyadic::power_of_two(1024) : -Dyadic::power_of_two(1024);
 }
 
+/// The number of the fewest bits between the two. Requires: 0 < low < high.
+Dyadic simplest_between(const Dyadic& low, const Dyadic& high) {
+  const int unit = std::min(low.exponent(), high.exponent());
+  const auto in_units = [unit](const Dyadic& x) { return Integer(x.mantissa() << (x.exponent() - unit)); };
+  // Of (below, last] the multiple of the greatest power of two: where their leading bits part.
+  const Integer below = in_units(low), last = in_units(high);
+  const int cut = length_of(below ^ last) - 1;
+  return {last >> cut, unit + cut};
+}
+
 /// Is the event, a simple root of a polynomial that `divisor` divides, a root of it too?
 bool has_root_at(const Polynomial& divisor, const Event& event) {
   return sign_at(divisor, event.bracket->low) * sign_at(divisor, event.bracket->high) <= 0;
@@ -47,6 +58,17 @@ Precise Event::enclosure(int bits) {
     }
   }
   return Precise::hull(b.low, b.high, bits);
+}
+
+void Event::recognize() {
+  Bracket& b = *bracket;
+  if (!(b.low < b.high)) return;
+  const int digits = b.high.magnitude() - (b.high - b.low).magnitude();
+  if (b.low.sign() <= 0 || digits <= 0) return;
+  const Dyadic simplest = simplest_between(b.low, b.high);
+  if (2 * length_of(simplest.mantissa()) > digits || curve->sign_at(simplest) != 0) return;
+  b.low = b.high = simplest;
+  at = Wide(simplest), known = &b.low;
 }
 
 void Event::narrow(int bits) {

@@ -31,7 +31,7 @@ struct Event {
   explicit Event(const Dyadic& moment) : at(moment), known(&moment) {}
 
   Wide at;                        ///< encloses it
-  const Dyadic* known = nullptr;  ///< a moment given exactly
+  const Dyadic* known = nullptr;  ///< its moment, if that is known exactly
   Curve* curve = nullptr;         ///< otherwise: the curve that has its root here
   int which = 0;                  ///< degree 1 and 2: -1 the lesser root, 1 the greater, 0 the only one
   /// [low, high] holds this root. Degree 3 and 4: this one alone, a simple one at which the sign changes.
@@ -44,6 +44,9 @@ struct Event {
 
   /// Encloses it in numbers of so many bits, the more the narrower.
   Precise enclosure(int bits);
+  /// Degree 3 and 4: makes the moment known if it is a number of far fewer bits than the bracket tells.
+  /// Moments that people write are, and what is known needs no algebra for its ties.
+  void recognize();
 
  private:
   /// Degree 3 and 4: narrows the bracket.

@@ -53,12 +53,10 @@ class ExactApproach {
     const Moments& m = moments_.rounded;
     const auto [first, second] = minima();
     Event& best = second && second_is_nearer(*first, *second) ? *second : *first;
-    if (best.known) {
-      const double distance = rounded_square_root(value_at(known_.polynomial(), *best.known));
-      return &best == &begin_ ? ClosestApproach{m.t_begin, m.dt_begin, distance}
-                              : ClosestApproach{m.t_end, m.dt_end, distance};
-    }
-    return {rounded(best, moments_.now), rounded(best, Dyadic()), distance_at(best)};
+    const double distance = distance_at(best);
+    if (&best == &begin_) return {m.t_begin, m.dt_begin, distance};
+    if (&best == &end_) return {m.t_end, m.dt_end, distance};
+    return {rounded(best, moments_.now), rounded(best, Dyadic()), distance};
   }
 
  private:
@@ -114,8 +112,9 @@ class ExactApproach {
     return (two * c2 * c2 * c2 - nine * c1 * c2 * c3 + twenty_seven * c0 * c3 * c3).sign() < 0;
   }
 
-  /// The distance at a root of the slope, rounded once.
+  /// The distance at an end or a root of the slope, rounded once.
   double distance_at(Event& event) {
+    if (event.known) return rounded_square_root(value_at(known_.polynomial(), *event.known));
     if (known_.curve().sign_at(event) == 0) return 0;
     for (int bits = first_length;; bits *= 2) {
       const Polynomial& p = known_.polynomial();

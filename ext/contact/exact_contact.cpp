@@ -67,8 +67,8 @@ class ExactPair {
   Stays inside_while(const Stays& rest, Curve& curve) {
     const Event &first = *rest.list[0].first, &last = *rest.list[rest.count - 1].last;
     Event *from = &begin_, *to = &end_;
-    if (!first.known) from = known_moment(first.at.low().dyadic(), begin_);
-    if (!last.known) to = known_moment(last.at.high().dyadic(), end_);
+    if (&first != &begin_) from = known_moment(first.at.low().dyadic(), begin_);
+    if (&last != &end_) to = known_moment(last.at.high().dyadic(), end_);
     return foresee::inside(curve, {*from, *to});
   }
 

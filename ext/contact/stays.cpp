@@ -83,7 +83,9 @@ Event& root_between(Curve& curve, Event& before, Event& after, int sign_before) 
   if ((high - low).sign() == 1 && curve.value_at(low).sign() == sign_before &&
       curve.value_at(high).sign() == -sign_before) {
     const Narrowing<Wide> narrow(curve.rough(), curve.degree(), low, high, sign_before, 128);
-    return curve.add_root(narrow.low.dyadic(), narrow.high.dyadic(), sign_before);
+    Event& root = curve.add_root(narrow.low.dyadic(), narrow.high.dyadic(), sign_before);
+    root.recognize();
+    return root;
   }
   // So near to a neighbour that 128 bits do not tell them apart.
   for (int bits = first_length;; bits *= 2) {
@@ -94,6 +96,7 @@ Event& root_between(Curve& curve, Event& before, Event& after, int sign_before) 
     if (!(left < right) || sign_at(left) != sign_before || sign_at(right) != -sign_before) continue;
     Event& root = curve.add_root(left, right, sign_before);
     root.enclosure(first_length);
+    root.recognize();
     return root;
   }
 }
