@@ -97,9 +97,10 @@ TEST_F(TableLookups, AnotherConnectionMakesTheTableAnew) {
 }
 
 TEST_F(TableLookups, ManyTablesInTurn) {
-  for (int id = 1; id <= 20; ++id) make("t" + std::to_string(id), id);
+  const auto table = [](int id) { return std::string("t").append(std::to_string(id)); };
+  for (int id = 1; id <= 20; ++id) make(table(id), id);
   for (int turn = 0; turn < 2; ++turn)
-    for (int id = 1; id <= 20; ++id) EXPECT_EQ(found("t" + std::to_string(id)), std::to_string(id));
+    for (int id = 1; id <= 20; ++id) EXPECT_EQ(found(table(id)), std::to_string(id));
 }
 
 TEST_F(TableLookups, NothingStandsInTheWayOfVacuumAndDetach) {
