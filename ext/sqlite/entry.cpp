@@ -5,12 +5,27 @@ SQLITE_EXTENSION_INIT1
 #include "sqlite/callback.h"
 #include "sqlite/foresee.h"
 #include "sqlite/modules.h"
+#include "sqlite/select.h"
+
+namespace {
+
+/// This PRAGMA reads no schema: a file may still wait for its key.
+bool is_registered(sqlite3* db) {
+  foresee::Select modules(db, "PRAGMA module_list");
+  while (modules.step())
+    if (modules.text(0) == "predictive_join") return true;
+  return false;
+}
+
+}  // namespace
 
 extern "C" __attribute__((visibility("default"))) int sqlite3_foresee_init(sqlite3* db, char** message,
                                                                            const sqlite3_api_routines* api) {
   SQLITE_EXTENSION_INIT2(api);
   (void)api;
   return foresee::guarded(message, [db] {
+    // Loaded again, functions would know nothing of the tables that are connected by then.
+    if (is_registered(db)) return SQLITE_OK;
     const auto connection = std::make_shared<foresee::Connection>(db);
     int rc = foresee::register_scalars(db);
     if (rc == SQLITE_OK) rc = foresee::register_moving_objects(db, connection);
