@@ -130,6 +130,8 @@ void take(Plan& plan, const FunctionTable& table, sqlite3_index_info& info, int 
   const bool probes = !is_input && letter == '=' && (table.function().probed >> constraint.iColumn & 1);
   if (probes) plan.about_ids = true;
   if (!constraint.usable) return;
+  // `t IN (…)` would be one call a value; compared with the rows of one call it costs next to nothing.
+  if (!is_input && !probes && sqlite3_vtab_in(&info, i, -1)) return;
   sqlite3_value* right = nullptr;
   if (is_input && input > 0 &&
       (sqlite3_vtab_rhs_value(&info, i, &right) != SQLITE_OK || sqlite3_value_type(right) == SQLITE_NULL))

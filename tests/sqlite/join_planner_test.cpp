@@ -27,6 +27,14 @@ struct JoinPlanner : ::testing::Test {
   Database db;
 };
 
+TEST_F(JoinPlanner, AListOfMomentsIsOneCall) {
+  const std::string some = " IN (SELECT t FROM whole WHERE t > 0 LIMIT 20)";
+  EXPECT_NE(both("WHERE t" + some + " ORDER BY a, b"), "");
+  both("WHERE dt" + some + " ORDER BY a, b");
+  EXPECT_EQ(plan("SELECT * FROM predictive_join(3) WHERE t IN (1.5, 2)"),
+            plan("SELECT * FROM predictive_join(3) WHERE +t IN (1.5, 2)"));
+}
+
 TEST_F(JoinPlanner, FiltersRowsAsAnyTableDoes) {
   const std::string id = db.rows("SELECT a FROM whole GROUP BY a ORDER BY count(*) DESC, a LIMIT 1");
   const std::string end = " ORDER BY a, b";
