@@ -25,8 +25,9 @@ void Giants<D>::advance(int row) {
   const auto old = static_cast<std::ptrdiff_t>(active_.size());
   for (; !waiting_.empty() && waiting_.back().y.first <= row; waiting_.pop_back())
     if (waiting_.back().y.last >= row) active_.push_back(waiting_.back());
-  std::inplace_merge(active_.begin(), active_.begin() + old, active_.end(),
-                     [](const Place& a, const Place& b) { return a.key < b.key; });
+  const auto along_x = [](const Place& a, const Place& b) { return a.key < b.key; };
+  std::sort(active_.begin() + old, active_.end(), along_x);  // a visit that begins later adds several rows'
+  std::inplace_merge(active_.begin(), active_.begin() + old, active_.end(), along_x);
 }
 
 template <int D>
