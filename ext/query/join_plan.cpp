@@ -31,9 +31,10 @@ double objects_of(const JoinQuestion& question) {
 
 /// Swept boxes of some rows, one from each of so many equal parts, not at equal distances.
 template <int D>
-std::vector<Box<D>> sample_of(const Scene& scene, const Horizon& horizon, const Vec<D>& margin) {
+std::vector<Box<D>> sample_of(const Scene& scene, const Horizon& horizon, const Vec<D>& margin,
+                              std::size_t most = sample_most) {
   const std::size_t count = scene.size(),
-                    wanted = std::min(count, std::clamp(count / sample_share, sample_least, sample_most));
+                    wanted = std::min({count, std::max(count / sample_share, sample_least), most});
   const Bodies bodies = scene.bodies();
   std::vector<Box<D>> boxes;
   boxes.reserve(wanted);
@@ -59,6 +60,26 @@ double share_that_meets(const JoinQuestion& question, const Horizon& horizon, co
   return asked == 0 ? 0 : static_cast<double>(meetings) / static_cast<double>(asked);
 }
 
+/// Which part of all pairs meets at one moment: some rows against every row, for a few giants may touch more
+/// than all others together, and a sample of both sides misses them.
+template <int D>
+double share_that_touches(const JoinQuestion& question, double moment, const Vec<D>& margin) {
+  constexpr std::size_t some = 16;
+  const bool between = question.b && question.b != question.a;
+  const Scene& other = between ? *question.b : *question.a;
+  const Horizon instant{moment, 0};
+  const std::vector<Box<D>> a = sample_of<D>(*question.a, instant, margin, some);
+  const Bodies bodies = other.bodies();
+  std::size_t meetings = 0;
+  for (std::size_t j = 0; j < other.size(); ++j) {
+    const Box<D> b = swept_box<D>(bodies, j, instant, margin);
+    for (const Box<D>& box : a) meetings += box.meets(b);
+  }
+  if (!between) meetings -= std::min(meetings, a.size());  // with themselves
+  const double asked = static_cast<double>(a.size()) * static_cast<double>(other.size());
+  return asked == 0 ? 0 : static_cast<double>(meetings) / asked;
+}
+
 /// The middle one of so many equal parts of the horizon.
 Horizon middle_part(const JoinQuestion& question, double begin, double length, std::size_t parts) {
   const double part = length / static_cast<double>(parts);
@@ -81,6 +102,17 @@ struct SlabChoice {
   double cost;
 };
 
+double expected_contacts(const JoinQuestion& question, const Contact::Reach& reach, double moment) {
+  switch (question.a->layout.axes) {
+    case 1:
+      return pairs_of(question) * share_that_touches<1>(question, moment, margin_of<1>(reach));
+    case 2:
+      return pairs_of(question) * share_that_touches<2>(question, moment, margin_of<2>(reach));
+    default:
+      return pairs_of(question) * share_that_touches<3>(question, moment, margin_of<3>(reach));
+  }
+}
+
 /// More slabs while that makes the grid cheaper. Each costs its objects again, so it is soon seen where more
 /// cannot pay.
 SlabChoice choose_slabs(const JoinQuestion& question, const Contact::Reach& reach) {
@@ -92,7 +124,7 @@ SlabChoice choose_slabs(const JoinQuestion& question, const Contact::Reach& reac
   SlabChoice best{1, fixed + grid_meeting * meetings(1)};
   if (best.cost <= 2 * fixed || !(span.length > 0)) return best;
   const double repeated =
-      grid_repetition * expected_meetings(question, reach, {question.now + span.begin + span.length / 2, 0});
+      grid_repetition * expected_contacts(question, reach, question.now + span.begin + span.length / 2);
   for (std::size_t parts = 2; parts <= slabs_max; parts += (parts + 3) / 4) {
     const double times = static_cast<double>(parts), floor = times * fixed + (times - 1) * repeated;
     if (floor >= best.cost) break;

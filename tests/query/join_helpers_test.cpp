@@ -49,6 +49,21 @@ TEST(JoinHelpers, GiveTheSameRowsInTheSameOrder) {
     }
 }
 
+TEST(JoinHelpers, MeetManyGiantsFromAnyStripeOn) {
+  auto scene = random_scene(
+      {.layout = {.axes = 2, .law = Law::uniform, .shape = Shape::box}, .count = 30000, .seed = 22});
+  const Offsets at = row_offsets(scene.layout);
+  const auto size = static_cast<std::size_t>(at.size);
+  for (std::size_t i = 0; i < scene.size(); i += 300)
+    for (int axis = 0; axis < 2; ++axis)
+      scene.rows[i * size + static_cast<std::size_t>(at.half + axis)] *= 200;
+  JoinQuestion question{.a = scene_of(scene), .now = scene.now, .h = scene.h};
+  const auto alone = numbers_in_order(question);
+  question.helpers = 2;
+  EXPECT_TRUE(plan_join(question, {}).with_helpers);
+  EXPECT_EQ(numbers_in_order(question), alone);
+}
+
 TEST(JoinHelpers, AreLeftAloneBySmallScenes) {
   JoinQuestion question = question_of(SceneKind::uniform, discs, 1000);
   question.helpers = 8;
