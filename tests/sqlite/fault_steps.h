@@ -20,7 +20,7 @@ inline long next_fault(long n) {
 #ifdef FORESEE_TESTS_ARE_SLOW
   constexpr long one_by_one = 20, growth = 6;
 #else
-  constexpr long one_by_one = 100, growth = 30;
+  constexpr long one_by_one = 150, growth = 40;
 #endif
   static const bool every = std::getenv("FORESEE_EVERY_FAULT") != nullptr;
   return every || n < one_by_one ? n + 1 : n + 1 + n / growth;
