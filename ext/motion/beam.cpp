@@ -1,71 +1,89 @@
-// How the bounds are made safe
-// ----------------------------
-// As in swept_box.cpp: with S = reach and M = |x| + |v| S + |a| S^2, the computed ends of the chord are off
-// by at most 5u M, and so is every place of the path that they stand for. The bow |a| T^2 / 8 is computed
-// with four roundings from a T that is itself off by at most 4u S: another 2u M at most. 16u M + (S + 4)
-// 2^-1020 is more than twice the sum, underflow included. Where an object lives for a part of the horizon,
-// its travel is off by the roundings of a quotient of at most 64: the moving box is wrong by a relative 2^-40
-// of the travel at most, which is added.
+// The loops for the CPU that the build asks for, the choice of wider ones, and the columns that they read.
 #include "motion/beam.h"
 
+#include <algorithm>
+
+#include "motion/beam_kernel.h"
+#include "motion/beam_variants.h"
 #include "motion/life.h"
+#include "motion/simd.h"
 
 namespace foresee {
 namespace {
 
-constexpr double u = 0x1p-53;
 constexpr std::size_t objects_per_check = 8192;
-constexpr double shortest_part = 1.0 / 64;  // of the horizon; shorter lives stand still
 
-struct Line {
-  Ends bounds;
-  double travel;
+template <int D>
+void find_lives(BeamLanes<D>& lanes, std::size_t count, const Horizon& horizon) {
+#if defined(__x86_64__)
+  if (simd_in_use() == Simd::avx512) return find_lives_avx512(lanes, count, horizon.now, horizon.h);
+  if (simd_in_use() == Simd::avx2) return find_lives_avx2(lanes, count, horizon.now, horizon.h);
+#endif
+  find_lives_here(lanes, count, horizon.now, horizon.h);
+}
+
+template <int D, bool bent>
+void find_beams(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D]) {
+#if defined(__x86_64__)
+  if (simd_in_use() == Simd::avx512) return find_beams_avx512<D, bent>(lanes, count, margin);
+  if (simd_in_use() == Simd::avx2) return find_beams_avx2<D, bent>(lanes, count, margin);
+#endif
+  find_beams_here<D, bent>(lanes, count, margin);
+}
+
+/// Some rows, to be read column by column.
+struct Rows {
+  const double* first;
+  std::size_t size, count;
+
+  void copy(int place, double* column) const {
+    const double* from = first + place;
+    for (std::size_t l = 0; l < count; ++l) column[l] = from[l * size];
+  }
+  /// What is not declared is the same for all.
+  void copy(int place, double* column, double otherwise) const {
+    place == Offsets::absent ? static_cast<void>(std::fill_n(column, count, otherwise)) : copy(place, column);
+  }
 };
 
-/// One axis; `parts` is how often the life fits into the horizon, 0 if it is too short to say.
-Line line_of(double x, double v, double a, const Life& life, double parts, double size) {
-  if (v == 0 && a == 0) return {grown(x, x, size), 0};
-  auto place = [=](double s) { return x + s * (v + a * s * 0.5); };
-  const double first = place(life.begin), last = place(life.end), time = life.end - life.begin;
-  const double bow = a * time * time * 0.125, travel = (last - first) * parts;
-  const double magnitude = std::abs(x) + life.reach * (std::abs(v) + std::abs(a) * life.reach);
-  const double pad = 16 * u * magnitude + (life.reach + 4) * 0x1p-1020;
-  const double lost = parts == 1 ? 0 : 0x1p-40 * std::abs(travel);
-  return {grown(std::min(first, last) + std::min(0.0, -bow), std::max(first, last) + std::max(0.0, -bow),
-                pad + size + lost),
-          travel};
+template <int D>
+void copy_half_extents(const Rows& rows, const Layout& layout, const Offsets& at, BeamLanes<D>& lanes) {
+  for (int k = 0; k < D; ++k) {
+    const bool upright = layout.shape == Shape::cylinder && k == D - 1;
+    const int round = upright ? at.hz : at.r;
+    rows.copy(layout.shape == Shape::box ? at.half + k : round, lanes.half[k], 0);
+  }
+}
+
+/// One life for all where neither t nor until is declared.
+template <int D>
+void find_all_lives(const Rows& rows, const Offsets& at, const Horizon& horizon, BeamLanes<D>& lanes) {
+  const bool alike = at.t == Offsets::absent && at.until == Offsets::absent;
+  rows.copy(at.t, lanes.t, 0);
+  rows.copy(at.until, lanes.until, forever);
+  find_lives(lanes, alike ? 1 : rows.count, horizon);
+  if (!alike) return;
+  for (double* column : {lanes.from, lanes.to, lanes.reach, lanes.parts, lanes.begin, lanes.end})
+    std::fill_n(column, rows.count, column[0]);
 }
 
 }  // namespace
 
 template <int D>
-void beams(const Bodies& bodies, std::size_t first, const Horizon& horizon, const Vec<D>& margin,
-           std::span<Beam<D>> out) {
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    Beam<D>& beam = out[i];
-    const Motion<D> motion = motion_of<D>(bodies, first + i);
-    const Life life = life_of(motion.t, motion.until, horizon);
-    if (life.none) {
-      beam = {Box<D>::empty(), Vec<D>::Zero(), 0, 1};
-      continue;
-    }
-    beam.begin = 0, beam.end = 1;
-    double parts = 1;
-    if (motion.t > horizon.now || motion.until - horizon.now < horizon.h) {
-      const double begins = std::max(motion.t - horizon.now, 0.0);
-      const double ends = std::min(motion.until - horizon.now, horizon.h);
-      beam.begin = horizon.h > 0 ? std::min(begins / horizon.h, 1.0) : 0;
-      beam.end = horizon.h > 0 ? std::max(ends / horizon.h, 0.0) : 1;
-      parts = beam.end - beam.begin >= shortest_part ? 1 / (beam.end - beam.begin) : 0;
-    }
-    const Vec<D> size = half_extents_of<D>(bodies, first + i) + margin;
-    for (int axis = 0; axis < D; ++axis) {
-      const Line line = line_of(motion.x[axis], motion.v[axis], motion.a[axis], life, parts, size[axis]);
-      beam.box.lower[axis] = line.bounds.lower;
-      beam.box.upper[axis] = line.bounds.upper;
-      beam.travel[axis] = line.travel;
-    }
+void beams(const Bodies& bodies, std::size_t first, std::size_t count, const Horizon& horizon,
+           const Vec<D>& margin, BeamLanes<D>& out) {
+  const Offsets& at = bodies.at;
+  const Rows rows{bodies.row(first), static_cast<std::size_t>(at.size), count};
+  for (int k = 0; k < D; ++k) {
+    rows.copy(at.x + k, out.x[k]);
+    rows.copy(at.v == Offsets::absent ? at.v : at.v + k, out.v[k], 0);
+    if (at.a != Offsets::absent) rows.copy(at.a + k, out.a[k]);
   }
+  copy_half_extents(rows, bodies.layout, at, out);
+  find_all_lives(rows, at, horizon, out);
+  double grow[D];
+  std::copy_n(margin.data(), D, grow);
+  at.a == Offsets::absent ? find_beams<D, false>(out, count, grow) : find_beams<D, true>(out, count, grow);
 }
 
 bool all_exist_throughout(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt) {
@@ -87,8 +105,11 @@ bool all_exist_throughout(const Bodies& bodies, const Horizon& horizon, Interrup
   return !partly;
 }
 
-template void beams<1>(const Bodies&, std::size_t, const Horizon&, const Vec<1>&, std::span<Beam<1>>);
-template void beams<2>(const Bodies&, std::size_t, const Horizon&, const Vec<2>&, std::span<Beam<2>>);
-template void beams<3>(const Bodies&, std::size_t, const Horizon&, const Vec<3>&, std::span<Beam<3>>);
+#define FORESEE_BEAMS_OF_AXES(D) \
+  template void beams(const Bodies&, std::size_t, std::size_t, const Horizon&, const Vec<D>&, BeamLanes<D>&)
+FORESEE_BEAMS_OF_AXES(1);
+FORESEE_BEAMS_OF_AXES(2);
+FORESEE_BEAMS_OF_AXES(3);
+#undef FORESEE_BEAMS_OF_AXES
 
 }  // namespace foresee

@@ -134,6 +134,26 @@ TEST(GpcdGridInterrupt, IsSeenInEveryBatch) {
   EXPECT_THROW(visit.next(batch), Interrupted);
 }
 
+/// Keys in any order, of few different places, with some that are far away.
+TEST(GpcdGridKeys, AreSortedWhateverTheRange) {
+  Random random(9);
+  GridSpace::Visit::Lanes memory;
+  const float inf = std::numeric_limits<float>::infinity(), most = std::numeric_limits<float>::max();
+  for (std::size_t count : {0u, 1u, 5u, 12u, 13u, 100u, 3000u})
+    for (const gpcd::Range& range : {gpcd::Range{-5, 5}, gpcd::Range{0, 0}, gpcd::Range{-most, most},
+                                     gpcd::Range{1e-40F, 2e-40F}, gpcd::Range{7, 3}})
+      for (double scale : {0.0, 1e-44, 3.0, 1e38}) {
+        std::vector<gpcd::Key> keys;
+        for (std::uint32_t i = 0; i < count; ++i) {
+          const auto x = static_cast<float>(random.in(-1, 1) * scale);
+          keys.push_back(gpcd::key_of(i % 50 == 7 ? most : i % 70 == 9 ? -most : i % 90 == 3 ? -inf : x, i));
+        }
+        const auto sorted = gpcd::along_x(keys, range, memory, never);
+        std::sort(keys.begin(), keys.end());
+        EXPECT_TRUE(std::equal(keys.begin(), keys.end(), sorted.begin(), sorted.end()));
+      }
+}
+
 TEST(GpcdGridInterrupt, IsSeenWhileSortingWhatHasNoOrder) {
   Random random(8);
   std::vector<gpcd::Key> keys;

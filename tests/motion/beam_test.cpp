@@ -1,10 +1,14 @@
-// The judge is exact: at every moment of its life the object lies in its beam, in rational numbers.
+// The judge is exact: at every moment of its life the object lies in its beam, in rational numbers. All sets
+// of vector instructions give the same bits.
 #include "motion/beam.h"
 
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
+#include <cstring>
 #include <random>
+
+#include "motion/simd.h"
 
 namespace foresee {
 namespace {
@@ -16,13 +20,40 @@ struct Course1 {
   double t, x, v, a, half, until;
 };
 
+/// The beams of all, by every set of vector instructions.
+template <int D>
+std::unique_ptr<BeamLanes<D>> beams_of(const Bodies& bodies, const Horizon& horizon) {
+  const auto lanes_by = [&](Simd simd) {
+    auto lanes = std::make_unique<BeamLanes<D>>();
+    use_simd(simd);
+    beams<D>(bodies, 0, bodies.count, horizon, Vec<D>::Zero(), *lanes);
+    return lanes;
+  };
+  const Simd usual = simd_in_use();
+  auto first = lanes_by(Simd::baseline);
+  for (const Simd simd : available_simd()) {
+    const auto others = lanes_by(simd);
+    const std::size_t bytes = bodies.count * sizeof(double);
+    for (int k = 0; k < D; ++k) {
+      EXPECT_EQ(std::memcmp(first->lower[k], others->lower[k], bytes), 0) << name_of(simd);
+      EXPECT_EQ(std::memcmp(first->upper[k], others->upper[k], bytes), 0) << name_of(simd);
+    }
+    for (std::size_t l = 0; l < bodies.count; ++l) {
+      const Beam<D> one = beam_at(*first, l), other = beam_at(*others, l);
+      EXPECT_TRUE(((one.travel == other.travel) || (one.travel.isNaN() && other.travel.isNaN())).all());
+      EXPECT_EQ(one.begin, other.begin);
+      EXPECT_EQ(one.end, other.end);
+    }
+  }
+  use_simd(usual);
+  return first;
+}
+
 Beam<1> beam_of(const Course1& o, const Horizon& horizon) {
   const double row[] = {o.t, o.x, o.v, o.a, o.half, o.until};
   const Layout layout{
       .axes = 1, .law = Law::accelerated, .shape = Shape::box, .has_t = true, .has_until = true};
-  Beam<1> beam;
-  beams<1>({layout, row, 1}, 0, horizon, Vec<1>::Zero(), {&beam, 1});
-  return beam;
+  return beam_at(*beams_of<1>({layout, row, 1}, horizon), 0);
 }
 
 /// Whether the object lies in the beam at the fraction `f` of the horizon. The fractions of its life are
@@ -89,6 +120,54 @@ TEST(Beam, IsNoThickerThanABowAsksFor) {
   EXPECT_NEAR(bent.box.lower[0], -2, 1e-12);
   EXPECT_NEAR(bent.box.upper[0], 0, 1e-12);
   EXPECT_EQ(bent.travel[0], 0);
+}
+
+/// What is not declared rests, from time 0, for ever; each shape has its extents.
+template <int D>
+void expect_as_declared_in_full(const Layout& layout, double now) {
+  const Layout full{
+      .axes = D, .law = Law::accelerated, .shape = Shape::box, .has_t = true, .has_until = true};
+  const Offsets at = row_offsets(full);
+  std::mt19937_64 random(9);
+  std::uniform_real_distribution<double> some(0, 3);
+  std::vector<double> rows, full_rows;
+  constexpr std::size_t count = BeamLanes<D>::width - 3;
+  for (std::size_t i = 0; i < count * static_cast<std::size_t>(row_offsets(layout).size); ++i)
+    rows.push_back(some(random));
+  const Bodies bodies(layout, rows.data(), count);
+  for (std::size_t i = 0; i < count; ++i) {
+    std::vector<double> row(static_cast<std::size_t>(at.size));
+    const Motion<D> motion = motion_of<D>(bodies, i);
+    const Vec<D> half = half_extents_of<D>(bodies, i);
+    for (int k = 0; k < D; ++k) {
+      const auto put = [&row, k](int place, double x) { row[static_cast<std::size_t>(place + k)] = x; };
+      put(at.x, motion.x[k]), put(at.v, motion.v[k]), put(at.a, motion.a[k]), put(at.half, half[k]);
+    }
+    row[static_cast<std::size_t>(at.t)] = motion.t, row[static_cast<std::size_t>(at.until)] = motion.until;
+    full_rows.insert(full_rows.end(), row.begin(), row.end());
+  }
+  const auto found = beams_of<D>(bodies, {now, 4}),
+             wanted = beams_of<D>({full, full_rows.data(), count}, {now, 4});
+  for (std::size_t l = 0; l < count; ++l) {
+    EXPECT_TRUE((beam_at(*found, l).box.lower == beam_at(*wanted, l).box.lower).all());
+    EXPECT_TRUE((beam_at(*found, l).box.upper == beam_at(*wanted, l).box.upper).all());
+    EXPECT_TRUE((beam_at(*found, l).travel == beam_at(*wanted, l).travel).all());
+    EXPECT_EQ(beam_at(*found, l).begin, beam_at(*wanted, l).begin);
+    EXPECT_EQ(beam_at(*found, l).end, beam_at(*wanted, l).end);
+  }
+}
+
+TEST(Beam, OfEveryLayoutIsThatOfTheFullOne) {
+  for (double now : {-5.0, -1.0, 0.0, 2.0})
+    for (Law law : {Law::rest, Law::uniform, Law::accelerated})
+      for (int lives = 0; lives < 4; ++lives) {
+        const bool has_t = lives & 1, has_until = lives & 2;
+        for (Shape shape : {Shape::point, Shape::box, Shape::ball}) {
+          expect_as_declared_in_full<1>({1, law, shape, has_t, has_until}, now);
+          expect_as_declared_in_full<2>({2, law, shape, has_t, has_until}, now);
+        }
+        expect_as_declared_in_full<3>({3, law, Shape::cylinder, has_t, has_until}, now);
+      }
 }
 
 TEST(Beam, KnowsWhenTheObjectExists) {

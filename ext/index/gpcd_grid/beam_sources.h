@@ -1,10 +1,26 @@
 // Where the grid reads beams from: bodies in motion, or boxes at rest.
 #pragma once
 
-#include "index/gpcd_grid/float_rows.h"
+#include <vector>
+
+#include "index/gpcd_grid/float_box.h"
 #include "index/gpcd_grid/gpcd_grid.h"
+#include "motion/beam.h"
 
 namespace foresee::gpcd {
+
+template <int D>
+class BeamSource {
+ public:
+  virtual ~BeamSource() = default;
+  virtual std::size_t count() const = 0;
+  /// What read() fills in beyond boxes.
+  virtual Columns columns() const = 0;
+  /// At most BeamLanes::width, from row `first` on. By several threads at a time.
+  virtual void read(std::size_t first, std::size_t count, BeamLanes<D>& out) const = 0;
+  /// Appends the beams of some rows.
+  virtual void sample(std::span<const std::size_t> rows, std::vector<Beam<D>>& out) const = 0;
+};
 
 /// A horizon of no length, or bodies that only rest, need no test of time.
 template <int D>
@@ -16,8 +32,20 @@ class MovingSource final : public BeamSource<D> {
   }
   std::size_t count() const override { return boxes_.bodies.count; }
   Columns columns() const override { return columns_; }
-  void read(std::size_t first, std::span<Beam<D>> out) const override {
-    beams<D>(boxes_.bodies, first, boxes_.horizon, boxes_.margin, out);
+  void read(std::size_t first, std::size_t count, BeamLanes<D>& out) const override {
+    beams<D>(boxes_.bodies, first, count, boxes_.horizon, boxes_.margin, out);
+  }
+  void sample(std::span<const std::size_t> rows, std::vector<Beam<D>>& out) const override {
+    std::vector<double> some;
+    for (std::size_t i : rows)
+      some.insert(some.end(), boxes_.bodies.row(i), boxes_.bodies.row(i) + boxes_.bodies.at.size);
+    const Bodies bodies(boxes_.bodies.layout, some.data(), rows.size());
+    BeamLanes<D> lanes;
+    for (std::size_t first = 0; first < rows.size(); first += lanes.width) {
+      const std::size_t count = std::min(lanes.width, rows.size() - first);
+      beams<D>(bodies, first, count, boxes_.horizon, boxes_.margin, lanes);
+      for (std::size_t l = 0; l < count; ++l) out.push_back(beam_at(lanes, l));
+    }
   }
 
  private:
@@ -31,11 +59,18 @@ class RestingSource final : public BeamSource<D> {
   explicit RestingSource(std::span<const Box<D>> boxes) : boxes_(boxes) {}
   std::size_t count() const override { return boxes_.size(); }
   Columns columns() const override { return {}; }
-  void read(std::size_t first, std::span<Beam<D>> out) const override {
-    for (std::size_t i = 0; i < out.size(); ++i) out[i] = {boxes_[first + i], Vec<D>::Zero(), 0, 1};
+  void read(std::size_t first, std::size_t count, BeamLanes<D>& out) const override {
+    for (std::size_t l = 0; l < count; ++l) put(beam(first + l), out, l);
+  }
+  void sample(std::span<const std::size_t> rows, std::vector<Beam<D>>& out) const override {
+    for (std::size_t i : rows) out.push_back(beam(i));
   }
 
  private:
+  Beam<D> beam(std::size_t i) const {
+    return {boxes_[i].is_empty() ? Box<D>::empty() : boxes_[i], Vec<D>::Zero(), 0, 1};
+  }
+
   std::span<const Box<D>> boxes_;
 };
 

@@ -7,7 +7,7 @@ namespace foresee::gpcd {
 namespace {
 
 constexpr double stripe_height = 2;       // in mean extents: flat optimum between 1.5 and 3
-constexpr double bucket_width = 0.5;      // in mean extents: 0.25 to 1 differ by less than 5 %
+constexpr double part_of_x = 0.5;         // in mean extents: what counts as long along x
 constexpr double giant_extent = 8;        // in mean extents: flat between 3 and 32
 constexpr std::size_t giants_max = 4096;  // beyond, visiting stripes one by one costs more than coarser cells
 constexpr double parts_max = 1 << 20;     // on one axis; a float still tells them apart
@@ -30,10 +30,6 @@ double typical_extent(std::span<const FloatBox<D>> sample, int axis) {
   return counted > 0 ? std::min(sum / counted, limit) : limit;
 }
 
-struct Range {
-  double from, length;
-};
-
 /// Where lower ends lie: all of the sample, but no farther out than a quarter of the length of its middle 98
 /// %.
 template <int D>
@@ -42,8 +38,8 @@ Range middle_range(std::span<const FloatBox<D>> sample, int axis) {
   for (const FloatBox<D>& box : sample) ends.push_back(box.lower[axis]);
   const double low = at_rank(ends, 0.01), high = at_rank(ends, 0.99), margin = (high - low) / 4;
   const auto [first, last] = std::minmax_element(ends.begin(), ends.end());
-  const double from = std::max<double>(*first, low - margin), to = std::min<double>(*last, high + margin);
-  return {from, to - from};
+  return {static_cast<float>(std::max<double>(*first, low - margin)),
+          static_cast<float>(std::min<double>(*last, high + margin))};
 }
 
 /// Mean extents, doubled until the sample promises few giants.
@@ -68,7 +64,7 @@ double parts(double length, double width, double most) {
 }
 
 Cuts cuts_of(const Range& range, double count) {
-  const double per_unit = range.length > 0 ? count / range.length : 1;
+  const double per_unit = range.length() > 0 ? count / range.length() : 1;
   const double largest = std::numeric_limits<float>::max();
   return {static_cast<float>(range.from), static_cast<float>(std::clamp(per_unit, 0x1p-126, largest)),
           static_cast<int>(count)};
@@ -93,7 +89,7 @@ Partition<D> choose_partition(std::span<const FloatBox<D>> sample, std::size_t c
   const double stripes_max = std::max(1.0, static_cast<double>(count) / 8);
   double stripes = 1;
   for (int axis = 1; axis < D; ++axis) {
-    wished[axis] = parts(range[axis].length, stripe_height * mean[axis], stripes_max);
+    wished[axis] = parts(range[axis].length(), stripe_height * mean[axis], stripes_max);
     stripes *= wished[axis];
   }
   if (D == 3 && stripes > stripes_max) {
@@ -104,14 +100,16 @@ Partition<D> choose_partition(std::span<const FloatBox<D>> sample, std::size_t c
     more = std::min(more, std::max(1.0, std::floor(stripes_max / fewer)));
     stripes = fewer * more;
   }
-  const double buckets_max = 2 * static_cast<double>(count) / stripes;
-  wished[0] = parts(range[0].length, bucket_width * mean[0], buckets_max);
+  const double parts_of_x_max = 2 * static_cast<double>(count) / stripes;
+  wished[0] = parts(range[0].length(), part_of_x * mean[0], parts_of_x_max);
 
+  partition.x = range[0];
   for (int axis = 0; axis < D; ++axis) {
-    partition.axis[axis] = cuts_of(range[axis], wished[axis]);
+    const Cuts cuts = cuts_of(range[axis], wished[axis]);
+    if (axis > 0) partition.axis[axis] = cuts;
     // What fits into a few parts is no giant, however small the mean is.
-    const double size = axis == 0 ? bucket_width : stripe_height;
-    const double few_parts = giant_extent / size / partition.axis[axis].per_unit;
+    const double size = axis == 0 ? part_of_x : stripe_height;
+    const double few_parts = giant_extent / size / cuts.per_unit;
     partition.largest_inside[axis] = static_cast<float>(
         std::min<double>(std::max(giant_extent * mean[axis], few_parts), std::numeric_limits<float>::max()));
   }

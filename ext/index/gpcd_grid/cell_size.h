@@ -4,10 +4,10 @@
 //   partition.axis[1].index(box.lower[1]);                // the stripe in which a box begins
 //
 // The mean is taken over intervals of at most four times the median, so that a few large or fast objects do
-// not coarsen the grid for all. A stripe is twice as high as the mean; along x, where stripes are kept in
-// order of the lower end, buckets are half of it. There are at most n/8 stripes and 2n buckets in all, and
-// the range that is cut covers all but the farthest hundredths at either end: what lies outside counts into
-// the outermost stripe. So no scene makes the grid large.
+// not coarsen the grid for all. A stripe is twice as high as the mean; x is not cut, as stripes are kept in
+// order of the lower ends along it. There are at most n/8 stripes, and the range that is cut covers all but
+// the farthest hundredths at either end: what lies outside counts into the outermost stripe. So no scene
+// makes the grid large.
 #pragma once
 
 #include <algorithm>
@@ -32,21 +32,23 @@ struct Cuts {
   }
 };
 
+/// Where most values lie.
+struct Range {
+  float from = 0, to = 0;
+
+  double length() const { return static_cast<double>(to) - static_cast<double>(from); }
+};
+
 template <int D>
 struct Partition {
-  Cuts axis[D];             ///< x: buckets; the others: stripes
+  Range x;                  ///< of lower ends
+  Cuts axis[D];             ///< stripes; x is not cut
   float largest_inside[D];  ///< a box longer than this on any axis stays outside the grid
 
   std::size_t stripes() const {
     std::size_t product = 1;
     for (int k = 1; k < D; ++k) product *= static_cast<std::size_t>(axis[k].count);
     return product;
-  }
-  std::size_t buckets() const { return static_cast<std::size_t>(axis[0].count); }
-  bool is_giant(const FloatBox<D>& box) const {
-    bool giant = false;
-    for (int k = 0; k < D; ++k) giant |= box.extent(k) > largest_inside[k];
-    return giant;
   }
 };
 

@@ -2,8 +2,12 @@
 
 #include <vector>
 
+#include "motion/beam.h"
+
 namespace foresee::gpcd {
 namespace {
+
+constexpr std::size_t enough = 64;  // beams that tell where most are
 
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -23,10 +27,12 @@ double typical_distance(std::vector<double>& distances, double largest) {
 template <int D>
 Frame<D> frame_of(std::span<const Beam<D>> sample) {
   Frame<D> frame;
+  const std::size_t step = std::max<std::size_t>(1, sample.size() / enough);
   for (int axis = 0; axis < D; ++axis) {
     std::vector<double> centres, distances;
     double largest = 0;
-    for (const auto& [box, travel, begin, end] : sample) {
+    for (std::size_t i = 0; i < sample.size(); i += step) {
+      const Box<D>& box = sample[i].box;
       const double half = box.upper[axis] * 0.5 - box.lower[axis] * 0.5;
       if (box.is_empty() || !std::isfinite(half)) continue;
       centres.push_back(box.lower[axis] + half);

@@ -4,8 +4,8 @@ namespace foresee::gpcd {
 namespace {
 
 constexpr std::size_t sample_max = 512;
-/// At most every eighth box, so that small scenes do not pay for statistics.
-constexpr std::size_t sample_share = 8;
+/// At most every sixteenth box, so that small scenes do not pay for statistics.
+constexpr std::size_t sample_share = 16;
 constexpr std::size_t sample_enough = 64;
 constexpr std::size_t pairs_per_batch = 4096;
 constexpr std::size_t steps_per_batch = 1 << 17;  // about a millisecond
@@ -16,14 +16,16 @@ std::vector<Beam<D>> sample_of(const BeamSource<D>& a, const BeamSource<D>* b) {
   const std::size_t count_a = a.count(), count = count_a + (b ? b->count() : 0),
                     aim = std::clamp(count / sample_share, sample_enough, sample_max),
                     wanted = std::min(count, aim);
-  std::vector<Beam<D>> sample;
+  std::vector<std::size_t> of_a, of_b;
   for (std::size_t part = 0; part < wanted; ++part) {
     const std::size_t begin = part * count / wanted, end = (part + 1) * count / wanted;
     const std::size_t i = begin + (part * 0x9e3779b97f4a7c15u >> 33) % (end - begin);
-    Beam<D> beam;
-    i < count_a ? a.read(i, {&beam, 1}) : b->read(i - count_a, {&beam, 1});
-    if (!beam.box.is_empty()) sample.push_back(beam);
+    i < count_a ? of_a.push_back(i) : of_b.push_back(i - count_a);
   }
+  std::vector<Beam<D>> sample;
+  a.sample(of_a, sample);
+  if (b) b->sample(of_b, sample);
+  std::erase_if(sample, [](const Beam<D>& beam) { return beam.box.is_empty(); });
   return sample;
 }
 
@@ -42,8 +44,7 @@ Grid<D>::Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, 
   const std::vector<Beam<D>> sample = sample_of(a, b);
   const Frame<D> frame = frame_of(std::span<const Beam<D>>(sample));
   const Columns columns = columns_of(a, b, frame);
-  std::vector<FloatBox<D>> boxes;
-  for (const Beam<D>& beam : sample) boxes.push_back(frame.round_outward(beam, columns.travel));
+  const std::vector<FloatBox<D>> boxes = boxes_of(std::span<const Beam<D>>(sample), frame, columns);
   partition_ = choose_partition(std::span<const FloatBox<D>>(boxes), a.count() + (b ? b->count() : 0));
   for (const BeamSource<D>* source : {&a, b})
     if (source)
@@ -118,9 +119,8 @@ void GridVisit<D>::open_stripe(std::size_t number) {
   }
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     auto& entered = grid_.side(i);
-    const std::span<Key> keys = entered.stripes.entries(number);
-    sort_keys(keys, interrupt_);
-    sides_[i].inside.gather(keys, entered.rows, partition, stripe, interrupt_);
+    sides_[i].inside.sort_and_gather(entered.stripes.entries(number), entered.rows, partition, stripe,
+                                     interrupt_);
     sides_[i].crossing.gather(sides_[i].giants.crossing(stripe), entered.rows, partition, stripe, interrupt_);
   }
   const LaneView<D>&inside = sides_[0].inside.view(), &crossing = sides_[0].crossing.view();

@@ -28,8 +28,8 @@ class Grid {
   struct Side {
     Side(const BeamSource<D>& source, const Frame<D>& frame, Columns columns, const Partition<D>& partition,
          GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
-        : rows(source, frame, columns, memory.rows, helpers, interrupt),
-          stripes(partition, rows, memory, interrupt),
+        : rows(source.count(), columns, memory.rows),
+          stripes(source, frame, partition, rows, memory, helpers, interrupt),
           giants(partition, stripes, interrupt) {}
     FloatRows<D> rows;
     Stripes<D> stripes;

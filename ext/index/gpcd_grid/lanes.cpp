@@ -54,6 +54,12 @@ void Lanes<D>::gather(std::span<const Key> keys, const FloatRows<D>& rows, Inter
 }
 
 template <int D>
+void Lanes<D>::sort_and_gather(std::span<const Key> keys, const FloatRows<D>& rows,
+                               const Partition<D>& partition, const int (&stripe)[D], Interrupt& interrupt) {
+  gather(along_x(keys, partition.x, memory_, interrupt), rows, partition, stripe, interrupt);
+}
+
+template <int D>
 void Lanes<D>::gather(std::span<const Key> keys, const FloatRows<D>& rows, const Partition<D>& partition,
                       const int (&stripe)[D], Interrupt& interrupt) {
   gather(keys, rows, interrupt);

@@ -20,10 +20,13 @@ class Lanes {
  public:
   explicit Lanes(GridSpace::Visit::Lanes& memory) : memory_(memory) {}
 
-  /// Takes the boxes of `keys`, in that order, as they are seen from one stripe (its numbers along y and z).
+  /// Sorts the boxes of one stripe (its numbers along y and z), then takes them as they are seen from it.
+  void sort_and_gather(std::span<const Key> keys, const FloatRows<D>& rows, const Partition<D>& partition,
+                       const int (&stripe)[D], Interrupt& interrupt);
+  /// The same for boxes that are in order.
   void gather(std::span<const Key> keys, const FloatRows<D>& rows, const Partition<D>& partition,
               const int (&stripe)[D], Interrupt& interrupt);
-  /// The same without stripes: every pair counts.
+  /// The same without a stripe: every pair counts.
   void gather(std::span<const Key> keys, const FloatRows<D>& rows, Interrupt& interrupt);
 
   /// Valid until the next gather().

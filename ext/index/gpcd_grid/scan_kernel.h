@@ -16,7 +16,7 @@
 // Nothing is lost to rounding. All terms are sums of at most three products of at most three factors, and a
 // pair that touches has |m_i| <= r_i + |d_i|: so each side is off by less than 2^-21 (r_i + |w_i|)(|d_j|) and
 // the same for i and j exchanged, w being the travel of both. r contains 2^-20 of all this already
-// (float_box.h). There too, travel below 2^-40 is 0 and r at least 2^-40, which keeps products from
+// (float_lanes_kernel.h). There too, travel below 2^-40 is 0 and r at least 2^-40, which keeps products from
 // vanishing, and numbers beyond 2^60 are NaN, which keeps them from overflowing.
 //
 // Every operation is one of IEEE 754 and none is contracted, so all instruction sets keep the same pairs.

@@ -1,109 +1,107 @@
 #include "index/gpcd_grid/stripes.h"
 
-#include <bit>
+#include "index/together.h"
 
 namespace foresee::gpcd {
 namespace {
 
-constexpr std::size_t objects_per_check = 8192;
-
-/// The bits of x as an integer that grows with x.
-std::uint32_t ordered_bits(float x) {
-  const auto bits = std::bit_cast<std::uint32_t>(x);
-  return bits ^ (static_cast<std::uint32_t>(-static_cast<std::int32_t>(bits >> 31)) | 0x80000000u);
-}
-
-/// std::sort that can be stopped; used for keys without order only, so the price of counting is small.
-void full_sort(std::span<Key> keys, Interrupt& interrupt) {
-  std::size_t comparisons = 0;
-  std::sort(keys.begin(), keys.end(), [&](Key a, Key b) {
-    if (++comparisons % (std::size_t{1} << 18) == 0) interrupt.check();
-    return a < b;
-  });
-}
+constexpr std::size_t chunks_per_check = 64, entries_per_check = 8192;
 
 }  // namespace
 
-Key key_of(float lower_x, std::uint32_t id) {
-  return static_cast<Key>(ordered_bits(lower_x)) << 32 | id;
-}
-
-void sort_keys(std::span<Key> keys, Interrupt& interrupt) {
-  std::size_t moves_left = 16 * keys.size();
-  for (std::size_t i = 1; i < keys.size(); ++i) {
-    const Key key = keys[i];
-    std::size_t place = i;
-    for (; place > 0 && keys[place - 1] > key; --place) keys[place] = keys[place - 1];
-    keys[place] = key;
-    if (i - place > moves_left) return full_sort(keys, interrupt);
-    moves_left -= i - place;
-  }
-}
-
 template <int D>
-Stripes<D>::Stripes(const Partition<D>& partition, const FloatRows<D>& rows, GridSpace::Side& memory,
-                    Interrupt& interrupt)
-    : partition_(partition), rows_(rows) {
-  const std::size_t cells = partition.stripes() * partition.buckets() + 1;
-  cells_ = memory.cells.room(cells);
-  std::fill_n(cells_, cells, 0);
-  count(interrupt);
+Stripes<D>::Stripes(const BeamSource<D>& source, const Frame<D>& frame, const Partition<D>& partition,
+                    FloatRows<D>& rows, GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
+    : partition_(partition), rows_(rows), begins_(memory.stripes.room(partition.stripes() + 1)) {
+  std::vector<Part> parts(helpers + 1);
+  if (memory.parts.size() < parts.size()) memory.parts.resize(parts.size());
+  const std::size_t count = source.count();
+  run_together(helpers, interrupt, [&](std::size_t part, std::size_t of, Interrupt& asked) {
+    read(source, frame, part * count / of, (part + 1) * count / of, memory.parts[part], parts[part], asked);
+  });
+  add_up(parts);
   keys_ = memory.keys.room(entry_count_);
-  place(interrupt);
+  run_together(helpers, interrupt,
+               [&](std::size_t part, std::size_t, Interrupt& asked) { place(parts[part], asked); });
 }
 
 template <int D>
-template <class Visit>
-void Stripes<D>::for_each_cell(const FloatBox<D>& box, Visit visit) const {
-  const auto buckets = partition_.buckets();
-  const auto bucket = static_cast<std::size_t>(partition_.axis[0].index(box.lower[0]));
-  if constexpr (D == 1) {
-    visit(bucket);
-  } else if constexpr (D == 2) {
-    const StripeRange y = stripe_range(partition_, box, 1);
-    for (int j = y.first; j <= y.last; ++j) visit(static_cast<std::size_t>(j) * buckets + bucket);
-  } else {
-    const StripeRange y = stripe_range(partition_, box, 1), z = stripe_range(partition_, box, 2);
-    const auto across = static_cast<std::size_t>(partition_.axis[2].count);
-    for (int j = y.first; j <= y.last; ++j)
-      for (int k = z.first; k <= z.last; ++k)
-        visit((static_cast<std::size_t>(j) * across + static_cast<std::size_t>(k)) * buckets + bucket);
+void Stripes<D>::read(const BeamSource<D>& source, const Frame<D>& frame, std::size_t begin, std::size_t end,
+                      GridSpace::Part& memory, Part& part, Interrupt& interrupt) {
+  part.counts = memory.counts.room(partition_.stripes());
+  std::fill_n(part.counts, partition_.stripes(), 0);
+  BeamLanes<D> beams;
+  FloatLanes<D> lanes;
+  std::size_t chunks = 0;
+  for (std::size_t first = begin; first < end; first += lanes.width) {
+    if (chunks++ % chunks_per_check == 0) interrupt.check();
+    const std::size_t count = std::min(lanes.width, end - first);
+    source.read(first, count, beams);
+    round_outward(beams, count, frame, rows_.columns(), lanes);
+    find_stripes(lanes, count, partition_);
+    rows_.write(first, lanes, count);
+    enter(lanes, first, count, memory, part);
   }
 }
 
+/// Appends what the lanes enter. Most boxes meet one stripe or two along an axis, which takes no branch.
 template <int D>
-void Stripes<D>::count(Interrupt& interrupt) {
-  for (std::size_t i = 0; i < rows_.count(); ++i) {
-    if (i % objects_per_check == 0) interrupt.check();
-    const FloatBox<D> box = rows_.box(i);
-    if (box.is_empty()) continue;
-    if (partition_.is_giant(box)) {
-      giants_.push_back(static_cast<std::uint32_t>(i));
+void Stripes<D>::enter(const FloatLanes<D>& lanes, std::size_t first, std::size_t count,
+                       GridSpace::Part& memory, Part& part) const {
+  std::size_t wanted = part.size + 4;  // some are written and written over
+  std::uint32_t any_giant = 0;
+  for (std::size_t l = 0; l < count; ++l) {
+    wanted += std::size_t{lanes.more_y[l] + 1} * (lanes.more_z[l] + 1);
+    any_giant |= lanes.giant[l];
+  }
+  Key* const keys = part.keys = memory.keys.grown(wanted, part.size);
+  std::uint32_t* const stripes = part.stripes = memory.stripes.grown(wanted, part.size);
+  const auto across = static_cast<std::uint32_t>(D > 2 ? partition_.axis[D - 1].count : 1);
+  std::size_t size = part.size;
+  for (std::size_t l = 0; l < count; ++l) {
+    const Key key = Key{lanes.order[l]} << 32 | static_cast<std::uint32_t>(first + l);
+    const std::uint32_t stripe = lanes.first[l], y = lanes.more_y[l], z = lanes.more_z[l];
+    keys[size] = key, stripes[size] = stripe, size += lanes.inside[l];
+    if (y <= 1 && z <= 1) {
+      if constexpr (D > 2) {
+        keys[size] = key, stripes[size] = stripe + 1, size += z;
+        keys[size] = key, stripes[size] = stripe + across + 1, size += y & z;
+      }
+      if constexpr (D > 1) keys[size] = key, stripes[size] = stripe + across, size += y;
       continue;
     }
-    for_each_cell(box, [this](std::size_t cell) { ++cells_[cell]; });
+    for (std::uint32_t j = 0; j <= y; ++j)
+      for (std::uint32_t k = j == 0; k <= z; ++k)
+        keys[size] = key, stripes[size] = stripe + j * across + k, ++size;
   }
-  const std::size_t cells = partition_.stripes() * partition_.buckets() + 1;
-  for (std::size_t i = 0; i < cells; ++i) cells_[i] = static_cast<std::uint32_t>(entry_count_ += cells_[i]);
+  for (std::size_t i = part.size; i < size; ++i) ++part.counts[stripes[i]];
+  part.size = size;
+  for (std::size_t l = 0; any_giant && l < count; ++l)
+    if (lanes.giant[l]) part.giants.push_back(static_cast<std::uint32_t>(first + l));
+}
+
+/// Counts become the places of each part's first entry in each stripe.
+template <int D>
+void Stripes<D>::add_up(std::span<Part> parts) {
+  for (const Part& part : parts) {
+    entry_count_ += part.size;
+    giants_.insert(giants_.end(), part.giants.begin(), part.giants.end());
+  }
   if (entry_count_ > std::numeric_limits<std::uint32_t>::max()) throw Error("too many objects for one grid");
-}
-
-template <int D>
-void Stripes<D>::place(Interrupt& interrupt) {
-  for (std::size_t i = rows_.count(); i-- > 0;) {
-    if (i % objects_per_check == 0) interrupt.check();
-    const FloatBox<D> box = rows_.box(i);
-    if (box.is_empty() || partition_.is_giant(box)) continue;
-    const Key key = key_of(box.lower[0], static_cast<std::uint32_t>(i));
-    for_each_cell(box, [this, key](std::size_t cell) { keys_[--cells_[cell]] = key; });
+  std::uint32_t place = 0;
+  for (std::size_t stripe = 0; stripe < partition_.stripes(); ++stripe) {
+    begins_[stripe] = place;
+    for (Part& part : parts) place += std::exchange(part.counts[stripe], place);
   }
+  begins_[partition_.stripes()] = place;
 }
 
 template <int D>
-std::span<Key> Stripes<D>::entries(std::size_t stripe) {
-  const std::size_t begin = cells_[stripe * partition_.buckets()];
-  const std::size_t end = cells_[(stripe + 1) * partition_.buckets()];
-  return {keys_ + begin, end - begin};
+void Stripes<D>::place(Part& part, Interrupt& interrupt) {
+  for (std::size_t i = 0; i < part.size; ++i) {
+    if (i % entries_per_check == 0) interrupt.check();
+    keys_[part.counts[part.stripes[i]]++] = part.keys[i];
+  }
 }
 
 template class Stripes<1>;

@@ -1,32 +1,23 @@
 // Which boxes lie in which stripe? GPCD step 3: every box is entered into the stripes that it meets.
 //
-//   Stripes<2> stripes(partition, rows, memory, interrupt);
-//   for (Key key : stripes.entries(7)) …                 // the boxes that meet stripe 7, by lower end in x
+//   Stripes<2> stripes(source, frame, partition, rows, memory, helpers, interrupt);
+//   for (Key key : stripes.entries(7)) …                 // the boxes that meet stripe 7, by row number
 //
-// A counting sort over (stripe, bucket along x): one pass counts, one pass places. Boxes are replicated
-// across stripes only, a handful of times at most, because giants are left out and listed apart. Memory: a
-// float box, about 1.5 keys and two counters an object.
+// Each thread reads its part of the objects: rows, entries, and how many entries each stripe gets; then each
+// puts its entries behind those of the parts before. So stripes are the same for any number of threads. Boxes
+// are replicated a handful of times at most, because giants are left out and listed apart. Memory: a float
+// box and about 20 bytes an entry.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "index/gpcd_grid/cell_size.h"
+#include "index/gpcd_grid/beam_sources.h"
 #include "index/gpcd_grid/float_rows.h"
+#include "index/gpcd_grid/sort_keys.h"
 
 namespace foresee::gpcd {
-
-/// Orders boxes by the lower end along x, then by row number; comparing keys is one integer comparison.
-using Key = std::uint64_t;
-
-Key key_of(float lower_x, std::uint32_t id);
-inline std::uint32_t id_of(Key key) {
-  return static_cast<std::uint32_t>(key);
-}
-
-/// Sorts keys that are nearly in order; falls back to a full sort where they are not.
-void sort_keys(std::span<Key> keys, Interrupt& interrupt);
 
 /// Stripe numbers of a box on one axis, both ends included.
 struct StripeRange {
@@ -41,28 +32,40 @@ StripeRange stripe_range(const Partition<D>& partition, const FloatBox<D>& box, 
 template <int D>
 class Stripes {
  public:
-  /// Requires: rows.count() < 2^32; rows and memory outlive the stripes. Throws Error if there are more
-  /// entries than 2^32.
-  Stripes(const Partition<D>& partition, const FloatRows<D>& rows, GridSpace::Side& memory,
-          Interrupt& interrupt);
+  /// Writes all rows. Requires: source.count() < 2^32; rows and memory outlive the stripes. Throws Error if
+  /// there are more entries than 2^32.
+  Stripes(const BeamSource<D>& source, const Frame<D>& frame, const Partition<D>& partition,
+          FloatRows<D>& rows, GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt);
 
   const FloatRows<D>& rows() const { return rows_; }
   /// Row numbers of the boxes outside the grid.
   const std::vector<std::uint32_t>& giants() const { return giants_; }
-  /// The boxes in one stripe, in bucket order; the caller may sort them.
-  std::span<Key> entries(std::size_t stripe);
+  /// The boxes in one stripe.
+  std::span<const Key> entries(std::size_t stripe) const {
+    return {keys_ + begins_[stripe], begins_[stripe + 1] - begins_[stripe]};
+  }
   std::size_t entry_count() const { return entry_count_; }
 
  private:
-  template <class Visit>
-  void for_each_cell(const FloatBox<D>& box, Visit visit) const;
-  void count(Interrupt& interrupt);
-  void place(Interrupt& interrupt);
+  /// What one thread has read.
+  struct Part {
+    Key* keys = nullptr;
+    std::uint32_t *stripes = nullptr, *counts = nullptr;
+    std::size_t size = 0;
+    std::vector<std::uint32_t> giants;
+  };
+
+  void read(const BeamSource<D>& source, const Frame<D>& frame, std::size_t begin, std::size_t end,
+            GridSpace::Part& memory, Part& part, Interrupt& interrupt);
+  void enter(const FloatLanes<D>& lanes, std::size_t first, std::size_t count, GridSpace::Part& memory,
+             Part& part) const;
+  void add_up(std::span<Part> parts);
+  void place(Part& part, Interrupt& interrupt);
 
   Partition<D> partition_;
-  const FloatRows<D>& rows_;
+  FloatRows<D>& rows_;
   std::vector<std::uint32_t> giants_;
-  std::uint32_t* cells_;  // first counts, then where the cell begins in keys_; one more at the end
+  std::uint32_t* begins_;  // of each stripe in keys_; one more at the end
   Key* keys_ = nullptr;
   std::size_t entry_count_ = 0;
 };

@@ -12,6 +12,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "motion/pair.h"
 
@@ -29,6 +31,17 @@ class Buffer {
       values_.reset();
       values_.reset(new T[count + count / 8]);
       capacity_ = count + count / 8;
+    }
+    return values_.get();
+  }
+  /// The same, but the first `used` values stay.
+  T* grown(std::size_t count, std::size_t used) {
+    most_ = std::max(most_, count);
+    if (count > capacity_) {
+      std::unique_ptr<T[]> larger(new T[count + count / 2]);
+      std::copy_n(values_.get(), used, larger.get());
+      values_ = std::move(larger);
+      capacity_ = count + count / 2;
     }
     return values_.get();
   }
@@ -51,18 +64,26 @@ class Buffer {
 
 /// What a grid computes in. Used by one grid at a time.
 struct GridSpace {
+  /// What one thread has read of one side.
+  struct Part {
+    Buffer<std::uint64_t> keys;
+    Buffer<std::uint32_t> stripes, counts;
+  };
+
   /// What is kept of the objects of one side.
   struct Side {
     Buffer<float> rows;
-    Buffer<std::uint32_t> cells;
+    Buffer<std::uint32_t> stripes;
     Buffer<std::uint64_t> keys;
+    std::vector<Part> parts;
   } sides[2];
 
   /// What one thread needs to visit stripes.
   struct Visit {
     struct Lanes {
       Buffer<float> floats;
-      Buffer<std::uint32_t> words;
+      Buffer<std::uint32_t> words, buckets;
+      Buffer<std::uint64_t> keys;
     } inside[2], crossing[2];
     Buffer<Pair> batch;
   } visit;
@@ -81,9 +102,10 @@ struct GridSpace {
   template <class Work>
   void for_each(Work work) {
     for (int i = 0; i < 2; ++i) {
-      work(sides[i].rows), work(sides[i].cells), work(sides[i].keys);
+      work(sides[i].rows), work(sides[i].stripes), work(sides[i].keys);
+      for (Part& part : sides[i].parts) work(part.keys), work(part.stripes), work(part.counts);
       for (Visit::Lanes* lanes : {&visit.inside[i], &visit.crossing[i]})
-        work(lanes->floats), work(lanes->words);
+        work(lanes->floats), work(lanes->words), work(lanes->buckets), work(lanes->keys);
     }
     work(visit.batch);
   }

@@ -1,0 +1,72 @@
+// Float boxes side by side, on their way from beams into the grid: rounded outward, and told which stripes
+// they meet.
+//
+//   FloatLanes<2> lanes;
+//   round_outward(beams, count, frame, columns, lanes);   // contain the beams' boxes
+//   find_stripes(lanes, count, partition);                // lanes.first[7], lanes.along_y[7], …
+//
+// Guarantee: two boxes that meet have float boxes that meet, and share a stripe unless one of them is a
+// giant. With `columns.travel` there is room for the test of time too (scan_kernel.h). All instruction sets
+// give the same bits. Cost: a few nanoseconds a box.
+#pragma once
+
+#include <vector>
+
+#include "index/gpcd_grid/cell_size.h"
+#include "motion/beam_lanes.h"
+
+namespace foresee::gpcd {
+
+template <int D>
+struct FloatLanes {
+  static constexpr std::size_t width = BeamLanes<D>::width;
+
+  float lower[D][width] = {}, upper[D][width] = {};
+  /// Where the columns have it; NaN if the numbers of the beam are too large to compute with: every test of
+  /// time then passes.
+  float travel[D][width] = {};
+  /// Where the columns have it: within [-1, 1], the middle of the horizon being 0.
+  float begin[width] = {}, end[width] = {};
+
+  // What find_stripes() finds.
+  std::uint32_t first[width] = {};  ///< number of the first stripe: that along y, that along z
+  std::uint32_t more_y[width] = {}, more_z[width] = {};  ///< stripes beside the first, along each axis
+  std::uint32_t inside[width] = {};                      ///< 1, or 0 if it enters no stripe
+  std::uint32_t giant[width] = {};                       ///< 1 if that is because it is too large
+  std::uint32_t order[width] = {};                       ///< grows with the lower end along x
+
+  FloatBox<D> box(std::size_t l) const {
+    FloatBox<D> box;
+    for (int k = 0; k < D; ++k) box.lower[k] = lower[k][l], box.upper[k] = upper[k][l];
+    return box;
+  }
+};
+
+/// The first `count` lanes; those behind them have no meaning.
+template <int D>
+void round_outward(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, Columns columns,
+                   FloatLanes<D>& out);
+
+/// The same for a few beams.
+template <int D>
+std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>> beams, const Frame<D>& frame, Columns columns);
+
+/// Requires: partition.stripes() < 2^32.
+template <int D>
+void find_stripes(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition);
+
+#if defined(__x86_64__)
+// The same for CPUs that have more than the build asks for; each in a file compiled for that CPU.
+template <int D>
+void round_outward_avx2(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, Columns columns,
+                        FloatLanes<D>& out);
+template <int D>
+void find_stripes_avx2(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition);
+template <int D>
+void round_outward_avx512(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame,
+                          Columns columns, FloatLanes<D>& out);
+template <int D>
+void find_stripes_avx512(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition);
+#endif
+
+}  // namespace foresee::gpcd

@@ -1,0 +1,96 @@
+#include "index/gpcd_grid/sort_keys.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+#include <utility>
+
+namespace foresee::gpcd {
+namespace {
+
+constexpr std::size_t few = 12;  // that an insertion sort alone is faster for
+constexpr std::size_t keys_per_check = 8192;
+
+/// The bits of x as an integer that grows with x.
+std::uint32_t ordered_bits(float x) {
+  const auto bits = std::bit_cast<std::uint32_t>(x);
+  return bits ^ (static_cast<std::uint32_t>(-static_cast<std::int32_t>(bits >> 31)) | 0x80000000u);
+}
+
+float lower_x(Key key) {
+  const auto bits = static_cast<std::uint32_t>(key >> 32);
+  const auto flipped = static_cast<std::uint32_t>(static_cast<std::int32_t>(~bits) >> 31);
+  return std::bit_cast<float>(bits ^ (flipped | 0x80000000u));
+}
+
+/// std::sort that can be stopped; used for keys without order only, so the price of counting is small.
+void full_sort(std::span<Key> keys, Interrupt& interrupt) {
+  std::size_t comparisons = 0;
+  std::sort(keys.begin(), keys.end(), [&](Key a, Key b) {
+    if (++comparisons % (std::size_t{1} << 18) == 0) interrupt.check();
+    return a < b;
+  });
+}
+
+/// Where keys lie, but within `range`.
+Range range_of(std::span<const Key> keys, const Range& range) {
+  Key least = keys[0], most = keys[0];
+  for (Key key : keys) least = std::min(least, key), most = std::max(most, key);
+  return {std::max(lower_x(least), range.from), std::min(lower_x(most), range.to)};
+}
+
+void into_buckets(std::span<const Key> keys, const Range& range, Key* out, std::uint32_t* places,
+                  Interrupt& interrupt) {
+  const std::size_t size = keys.size();
+  const auto [from, to] = range_of(keys, range);
+  const auto last = static_cast<float>(size - 1);
+  const float largest = std::numeric_limits<float>::max();
+  const float per_unit = from < to ? std::min(static_cast<float>(size) / (to - from), largest) : 0;
+  const auto bucket = [=, from = from](Key key) {
+    return static_cast<std::size_t>(std::min(std::max(0.0f, (lower_x(key) - from) * per_unit), last));
+  };
+  std::fill_n(places, size, 0);
+  for (std::size_t i = 0; i < size; ++i) {
+    if (i % keys_per_check == keys_per_check - 1) interrupt.check();
+    ++places[bucket(keys[i])];
+  }
+  std::uint32_t place = 0;
+  for (std::size_t i = 0; i < size; ++i) place += std::exchange(places[i], place);
+  for (std::size_t i = 0; i < size; ++i) {
+    if (i % keys_per_check == keys_per_check - 1) interrupt.check();
+    out[places[bucket(keys[i])]++] = keys[i];
+  }
+}
+
+}  // namespace
+
+Key key_of(float lower_x, std::uint32_t id) {
+  return static_cast<Key>(ordered_bits(lower_x)) << 32 | id;
+}
+
+void sort_keys(std::span<Key> keys, Interrupt& interrupt) {
+  std::size_t moves_left = 16 * keys.size();
+  for (std::size_t i = 1; i < keys.size(); ++i) {
+    const Key key = keys[i];
+    std::size_t place = i;
+    for (; place > 0 && keys[place - 1] > key; --place) keys[place] = keys[place - 1];
+    keys[place] = key;
+    if (i - place > moves_left) return full_sort(keys, interrupt);
+    moves_left -= i - place;
+  }
+}
+
+std::span<const Key> along_x(std::span<const Key> keys, const Range& range, GridSpace::Visit::Lanes& memory,
+                             Interrupt& interrupt) {
+  const std::size_t size = keys.size();
+  Key* const sorted = memory.keys.room(size);
+  if (size <= few) {
+    std::copy(keys.begin(), keys.end(), sorted);
+  } else {
+    into_buckets(keys, range, sorted, memory.buckets.room(size), interrupt);
+  }
+  sort_keys({sorted, size}, interrupt);
+  return {sorted, size};
+}
+
+}  // namespace foresee::gpcd

@@ -1,0 +1,92 @@
+// The loops of beams(), for files compiled for one CPU each. Everything here is local to the file that
+// includes it: a copy made for one CPU must not end up in the place of another's. No branches, so that
+// compilers use vector instructions.
+//
+// How the bounds are made safe
+// ----------------------------
+// As in swept_box.cpp: with S = reach and M = |x| + |v| S + |a| S^2, the computed ends of the chord are off
+// by at most 5u M, and so is every place of the path that they stand for. The bow |a| T^2 / 8 is computed
+// with four roundings from a T that is itself off by at most 4u S: another 2u M at most. Adding it to the
+// chord and rounding the travel lose u M each, the last sum u (M + size), the three sums before it 3u size:
+// 10u M + 4u size in all. 24u (M + size) + (S + 4) 2^-1020 is more than twice that, underflow and the
+// roundings of the bound itself included. What rests is off by the same sums only: u |x| + 4u size.
+//
+// Where an object lives for a part of the horizon, its travel is off by the roundings of a quotient of at
+// most 64: the moving box is wrong by a relative 2^-40 of the travel at most, which is added.
+//
+// What overflows anywhere makes M infinite or NaN, and with it the extent of the box: then both ends are
+// infinite. least() and greatest() pass on a second argument that is NaN.
+#pragma once
+
+#include "motion/beam_lanes.h"
+
+namespace foresee {
+namespace {
+
+constexpr double u = 0x1p-53, forever = __builtin_inf();
+constexpr double shortest_part = 1.0 / 64;  // of the horizon; shorter lives stand still
+constexpr std::size_t block = 8;            // lanes at a time: the widest register's
+
+inline double size_of(double x) {
+  return __builtin_fabs(x);
+}
+inline double least(double a, double b) {
+  return a < b ? a : b;
+}
+inline double greatest(double a, double b) {
+  return a > b ? a : b;
+}
+
+/// from, to, reach, parts, begin and end of what has t and until; life_of() of life.h, side by side.
+template <int D>
+void find_lives_here(BeamLanes<D>& lanes, std::size_t count, double now, double h) {
+  const double unit = h > 0 ? h : 1, least_end = h > 0 ? 0 : 1;
+  for (std::size_t first = 0; first < count; first += block)
+    for (std::size_t l = first; l < first + block; ++l) {
+      const double t = lanes.t[l], until = lanes.until[l], since = now - t;
+      lanes.from[l] = greatest(since, 0);
+      lanes.to[l] = least(since + h, until - t);
+      lanes.reach[l] = size_of(since) + h;
+      // Rounding keeps order: if t - now, rounded, exceeds the double h, then so does the exact difference.
+      const bool none = (t - now > h) | (until < now);
+      const double begin = least(greatest(t - now, 0) / unit, 1);
+      const double end = greatest(least(until - now, h) / unit, least_end), part = end - begin;
+      const double parts = part >= shortest_part ? 1 / part : 0;
+      lanes.begin[l] = none ? 0 : begin;
+      lanes.end[l] = none ? 1 : end;
+      lanes.parts[l] = none ? -1 : parts;
+    }
+}
+
+/// lower, upper and travel, from courses and lives; `bent` where there is acceleration.
+template <int D, bool bent>
+void find_beams_here(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D]) {
+  for (int k = 0; k < D; ++k)
+    for (std::size_t first = 0; first < count; first += block)
+      for (std::size_t l = first; l < first + block; ++l) {
+        const double x = lanes.x[k][l], v = lanes.v[k][l], a = bent ? lanes.a[k][l] : 0;
+        const double from = lanes.from[l], to = lanes.to[l], reach = lanes.reach[l], parts = lanes.parts[l];
+        const double size = lanes.half[k][l] + margin[k], time = to - from;
+        const bool still = (v == 0) & (a == 0);  // also where a time is infinite
+        const double begins = x + from * (bent ? v + a * from * 0.5 : v);
+        const double ends = x + to * (bent ? v + a * to * 0.5 : v);
+        const double begin = still ? x : begins, end = still ? x : ends;
+        const double bow = still ? 0 : bent ? a * time * time * 0.125 : 0;
+        const double travel = (end - begin) * parts;
+        const double speed = bent ? size_of(v) + size_of(a) * reach : size_of(v);
+        const double weight = size_of(x) + size;
+        const double moving_error = 24 * u * (weight + reach * speed) + (reach + 4) * 0x1p-1020;
+        const double error = still ? 8 * u * weight + 0x1p-1020 : moving_error;
+        const double lost = parts == 1 ? 0 : 0x1p-40 * size_of(travel);
+        const double grow = size + error + lost;
+        const double lower = (least(begin, end) + least(-bow, 0)) - grow;
+        const double upper = (greatest(begin, end) + greatest(-bow, 0)) + grow;
+        const bool sound = upper - lower < forever, none = parts < 0;
+        lanes.lower[k][l] = none ? forever : sound ? lower : -forever;
+        lanes.upper[k][l] = none ? -forever : sound ? upper : forever;
+        lanes.travel[k][l] = none ? 0 : travel;
+      }
+}
+
+}  // namespace
+}  // namespace foresee

@@ -1,0 +1,23 @@
+// Beams side by side (beam.h says what they are), as vector instructions read and write them.
+#pragma once
+
+#include <cstddef>
+
+namespace foresee {
+
+/// Beams, and what they are computed from.
+template <int D>
+struct BeamLanes {
+  static constexpr std::size_t width = 64;
+
+  double lower[D][width] = {}, upper[D][width] = {}, travel[D][width] = {}, begin[width] = {},
+         end[width] = {};
+
+  // Courses; when they are flown, as time since t; how often the life fits into the horizon: 0 if that is too
+  // short to say, below 0 for none.
+  double x[D][width] = {}, v[D][width] = {}, a[D][width] = {}, half[D][width] = {};
+  double t[width] = {}, until[width] = {};
+  double from[width] = {}, to[width] = {}, reach[width] = {}, parts[width] = {};
+};
+
+}  // namespace foresee
