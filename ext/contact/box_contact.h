@@ -1,5 +1,5 @@
-// Contact of boxes: eight pairs at once where that gives certain answers, which is nearly always; one by one
-// as for any other pair kind where it does not.
+// Contact of boxes: sixteen pairs at once where that gives certain answers, which is nearly always; one by
+// one as for any other pair kind where it does not.
 #pragma once
 
 #include "contact/box_box.h"
@@ -23,11 +23,20 @@ void put_course(BoxLanes<D, Degree>& lanes, int l, const Relative<D>& relative, 
 template <int D, int Degree>
 class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
  public:
-  explicit BoxContact(const Setup& setup) : TypedContact<BoxBox<D>, Degree>(setup) {}
+  explicit BoxContact(const Setup& setup) : TypedContact<BoxBox<D>, Degree>(setup) {
+    std::fill_n(lanes_.end, lanes_width, setup.horizon.h);
+    take_places(rows_.a, setup.a.at);
+    take_places(rows_.b, setup.b.at);
+    rows_.within = setup.within, rows_.now = setup.horizon.now;
+  }
 
   void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) override {
     const FloatEnvironment environment;
-    in_lanes(pairs, [&](std::span<const Pair> some) {
+    in_lanes(pairs, [&](std::span<const Pair> some, Settled settled) {
+      if (settled == Settled::all_touch_now) {
+        hits.insert(hits.end(), some.begin(), some.end());
+        return;
+      }
       for (int l = 0; l < static_cast<int>(some.size()); ++l) {
         if (lanes_.misses[l] > 0) continue;
         const Pair& pair = some[static_cast<std::size_t>(l)];
@@ -40,13 +49,20 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
   void first_contacts(std::span<const Pair> pairs, TimesWanted wanted, std::vector<Pair>& hits,
                       std::vector<ContactTimes>& times) override {
     const FloatEnvironment environment;
-    ContactTimes found;
-    in_lanes(pairs, [&](std::span<const Pair> some) {
-      find_meetings_of(some);
+    const double now = setup_.horizon.now;
+    in_lanes(pairs, [&](std::span<const Pair> some, Settled settled) {
+      if (settled == Settled::all_touch_now && wanted == TimesWanted::begins) {
+        hits.insert(hits.end(), some.begin(), some.end());
+        times.insert(times.end(), some.size(), {now, now, 0, 0});
+        return;
+      }
+      find_meetings_of(some, settled);
+      ContactTimes found;
       for (int l = 0; l < static_cast<int>(some.size()); ++l) {
-        if (lanes_.misses[l] > 0) continue;
+        const bool touches_now = settled == Settled::all_touch_now || lanes_.touches_now[l] > 0;
+        if (!touches_now && lanes_.misses[l] > 0) continue;
         const Pair& pair = some[static_cast<std::size_t>(l)];
-        if (!quick_contact(pair, l, wanted, found) &&
+        if (!quick_contact(pair, l, touches_now, wanted, found) &&
             !this->first_contact(row_a(pair), row_b(pair), wanted, found))
           continue;
         hits.push_back(pair);
@@ -56,35 +72,47 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
   }
 
  private:
-  using Lanes = BoxLanes<D, Degree>;
+  /// What lanes_ holds: of pairs whose rows are in rows_, of others, or nothing as all touch now.
+  enum class Settled : std::uint8_t { by_rows, by_course, all_touch_now };
 
   /// Settles the pairs, some at a time, and visits those.
   template <class Visit>
   void in_lanes(std::span<const Pair> pairs, Visit&& visit) {
-    for (std::size_t begin = 0; begin < pairs.size(); begin += Lanes::width) {
-      const auto some = pairs.subspan(begin, std::min<std::size_t>(Lanes::width, pairs.size() - begin));
-      for (std::size_t l = 0; l < some.size(); ++l) {
-        this->fetch_ahead(pairs, begin + l);
-        put(row_a(some[l]), row_b(some[l]), static_cast<int>(l));
-      }
-      settle(lanes_);
-      visit(some);
+    for (std::size_t begin = 0; begin < pairs.size(); begin += lanes_width) {
+      const auto some = pairs.subspan(begin, std::min<std::size_t>(lanes_width, pairs.size() - begin));
+      for (std::size_t l = 0; l < some.size(); ++l) this->fetch_ahead(pairs, begin + l);
+      visit(some, settle(some));
     }
   }
 
-  [[gnu::flatten]] void put(const double* a, const double* b, int l) {
-    const double now = setup_.horizon.now;
-    const bool fresh = value_or(a, setup_.a.at.t, 0) == now && value_or(b, setup_.b.at.t, 0) == now;
-    if (!fresh || own_ends_) return put_aged(a, b, l);
-    for (int j = 0; j < D; ++j) {
-      const AxisMotion from = axis_motion(setup_.a, a, j), to = axis_motion(setup_.b, b, j);
-      lanes_.x[j][l] = to.x - from.x, lanes_.v[j][l] = to.v - from.v;
-      lanes_.ex[j][l] = lanes_.ev[j][l] = 0;
-      if constexpr (Degree == 2) lanes_.a[j][l] = 0.5 * (to.a - from.a);
+  Settled settle(std::span<const Pair> some) {
+    if (own_ends_ || !all_fresh(some)) {
+      for (std::size_t l = 0; l < some.size(); ++l)
+        put_aged(row_a(some[l]), row_b(some[l]), static_cast<int>(l));
+      kernel_.settle(lanes_);
+      return Settled::by_course;
     }
-    const auto sizes = this->template sizes<double>(a, b);
-    for (int j = 0; j < D; ++j) lanes_.half[j][l] = sizes.half[j];
-    lanes_.end[l] = setup_.horizon.h;
+    // Lanes without a pair repeat the last one.
+    for (std::size_t l = 0; l < lanes_width; ++l) {
+      const Pair& pair = some[std::min(l, some.size() - 1)];
+      rows_.a.rows[l] = row_a(pair), rows_.b.rows[l] = row_b(pair);
+    }
+    return kernel_.settle_rows(rows_, lanes_) ? Settled::all_touch_now : Settled::by_rows;
+  }
+
+  /// Whether all motions are stored as of `now`.
+  bool all_fresh(std::span<const Pair> some) const {
+    const double now = setup_.horizon.now;
+    const int t_a = setup_.a.at.t, t_b = setup_.b.at.t;
+    if (t_a == Offsets::absent && t_b == Offsets::absent) return now == 0;
+    return std::all_of(some.begin(), some.end(), [&](const Pair& pair) {
+      return value_or(row_a(pair), t_a, 0) == now && value_or(row_b(pair), t_b, 0) == now;
+    });
+  }
+
+  static void take_places(typename RowLanes<D>::Side& side, const Offsets& at) {
+    side.at_x = at.x, side.at_v = at.v, side.at_a = at.a, side.at_half = at.half;
+    if (D == 1 && at.r != Offsets::absent) side.at_half = at.r;  // a ball of one axis is an interval
   }
 
   /// Of other reference times, or with a life that may end within the horizon.
@@ -99,8 +127,8 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
   }
 
   /// The times, where the lane tells them.
-  bool quick_contact(const Pair& pair, int l, TimesWanted wanted, ContactTimes& found) const {
-    const bool touches_now = lanes_.touches_now[l] > 0;
+  bool quick_contact(const Pair& pair, int l, bool touches_now, TimesWanted wanted,
+                     ContactTimes& found) const {
     if (!touches_now && !(lanes_.meets_first[l] > 0)) return false;
     const Instant begin =
         touches_now ? Instant{0, setup_.horizon.now} : Instant{meetings_.dt[l], meetings_.t[l]};
@@ -116,14 +144,18 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
   }
 
   /// Finds the moments of all pairs that meet on their lanes.
-  void find_meetings_of(std::span<const Pair> pairs) {
+  void find_meetings_of(std::span<const Pair> pairs, Settled settled) {
+    if (settled == Settled::all_touch_now) return;
     bool any = false;
     for (int l = 0; l < static_cast<int>(pairs.size()); ++l) {
       if (!(lanes_.meets_first[l] > 0)) continue;
-      put_meeting(row_a(pairs[static_cast<std::size_t>(l)]), row_b(pairs[static_cast<std::size_t>(l)]), l);
       any = true;
+      if (settled == Settled::by_rows) break;
+      put_meeting(row_a(pairs[static_cast<std::size_t>(l)]), row_b(pairs[static_cast<std::size_t>(l)]), l);
     }
-    if (any) find_meetings(meetings_, setup_.horizon.now);
+    if (!any) return;
+    if (settled == Settled::by_rows) kernel_.take_meetings(rows_, lanes_, meetings_);
+    kernel_.find_meetings(meetings_, setup_.horizon.now);
   }
 
   [[gnu::flatten]] void put_meeting(const double* a, const double* b, int l) {
@@ -142,9 +174,11 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
   const double* row_b(const Pair& pair) const { return setup_.b.row(pair.b); }
 
   using TypedContact<BoxBox<D>, Degree>::setup_;
+  const BoxKernel<D, Degree>& kernel_ = box_kernel<D, Degree>();
   /// Of some bodies the motion may end within the horizon, or it is too long for what lanes look at.
   const bool own_ends_ = setup_.a.layout.has_until || setup_.b.layout.has_until || setup_.horizon.h > 0x1p39;
-  Lanes lanes_;
+  RowLanes<D> rows_;
+  BoxLanes<D, Degree> lanes_;
   MeetingLanes meetings_;
 };
 

@@ -7,27 +7,19 @@
 namespace foresee {
 
 template <int D, int Degree>
-void settle(BoxLanes<D, Degree>& lanes) {
+const BoxKernel<D, Degree>& box_kernel() {
 #if defined(__x86_64__)
-  if (simd_in_use() == Simd::avx512) return settle_avx512(lanes);
-  if (simd_in_use() == Simd::avx2) return settle_avx2(lanes);
+  if (simd_in_use() == Simd::avx512) return box_kernel_avx512<D, Degree>();
+  if (simd_in_use() == Simd::avx2) return box_kernel_avx2<D, Degree>();
 #endif
-  settle_here(lanes);
+  return kernel_here<D, Degree>;
 }
 
-void find_meetings(MeetingLanes& lanes, double now) {
-#if defined(__x86_64__)
-  if (simd_in_use() == Simd::avx512) return find_meetings_avx512(lanes, now);
-  if (simd_in_use() == Simd::avx2) return find_meetings_avx2(lanes, now);
-#endif
-  find_meetings_here(lanes, now);
-}
-
-template void settle(BoxLanes<1, 1>&);
-template void settle(BoxLanes<1, 2>&);
-template void settle(BoxLanes<2, 1>&);
-template void settle(BoxLanes<2, 2>&);
-template void settle(BoxLanes<3, 1>&);
-template void settle(BoxLanes<3, 2>&);
+template const BoxKernel<1, 1>& box_kernel();
+template const BoxKernel<1, 2>& box_kernel();
+template const BoxKernel<2, 1>& box_kernel();
+template const BoxKernel<2, 2>& box_kernel();
+template const BoxKernel<3, 1>& box_kernel();
+template const BoxKernel<3, 2>& box_kernel();
 
 }  // namespace foresee

@@ -1,10 +1,10 @@
-// Boxes against boxes, eight pairs at once: whether they touch and about when, from one guess a pair that is
-// then certified.
+// Boxes against boxes, sixteen pairs at once: whether they touch and about when, from one guess a pair that
+// is then certified.
 //
-//   lanes.put(l, axis, …);  lanes.end[l] = h;        // pair number l of at most `width`
-//   settle(lanes);
+//   const BoxKernel<2, 1>& kernel = box_kernel<2, 1>();   // of this CPU
+//   rows.a.rows[l] = …, rows.b.rows[l] = …; lanes.end[l] = h;        // pair number l of at most `width`
+//   kernel.settle_rows(rows, lanes);
 //   lanes.misses[l] > 0, lanes.meets_first[l] > 0;        // or neither
-
 //
 // The guess is a textbook's: on every axis on which the boxes are apart, the first root of a quadratic; the
 // latest of those moments is when they meet. What makes it certain are signs with error bounds, away from the
@@ -19,9 +19,22 @@
 
 namespace foresee {
 
+constexpr int lanes_width = 16;  // two of the widest registers: one computes while the other waits
+
+/// The pairs whose reference time is `now`, by their rows.
+template <int D>
+struct RowLanes {
+  struct Side {
+    const double* rows[lanes_width];
+    int at_x, at_v, at_a, at_half;  ///< where columns begin in a row; below 0: not there, all 0
+    double x[D][lanes_width] = {}, v[D][lanes_width] = {}, a[D][lanes_width] = {}, half[D][lanes_width] = {};
+  } a, b;
+  double within, now;
+};
+
 template <int D, int Degree>
 struct BoxLanes {
-  static constexpr int width = 8;
+  static constexpr int width = lanes_width;
 
   /// Course from 0 to `end` (rounded up, at most 2^40) and half extents on each axis. Errors of x and v are
   /// at most ex + 4u|x| and ev + 4u|v|, those of a and half 4u.
@@ -38,30 +51,42 @@ struct BoxLanes {
   double moment[width], before[width], after[width], axis[width];
 };
 
-template <int D, int Degree>
-void settle(BoxLanes<D, Degree>& lanes);
-
 /// When? The course and the half extents, in DoubleDouble, on the axis on which the boxes of each lane meet.
 struct MeetingLanes {
-  static constexpr int width = 8;
+  static constexpr int width = lanes_width;
 
   double x[width] = {}, v[width] = {}, a[width] = {}, half[width] = {};
   double x_low[width] = {}, v_low[width] = {}, a_low[width] = {}, half_low[width] = {};
   double ex[width] = {}, ev[width] = {};                          ///< as in BoxLanes
   double side[width] = {}, moment[width] = {}, room[width] = {};  ///< 1 or -1: of x; after - before
 
-  double dt[width], t[width];  ///< what find_meetings() finds, each rounded once; NaN where it cannot tell
+  double dt[width], t[width];  ///< each rounded once; NaN where find_meetings() cannot tell
 };
-void find_meetings(MeetingLanes& lanes, double now);
+
+/// The loops over lanes, compiled for one kind of CPU.
+template <int D, int Degree>
+struct BoxKernel {
+  /// Fills in what is found.
+  void (*settle)(BoxLanes<D, Degree>& lanes);
+  /// The same for pairs whose reference time is `now`; lanes.end is given. True if all lanes touch now:
+  /// nothing else is then found.
+  bool (*settle_rows)(RowLanes<D>& rows, BoxLanes<D, Degree>& lanes);
+  /// Takes the courses of lanes that settle_rows() has settled.
+  void (*take_meetings)(const RowLanes<D>& rows, const BoxLanes<D, Degree>& lanes, MeetingLanes& meetings);
+  /// Fills in dt and t.
+  void (*find_meetings)(MeetingLanes& lanes, double now);
+};
+
+/// Of the widest instructions in use (motion/simd.h).
+template <int D, int Degree>
+const BoxKernel<D, Degree>& box_kernel();
 
 #if defined(__x86_64__)
-// The same for CPUs that have more than the build asks for; each in a file compiled for that CPU.
+// For CPUs that have more than the build asks for; each in a file compiled for that CPU.
 template <int D, int Degree>
-void settle_avx2(BoxLanes<D, Degree>& lanes);
+const BoxKernel<D, Degree>& box_kernel_avx2();
 template <int D, int Degree>
-void settle_avx512(BoxLanes<D, Degree>& lanes);
-void find_meetings_avx2(MeetingLanes& lanes, double now);
-void find_meetings_avx512(MeetingLanes& lanes, double now);
+const BoxKernel<D, Degree>& box_kernel_avx512();
 #endif
 
 }  // namespace foresee

@@ -1,4 +1,4 @@
-// The loop of settle(), for files compiled for one CPU each. Everything here is local to the file that
+// The loops of BoxKernel, for files compiled for one CPU each. Everything here is local to the file that
 // includes it: a copy made for one CPU must not end up in the place of another's.
 //
 // Error bounds
@@ -114,6 +114,127 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
   }
 }
 
+/// As many numbers as a register holds. Where compilers do not find vector code by themselves, it is written
+/// down.
+#if defined(__AVX512F__)
+constexpr int register_width = 8;
+#elif defined(__AVX2__)
+constexpr int register_width = 4;
+#else
+constexpr int register_width = 2;
+#endif
+using Some [[gnu::vector_size(8 * register_width), gnu::aligned(8), gnu::may_alias]] = double;
+
+inline Some& some(double* at) {
+  return *reinterpret_cast<Some*>(at);
+}
+inline const Some& some(const double* at) {
+  return *reinterpret_cast<const Some*>(at);
+}
+
+/// Some rows, column by column. Columns are put together in registers: many small stores would hold up the
+/// wide loads that follow.
+template <int Width>
+struct SomeRows {
+  const double* row[Width];
+
+  explicit SomeRows(const double* const* rows) {
+    for (int l = 0; l < Width; ++l) row[l] = rows[l];
+  }
+
+  /// D columns from `place` on, into the lanes of each of `out` from `lane` on; none if there is no place.
+  template <int D>
+  [[gnu::always_inline]] inline void take(int place, double (&out)[D][lanes_width], int lane) const {
+    if (place < 0) return;
+    for (int j = 0; j < D; ++j) {
+      const long i = place + j;
+      Some& column = some(&out[j][lane]);
+      if constexpr (Width == 8)
+        column = Some{row[0][i], row[1][i], row[2][i], row[3][i], row[4][i], row[5][i], row[6][i], row[7][i]};
+      else if constexpr (Width == 4)
+        column = Some{row[0][i], row[1][i], row[2][i], row[3][i]};
+      else
+        column = Some{row[0][i], row[1][i]};
+    }
+  }
+};
+
+template <int D, int Degree>
+void take_columns(typename RowLanes<D>::Side& side) {
+  for (int lane = 0; lane < lanes_width; lane += register_width) {
+    const SomeRows<register_width> rows(side.rows + lane);
+    rows.take(side.at_x, side.x, lane);
+    rows.take(side.at_v, side.v, lane);
+    if constexpr (Degree == 2) rows.take(side.at_a, side.a, lane);
+    rows.take(side.at_half, side.half, lane);
+  }
+}
+
+template <int D, int Degree>
+bool settle_rows_here(RowLanes<D>& rows, BoxLanes<D, Degree>& lanes) {
+  take_columns<D, Degree>(rows.a);
+  take_columns<D, Degree>(rows.b);
+  Some touching = Some{} + 1;
+  for (int j = 0; j < D; ++j)
+    for (int l = 0; l < lanes_width; l += register_width) {
+      const Some x = some(rows.b.x[j] + l) - some(rows.a.x[j] + l);
+      const Some half = some(rows.a.half[j] + l) + some(rows.b.half[j] + l) + rows.within;
+      some(lanes.x[j] + l) = x, some(lanes.half[j] + l) = half;
+      some(lanes.v[j] + l) = some(rows.b.v[j] + l) - some(rows.a.v[j] + l);
+      if constexpr (Degree == 2) some(lanes.a[j] + l) = 0.5 * (some(rows.b.a[j] + l) - some(rows.a.a[j] + l));
+      some(lanes.ex[j] + l) = some(lanes.ev[j] + l) = Some{};
+      // As settle_here() finds that they touch now. False if half extents may overflow, or for NaN.
+      const Some size = x < 0.0 ? -x : x, room = half - size - 0x1p-48 * (size + half) - underflow;
+      touching = half < huge ? touching : -1.0 + Some{};
+      touching = room > 0.0 ? touching : -1.0 + Some{};
+    }
+  double all = 1;
+  for (int l = 0; l < register_width; ++l) all = least(all, touching[l]);
+  if (all > 0) return true;
+  settle_here(lanes);
+  return false;
+}
+
+/// Of a column for each axis, what each lane has on its own one.
+template <int D>
+inline void on_axis(const double (&axis)[lanes_width], const double (&columns)[D][lanes_width],
+                    double (&out)[lanes_width]) {
+  for (int l = 0; l < lanes_width; l += register_width) {
+    Some value = some(columns[0] + l);
+    for (int j = 1; j < D; ++j)
+      value = some(axis + l) == static_cast<double>(j) ? some(columns[j] + l) : value;
+    some(out + l) = value;
+  }
+}
+
+template <int D, int Degree>
+void take_meetings_here(const RowLanes<D>& rows, const BoxLanes<D, Degree>& lanes,
+                        MeetingLanes& __restrict meetings) {
+  double x[2][lanes_width], v[2][lanes_width], a[2][lanes_width], half[2][lanes_width];
+  for (int side = 0; side < 2; ++side) {
+    const typename RowLanes<D>::Side& from = side == 0 ? rows.a : rows.b;
+    on_axis(lanes.axis, from.x, x[side]);
+    on_axis(lanes.axis, from.v, v[side]);
+    if constexpr (Degree == 2) on_axis(lanes.axis, from.a, a[side]);
+    on_axis(lanes.axis, from.half, half[side]);
+  }
+  for (int l = 0; l < lanes_width; ++l) {
+    const DoubleDouble place = difference(x[1][l], x[0][l]), speed = difference(v[1][l], v[0][l]);
+    const DoubleDouble size = sum(half[0][l], half[1][l]) + DoubleDouble{rows.within, 0};
+    meetings.x[l] = place.high, meetings.x_low[l] = place.low;
+    meetings.v[l] = speed.high, meetings.v_low[l] = speed.low;
+    meetings.half[l] = size.high, meetings.half_low[l] = size.low;
+    meetings.side[l] = place.high < 0 ? -1 : 1;
+    meetings.ex[l] = meetings.ev[l] = 0;
+    meetings.moment[l] = lanes.moment[l], meetings.room[l] = lanes.after[l] - lanes.before[l];
+  }
+  if constexpr (Degree == 2)
+    for (int l = 0; l < lanes_width; ++l) {
+      const DoubleDouble turn = half_of(difference(a[1][l], a[0][l]));
+      meetings.a[l] = turn.high, meetings.a_low[l] = turn.low;
+    }
+}
+
 void find_meetings_here(MeetingLanes& lanes, double now) {
   for (int l = 0; l < lanes.width; ++l) {
     const double tau = lanes.moment[l], side = lanes.side[l], half_turn = tau * lanes.a[l];
@@ -132,5 +253,24 @@ void find_meetings_here(MeetingLanes& lanes, double now) {
   }
 }
 
+template <int D, int Degree>
+constexpr BoxKernel<D, Degree> kernel_here{settle_here<D, Degree>, settle_rows_here<D, Degree>,
+                                           take_meetings_here<D, Degree>, find_meetings_here};
+
 }  // namespace
 }  // namespace foresee
+
+/// Defines what `name` answers for every kind of boxes, compiled as the file that says so is.
+#define FORESEE_BOX_KERNELS(name)         \
+  namespace foresee {                     \
+  template <int D, int Degree>            \
+  const BoxKernel<D, Degree>& name() {    \
+    return kernel_here<D, Degree>;        \
+  }                                       \
+  template const BoxKernel<1, 1>& name(); \
+  template const BoxKernel<1, 2>& name(); \
+  template const BoxKernel<2, 1>& name(); \
+  template const BoxKernel<2, 2>& name(); \
+  template const BoxKernel<3, 1>& name(); \
+  template const BoxKernel<3, 2>& name(); \
+  }
