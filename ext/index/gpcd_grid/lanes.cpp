@@ -32,25 +32,63 @@ void Lanes<D>::make_room(std::size_t count, Columns columns) {
   view_.end = columns.life ? next() : nullptr;
 }
 
+/// Rows as columns, in four by four places at a time.
+template <int D>
+template <int width>
+void Lanes<D>::copy_rows(const FloatRows<D>& rows, Interrupt& interrupt) {
+  using Four = float __attribute__((vector_size(16)));
+  const auto load = [](const float* from) {
+    Four four;
+    __builtin_memcpy(&four, from, sizeof four);
+    return four;
+  };
+  const std::size_t whole = view_.size / 4 * 4;
+  for (std::size_t i = 0; i < whole; i += 4) {
+    if (i % boxes_per_check == 0) interrupt.check();
+    for (std::size_t later = i + ahead; later < std::min(i + ahead + 4, view_.size); ++later)
+      __builtin_prefetch(rows.row(ids_[later]));
+    const float* row[4];
+    for (std::size_t j = 0; j < 4; ++j) row[j] = rows.row(ids_[i + j]);
+    float* place = floats_ + i;
+    for (int k = 0; k + 4 <= width; k += 4) {
+      const Four a = load(row[0] + k), b = load(row[1] + k), c = load(row[2] + k), d = load(row[3] + k);
+      const Four ab = __builtin_shufflevector(a, b, 0, 4, 1, 5),
+                 cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
+      const Four ba = __builtin_shufflevector(a, b, 2, 6, 3, 7),
+                 dc = __builtin_shufflevector(c, d, 2, 6, 3, 7);
+      for (const Four& column :
+           {__builtin_shufflevector(ab, cd, 0, 1, 4, 5), __builtin_shufflevector(ab, cd, 2, 3, 6, 7),
+            __builtin_shufflevector(ba, dc, 0, 1, 4, 5), __builtin_shufflevector(ba, dc, 2, 3, 6, 7)}) {
+        __builtin_memcpy(place, &column, sizeof column);
+        place += room_;
+      }
+    }
+    for (int k = width / 4 * 4; k < width; ++k, place += room_)
+      for (std::size_t j = 0; j < 4; ++j) place[j] = row[j][k];
+  }
+  for (std::size_t i = whole; i < view_.size; ++i)
+    for (int k = 0; k < width; ++k) floats_[i + static_cast<std::size_t>(k) * room_] = rows.row(ids_[i])[k];
+}
+
 template <int D>
 void Lanes<D>::gather(std::span<const Key> keys, const FloatRows<D>& rows, Interrupt& interrupt) {
-  const std::size_t size = keys.size();
-  make_room(size, rows.columns());
-  const int width = FloatRows<D>::width(rows.columns());
-  float extent = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    if (i % boxes_per_check == boxes_per_check - 1) interrupt.check();
-    if (i + ahead < size) __builtin_prefetch(rows.row(id_of(keys[i + ahead])));
-    const std::uint32_t id = id_of(keys[i]);
-    const float* row = rows.row(id);
-    ids_[i] = id;
-    classes_[i] = 0;
-    float* place = floats_ + i;
-    for (int k = 0; k < width; ++k, place += room_) *place = row[k];
-    extent = std::max(extent, row[D] - row[0]);
-  }
-  view_.longest = static_cast<double>(extent) * (1 + 0x1p-20);
-  std::fill_n(floats_ + size, room_ - size, std::numeric_limits<float>::infinity());
+  make_room(keys.size(), rows.columns());
+  for (std::size_t i = 0; i < keys.size(); ++i) ids_[i] = id_of(keys[i]);
+  std::fill_n(classes_, keys.size(), 0);
+  if (rows.columns().life)
+    copy_rows<3 * D + 2>(rows, interrupt);
+  else if (rows.columns().travel)
+    copy_rows<3 * D>(rows, interrupt);
+  else
+    copy_rows<2 * D>(rows, interrupt);
+  for (float* column : {floats_, floats_ + D * room_})  // lower and upper ends along x
+    std::fill_n(column + keys.size(), room_ - keys.size(), std::numeric_limits<float>::infinity());
+  float longest[4] = {};  // side by side, so that none waits for the last; a sentinel's length is NaN
+  for (std::size_t i = 0; i < keys.size(); i += 4)
+    for (std::size_t j = 0; j < 4; ++j)
+      longest[j] = std::max(longest[j], view_.upper[0][i + j] - view_.lower[0][i + j]);
+  view_.longest =
+      static_cast<double>(*std::max_element(std::begin(longest), std::end(longest))) * (1 + 0x1p-20);
 }
 
 template <int D>

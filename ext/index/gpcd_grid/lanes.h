@@ -33,6 +33,8 @@ class Lanes {
   const LaneView<D>& view() const { return view_; }
 
  private:
+  template <int width>
+  void copy_rows(const FloatRows<D>& rows, Interrupt& interrupt);
   void make_room(std::size_t count, Columns columns);
   void classify(const Partition<D>& partition, const int (&stripe)[D]);
 

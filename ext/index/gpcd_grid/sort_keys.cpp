@@ -8,7 +8,7 @@
 namespace foresee::gpcd {
 namespace {
 
-constexpr std::size_t few = 12;  // that an insertion sort alone is faster for
+constexpr std::size_t few = 40;  // that are sorted by counting
 constexpr std::size_t keys_per_check = 8192;
 
 /// The bits of x as an integer that grows with x.
@@ -32,6 +32,27 @@ void full_sort(std::span<Key> keys, Interrupt& interrupt) {
   });
 }
 
+/// A few keys, no two equal: the place of each is the number of smaller ones.
+void sort_few(std::span<const Key> keys, Key* out) {
+  using Two = std::int64_t __attribute__((vector_size(16)));
+  constexpr Key sign = Key{1} << 63;  // vector instructions compare signed numbers
+  alignas(16) std::int64_t copy[few + 3];
+  for (std::size_t i = 0; i < keys.size(); ++i) copy[i] = static_cast<std::int64_t>(keys[i] ^ sign);
+  for (std::size_t i = keys.size(); i % 4 != 0; ++i) copy[i] = std::numeric_limits<std::int64_t>::max();
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const Two all = {copy[i], copy[i]};
+    Two smaller = {}, others = {};
+    for (std::size_t j = 0; j < keys.size(); j += 4) {
+      Two low, high;
+      __builtin_memcpy(&low, copy + j, sizeof low);
+      __builtin_memcpy(&high, copy + j + 2, sizeof high);
+      smaller -= low < all, others -= high < all;
+    }
+    smaller += others;
+    out[smaller[0] + smaller[1]] = keys[i];
+  }
+}
+
 /// Where keys lie, but within `range`.
 Range range_of(std::span<const Key> keys, const Range& range) {
   Key least = keys[0], most = keys[0];
@@ -47,7 +68,8 @@ void into_buckets(std::span<const Key> keys, const Range& range, Key* out, std::
   const float largest = std::numeric_limits<float>::max();
   const float per_unit = from < to ? std::min(static_cast<float>(size) / (to - from), largest) : 0;
   const auto bucket = [=, from = from](Key key) {
-    return static_cast<std::size_t>(std::min(std::max(0.0f, (lower_x(key) - from) * per_unit), last));
+    const float place = (lower_x(key) - from) * per_unit, positive = place > 0 ? place : 0;  // NaN: 0
+    return static_cast<std::size_t>(positive < last ? positive : last);
   };
   std::fill_n(places, size, 0);
   for (std::size_t i = 0; i < size; ++i) {
@@ -85,11 +107,11 @@ std::span<const Key> along_x(std::span<const Key> keys, const Range& range, Grid
   const std::size_t size = keys.size();
   Key* const sorted = memory.keys.room(size);
   if (size <= few) {
-    std::copy(keys.begin(), keys.end(), sorted);
+    sort_few(keys, sorted);
   } else {
     into_buckets(keys, range, sorted, memory.buckets.room(size), interrupt);
+    sort_keys({sorted, size}, interrupt);
   }
-  sort_keys({sorted, size}, interrupt);
   return {sorted, size};
 }
 
