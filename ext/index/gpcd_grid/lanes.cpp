@@ -44,7 +44,7 @@ void Lanes<D>::copy_rows(const FloatRows<D>& rows, Interrupt& interrupt) {
   };
   const std::size_t whole = view_.size / 4 * 4;
   for (std::size_t i = 0; i < whole; i += 4) {
-    if (i % boxes_per_check == 0) interrupt.check();
+    if (i % boxes_per_check == boxes_per_check - 4) interrupt.check();
     for (std::size_t later = i + ahead; later < std::min(i + ahead + 4, view_.size); ++later)
       __builtin_prefetch(rows.row(ids_[later]));
     const float* row[4];
