@@ -102,11 +102,13 @@ struct BallView {
   double ef, e1, e2, e3, e4;
 };
 
-/// One axis of a disc or ball: the axis and the coordinate of the ball's centre on it.
+/// One axis of a disc or ball: the axis and the coordinate of the ball's centre on it. Around an edge or
+/// corner `side` tells where a box ends there: at its upper face (1) or at its lower (-1).
 template <class T>
 struct Centre {
   int axis;
   T at;
+  int side = 0;
 };
 
 template <int Degree, int D, std::size_t N>

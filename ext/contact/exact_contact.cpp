@@ -43,23 +43,21 @@ class ExactPair {
     return {rounded(event, Dyadic()), rounded(event, moments_.now)};
   }
 
-  /// When is every polynomial of the piece at most 0?
+  /// When do all conditions of the piece hold?
   Stays held(const Piece& piece) {
+    const bool around = piece.around.count + piece.beyond.count > 0;
     Stays met;
     met.add(&begin_, &end_);
-    for (int i = 0; i < piece.curves.count && met.count > 0; ++i) {
-      const int number = piece.curves.list[i];
-      Curve& curve = formula_.curves[number];
-      if (curve.degree() <= 2) {
-        met = common(met, inside(number));
-        continue;
-      }
-      Stays near = met;
-      for (int k = 0; k < piece.around.count && near.count > 0; ++k)
-        near = common(near, inside(piece.around.list[k]));
-      met = near.count == 0 ? near : common(met, inside_while(near, curve));
-    }
-    return met;
+    for (int i = 0; i < piece.curves.count - (around ? 1 : 0) && met.count > 0; ++i)
+      met = common(met, inside(piece.curves.list[i]));
+    if (!around) return met;
+    for (int i = 0; i < piece.beyond.count && met.count > 0; ++i)
+      met = common(met, outside(inside(piece.beyond.list[i]), {begin_, end_}));
+    Stays near = met;
+    for (int i = 0; i < piece.around.count && near.count > 0; ++i)
+      near = common(near, inside(piece.around.list[i]));
+    if (near.count == 0) return near;
+    return common(met, inside_while(near, formula_.curves[piece.curves.list[piece.curves.count - 1]]));
   }
 
   /// A costly curve, which belongs to one piece alone: looked at only around the moments that the rest of the

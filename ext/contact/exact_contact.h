@@ -6,6 +6,7 @@
 // some microseconds more for each tie.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "contact/formula.h"
@@ -40,16 +41,16 @@ class PairPolynomials final : public PolynomialSource {
       : setup_(setup), row_a_(row_a), row_b_(row_b) {}
 
   Polynomial polynomial(int number) const override {
+    if (!course_) course_ = course_of<Dyadic, Kind::axes>(setup_, row_a_, row_b_);
     Polynomial polynomial;
-    const auto course = course_of<Dyadic, Kind::axes>(setup_, row_a_, row_b_);
-    Kind::visit(sizes<Dyadic>(), PolynomialVisitor<Kind::axes>(course, number, polynomial));
+    Kind::visit(sizes<Dyadic>(), PolynomialVisitor<Kind::axes>(*course_, number, polynomial));
     return polynomial;
   }
 
   /// This must outlive the formula.
   void formula(Formula& formula) const {
-    // Of a rounded cuboid: its slabs, 12 edges, 8 corners, and the slabs around those.
-    constexpr std::size_t most_curves = 12 + 12 + 8 + 2 * (12 * 2 + 8 * 3);
+    // Of a rounded cuboid: three slabs and those grown, 12 edges, 8 corners.
+    constexpr std::size_t most_curves = 2 * 3 * 2 + 12 + 8;
     formula.curves.reserve(most_curves);
     const auto course = course_of<Wide, Kind::axes>(setup_, row_a_, row_b_);
     formula.pieces = Kind::visit(sizes<Wide>(), PiecesVisitor<Kind::axes>(course, *this, formula.curves));
@@ -63,6 +64,7 @@ class PairPolynomials final : public PolynomialSource {
 
   const Setup& setup_;
   const double *row_a_, *row_b_;
+  mutable std::optional<Course<Dyadic, Kind::axes>> course_;  ///< once it is needed
 };
 
 }  // namespace foresee

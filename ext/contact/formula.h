@@ -1,10 +1,10 @@
 // The contact set of a pair as polynomials: a union of pieces, in each of which every polynomial is at most
 // 0.
 //
-// A slab |x| <= H is two polynomials, a window's face one, a disc or ball one; what always holds is -1 <= 0.
-// "any" joins unions, "all" crosses them. A disc or ball of an accelerated pair is preceded by the slabs
-// around it: they change no set, but their roots are quadratic, and mostly they leave little or nothing of
-// the time in which those of a quartic must be sought.
+// A slab |x| <= H is two faces, a window's face one, a disc or ball one polynomial; what always holds is -1
+// <= 0. "any" joins unions, "all" crosses them. Two conditions come with a disc or ball that change no union,
+// and leave little or nothing of the time in which its roots must be sought: an accelerated pair is within
+// the slabs around it, and a rounded edge or corner counts only where it is what is nearest.
 #pragma once
 
 #include <array>
@@ -26,9 +26,10 @@ struct CurveNumbers {
   }
 };
 
-/// Where all `curves` are at most 0, that of a disc or ball being the last; `around` are then at most 0 too.
+/// Where all `curves` are at most 0, that of a disc or ball being the last, and all `beyond` at least 0;
+/// `around` are then at most 0 too.
 struct Piece {
-  CurveNumbers curves, around;
+  CurveNumbers curves, around, beyond;
 };
 
 /// At most the 3 + 12 + 8 pieces of a rounded cuboid.
@@ -37,22 +38,32 @@ struct Pieces {
   int count;
 };
 
-/// x - H <= 0 (side 1) or -x - H <= 0 (side -1), where x is measured from `centre`.
+/// Half of space: x <= bound (side 1) or -x <= bound (side -1) on one axis.
+template <class T>
+struct Bound {
+  int axis, side;
+  T bound;
+};
+
 template <class T, int D>
-std::array<T, 5> slab_polynomial(const Course<T, D>& course, const Centre<T>& centre, const T& half,
-                                 int side) {
-  const T x = course.x[centre.axis] - centre.at;
-  const T &v = course.v[centre.axis], &a = course.a[centre.axis];
-  if (side > 0) return {x - half, v, a, T{}, T{}};
-  return {-x - half, -v, -a, T{}, T{}};
+std::array<T, 5> bound_polynomial(const Course<T, D>& course, const Bound<T>& b) {
+  const T &x = course.x[b.axis], &v = course.v[b.axis], &a = course.a[b.axis];
+  if (b.side > 0) return {x - b.bound, v, a, T{}, T{}};
+  return {-x - b.bound, -v, -a, T{}, T{}};
 }
 
-/// x - bound <= 0 (upper) or bound - x <= 0 (lower)
-template <class T, int D>
-std::array<T, 5> face_polynomial(const Course<T, D>& course, int axis, Face which, const T& bound) {
-  const T &x = course.x[axis], &v = course.v[axis], &a = course.a[axis];
-  if (which == Face::upper) return {x - bound, v, a, T{}, T{}};
-  return {bound - x, -v, -a, T{}, T{}};
+template <class T>
+Bound<T> bound_of_face(int axis, Face which, const T& at) {
+  return which == Face::upper ? Bound<T>{axis, 1, at} : Bound<T>{axis, -1, -at};
+}
+
+/// On one axis a disc or ball lies within the first; the second is the other side of a whole one, and for
+/// what rounds a corner or edge where that begins.
+template <class T>
+std::array<Bound<T>, 2> bounds_around(const Centre<T>& c, const T& radius) {
+  if (c.side == 0) return {Bound<T>{c.axis, 1, c.at + radius}, Bound<T>{c.axis, -1, radius - c.at}};
+  const T outward = c.side > 0 ? c.at : -c.at;
+  return {Bound<T>{c.axis, c.side, outward + radius}, Bound<T>{c.axis, c.side, outward}};
 }
 
 template <class T>
@@ -95,69 +106,61 @@ class PiecesVisitor {
       for (int j = 0; j < b.count; ++j) {
         Piece& piece = joined.list[joined.count++] = a.list[i];
         piece.curves.add(b.list[j].curves), piece.around.add(b.list[j].around);
+        piece.beyond.add(b.list[j].beyond);
       }
     return joined;
   }
 
-  Pieces always() { return one_curve(below_zero<Wide>()); }
-  Pieces face(int axis, Face which, const Wide& bound) {
-    return one_curve(face_polynomial(course_, axis, which, bound));
-  }
-
+  Pieces always() { return one_piece(add(below_zero<Wide>())); }
+  Pieces face(int axis, Face which, const Wide& at) { return one_piece(add(bound_of_face(axis, which, at))); }
   Pieces slab(int axis, const Wide& half) {
-    Pieces pieces = one_piece();
-    add_slab(pieces.list[0].curves, {axis, Wide()}, half);
+    Pieces pieces = one_piece(add(Bound<Wide>{axis, 1, half}));
+    pieces.list[0].curves.add(add(Bound<Wide>{axis, -1, half}));
     return pieces;
   }
 
   template <std::size_t N>
   Pieces ball(const std::array<Centre<Wide>, N>& centre, const Wide& radius) {
-    Pieces pieces = one_piece();
+    Pieces pieces = one_piece(add(ball_polynomial(course_, centre, radius)));
     Piece& piece = pieces.list[0];
-    piece.curves.add(add(ball_polynomial(course_, centre, radius)));
     const auto& polynomial = curves_.back().rough();
     const bool bent = polynomial[3].sign() != 0 || polynomial[4].sign() != 0;
-    for (const Centre<Wide>& c : centre)
-      if (bent)
-        add_slab(piece.around, c, radius);
+    for (const Centre<Wide>& c : centre) {
+      const auto [end, other] = bounds_around(c, radius);
+      bent ? piece.around.add(add(end)) : pass();
+      if (c.side != 0)
+        piece.beyond.add(add(other));
       else
-        calls_ += 2;
+        bent ? piece.around.add(add(other)) : pass();
+    }
     return pieces;
   }
 
  private:
-  struct Slab {
-    Centre<Wide> centre;
-    Wide half;
-    int first;
+  struct Known {
+    Bound<Wide> bound;
+    int curve;
   };
 
-  static Pieces one_piece() {
+  static Pieces one_piece(int curve) {
     Pieces pieces;
     pieces.list[0] = {};
+    pieces.list[0].curves.add(curve);
     pieces.count = 1;
     return pieces;
   }
 
-  Pieces one_curve(const std::array<Wide, 5>& polynomial) {
-    Pieces pieces = one_piece();
-    pieces.list[0].curves.add(add(polynomial));
-    return pieces;
-  }
-
-  /// Pieces share slabs: of the same place and size, each side is one curve.
-  void add_slab(CurveNumbers& numbers, const Centre<Wide>& centre, const Wide& half) {
-    int first = static_cast<int>(curves_.size());
-    for (const Slab& known : slabs_)
-      if (known.centre.axis == centre.axis && same(known.centre.at, centre.at) && same(known.half, half))
-        first = known.first;
-    if (first == static_cast<int>(curves_.size())) {
-      slabs_.push_back({centre, half, first});
-      for (int side : {1, -1}) add(slab_polynomial(course_, centre, half, side));
-    } else {
-      calls_ += 2;
-    }
-    numbers.add(first), numbers.add(first + 1);
+  /// Pieces share bounds. Two on one side of an axis differ by the radius, if they differ at all, and to add
+  /// what is not 0 always shows in a number's bits or in its error.
+  int add(const Bound<Wide>& bound) {
+    for (const Known& known : known_)
+      if (known.bound.axis == bound.axis && known.bound.side == bound.side &&
+          identical(known.bound.bound, bound.bound)) {
+        pass();
+        return known.curve;
+      }
+    known_.push_back({bound, static_cast<int>(curves_.size())});
+    return add(bound_polynomial(course_, bound));
   }
 
   int add(const std::array<Wide, 5>& polynomial) {
@@ -165,10 +168,13 @@ class PiecesVisitor {
     return static_cast<int>(curves_.size()) - 1;
   }
 
+  /// A polynomial that needs no curve has its number all the same.
+  void pass() { ++calls_; }
+
   const Course<Wide, D>& course_;
   const PolynomialSource& source_;
   std::vector<Curve>& curves_;
-  std::vector<Slab> slabs_;
+  std::vector<Known> known_;
   int calls_ = 0;  ///< polynomials asked for so far: their numbers
 };
 
@@ -183,27 +189,30 @@ class PolynomialVisitor {
   Nothing all(Nothing, Nothing) const { return {}; }
   Nothing any(Nothing, Nothing) const { return {}; }
 
-  Nothing always() { return asked(below_zero<Dyadic>()); }
-  Nothing face(int axis, Face which, const Dyadic& bound) {
-    return asked(face_polynomial(course_, axis, which, bound));
+  Nothing always() {
+    return made_by([] { return below_zero<Dyadic>(); });
   }
-  Nothing slab(int axis, const Dyadic& half) { return slab_around({axis, Dyadic()}, half); }
+  Nothing face(int axis, Face which, const Dyadic& at) { return asked(bound_of_face(axis, which, at)); }
+  Nothing slab(int axis, const Dyadic& half) {
+    for (int side : {1, -1}) asked(Bound<Dyadic>{axis, side, half});
+    return {};
+  }
   template <std::size_t N>
   Nothing ball(const std::array<Centre<Dyadic>, N>& centre, const Dyadic& radius) {
-    if (calls_++ == number_) polynomial_ = Polynomial(ball_polynomial(course_, centre, radius));
-    for (const Centre<Dyadic>& c : centre) slab_around(c, radius);
+    made_by([&] { return ball_polynomial(course_, centre, radius); });
+    for (const Centre<Dyadic>& c : centre)
+      for (const Bound<Dyadic>& bound : bounds_around(c, radius)) asked(bound);
     return {};
   }
 
  private:
-  Nothing asked(const std::array<Dyadic, 5>& polynomial) {
-    if (calls_++ == number_) polynomial_ = Polynomial(polynomial);
+  template <class Make>
+  Nothing made_by(Make&& make) {
+    if (calls_++ == number_) polynomial_ = Polynomial(make());
     return {};
   }
-  Nothing slab_around(const Centre<Dyadic>& centre, const Dyadic& half) {
-    for (int side : {1, -1})
-      if (calls_++ == number_) polynomial_ = Polynomial(slab_polynomial(course_, centre, half, side));
-    return {};
+  Nothing asked(const Bound<Dyadic>& bound) {
+    return made_by([&] { return bound_polynomial(course_, bound); });
   }
 
   const Course<Dyadic, D>& course_;

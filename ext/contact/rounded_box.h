@@ -7,11 +7,19 @@
 
 namespace foresee {
 
+/// The face of an axis on the side that bit `bit` of `signs` tells.
+template <class T>
+Centre<T> face_at(const T* half, int axis, unsigned signs, int bit) {
+  if (signs >> bit & 1) return {axis, -half[axis], -1};
+  return {axis, half[axis], 1};
+}
+
 /// Around the corner given by `signs` (bit j: the side of axis j), over the axes 0 .. N-1.
 template <std::size_t N, class T>
 std::array<Centre<T>, N> corner(const T* half, unsigned signs) {
   std::array<Centre<T>, N> centre;
-  for (std::size_t j = 0; j < N; ++j) centre[j] = {static_cast<int>(j), signs >> j & 1 ? -half[j] : half[j]};
+  for (std::size_t j = 0; j < N; ++j)
+    centre[j] = face_at(half, static_cast<int>(j), signs, static_cast<int>(j));
   return centre;
 }
 
@@ -36,8 +44,7 @@ auto visit_rounded_cuboid(const T* half, const T& radius, Visitor& v) {
   for (int along = 0; along < 3; ++along) {
     const int j = along == 0 ? 1 : 0, k = along == 2 ? 1 : 2;
     for (unsigned signs = 0; signs < 4; ++signs) {
-      const std::array<Centre<T>, 2> edge{Centre<T>{j, signs & 1 ? -half[j] : half[j]},
-                                          Centre<T>{k, signs & 2 ? -half[k] : half[k]}};
+      const std::array<Centre<T>, 2> edge{face_at(half, j, signs, 0), face_at(half, k, signs, 1)};
       met = v.any(met, v.all(v.slab(along, half[along]), v.ball(edge, radius)));
     }
   }

@@ -184,6 +184,18 @@ Stays inside(Curve& curve, const Asked& asked) {
   return stays;
 }
 
+Stays outside(const Stays& inside, const Asked& asked) {
+  Stays gaps;
+  Event* first = &asked.begin;
+  for (int i = 0; i < inside.count; ++i) {
+    const Stay& stay = inside.list[i];
+    if (stay.first != &asked.begin) gaps.add(first, stay.first);
+    first = stay.last;
+  }
+  if (first != &asked.end) gaps.add(first, &asked.end);
+  return gaps;
+}
+
 Stays common(const Stays& a, const Stays& b) {
   Stays both;
   for (int i = 0, j = 0; i < a.count && j < b.count;) {

@@ -40,6 +40,10 @@ Events zeros_within(Curve& curve, const Asked& asked);
 
 Stays inside(Curve& curve, const Asked& asked);
 
+/// The stretches between stays, with the ends that they share. Single moments at which a polynomial only
+/// touches 0 from below are left out, as are those at the ends of what is asked about.
+Stays outside(const Stays& inside, const Asked& asked);
+
 /// The moments that are in both.
 Stays common(const Stays& a, const Stays& b);
 

@@ -75,6 +75,13 @@ class Wide {
            (a.bits_ == 0 || (a.exponent_ == b.exponent_ && a.negative_ == b.negative_));
   }
 
+  /// Midpoint and error are the same, so that each may be what the other is.
+  friend bool identical(const Wide& a, const Wide& b) {
+    return a.bits_ == b.bits_ && a.error_ == b.error_ &&
+           (a.exponent_ == b.exponent_ || (a.bits_ == 0 && a.error_ == 0)) &&
+           (a.negative_ == b.negative_ || a.bits_ == 0);
+  }
+
  private:
   /// (+-bits +- error) 2^exponent, brought to the form that every Wide has.
   static Wide of(bool negative, Uint128 bits, std::uint64_t error, int exponent);

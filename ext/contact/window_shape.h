@@ -52,7 +52,7 @@ bool window_corner(const WindowShape<T, D>& s, const int (&axes)[N], unsigned si
   for (std::size_t i = 0; i < N; ++i) {
     const bool upper = (signs >> i & 1) != 0;
     if (!(upper ? s.has_upper : s.has_lower)[axes[i]]) return false;
-    centre[i] = {axes[i], upper ? s.upper[axes[i]] : T{}};
+    centre[i] = {axes[i], upper ? s.upper[axes[i]] : T{}, upper ? 1 : -1};
   }
   return true;
 }
