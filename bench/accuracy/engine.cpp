@@ -24,8 +24,7 @@ class Stages {
   explicit Stages(const Family& family) : setup_(setup_of(family)) {}
 
   std::optional<ContactTimes> exact(std::size_t i) const {
-    if (!exactly<bool>(i, exact_touches)) return std::nullopt;
-    return exactly<ContactTimes>(i, exact_times);
+    return exactly<std::optional<ContactTimes>>(i, exact_times);
   }
 
   void count(std::size_t i, StageShares& shares) const {

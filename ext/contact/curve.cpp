@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "contact/narrowing.h"
 #include "contact/quadratic_formula.h"
@@ -73,6 +74,12 @@ void Event::recognize() {
 
 void Event::narrow(int bits) {
   Bracket& b = *bracket;
+  const int enough = b.high.sign() == 0 ? 0 : b.high.magnitude() - bits;
+  const auto wide = [enough](const Dyadic& low, const Dyadic& high) {
+    const Dyadic width = high - low;
+    return width.sign() > 0 && width.magnitude() > enough;
+  };
+  if (!wide(b.low, b.high)) return;
   const auto p = curve->precise(bits);
   const int degree = curve->degree();
   // Seen from the nearer end, which may be next to the root of another curve, a few digits tell.
@@ -81,9 +88,7 @@ void Event::narrow(int bits) {
   auto local = around(p, degree, Precise(origin, bits));
   if (!from_low) local[1] = -local[1], local[3] = -local[3];
   Dyadic near, far = b.high - b.low;
-  const int enough = b.high.sign() == 0 ? 0 : b.high.magnitude() - bits;
-  for (int length = 128; length < bits && (far - near).sign() > 0 && (far - near).magnitude() > enough;
-       length *= 2) {
+  for (int length = 128; length < bits && wide(near, far); length *= 2) {
     Powers<Precise> cut;
     std::transform(local.begin(), local.end(), cut.begin(),
                    [&](const Precise& c) { return c.cut_to(length); });
@@ -100,7 +105,7 @@ Precise Event::by_formula(int bits) const {
   if (which == 0) return -c[1] / c[2].scaled(1);
   const Precise d = c[1] * c[1] - (c[0] * c[2]).scaled(2);
   if (d.sign() == unknown_sign) return {at, bits};
-  return roots_of_quadratic(c, d)[which < 0 ? 0 : 1];
+  return root_of_quadratic(c, product_of_root(c, d), which);
 }
 
 int compare(Event& x, const Dyadic& y) {
@@ -116,6 +121,22 @@ int compare(Event& x, const Dyadic& y) {
 }
 
 namespace {
+/// The roots of two curves that differ by a constant, up to their sign, as the faces across one axis do: the
+/// higher curve, if both are open upwards, has its roots nearer to the turn. Nothing if they are others.
+std::optional<int> compare_by_constant(const Event& x, const Event& y) {
+  const Polynomial &p = x.curve->exact(), &q = y.curve->exact();
+  if (p.degree != q.degree) return {};
+  const int lead = p.c[p.degree].sign();
+  const bool mirrored = lead != q.c[q.degree].sign();
+  const auto of_q = [&](int k) { return mirrored ? -q.c[k] : q.c[k]; };
+  for (int k = 1; k <= p.degree; ++k)
+    if (p.c[k] != of_q(k)) return {};
+  const int higher = lead * (p.c[0] - of_q(0)).sign();
+  if (p.degree == 1) return -higher;
+  if (x.which != y.which) return x.which < y.which ? -1 : 1;
+  return -x.which * higher;
+}
+
 /// Of different moments, narrowed until they are apart.
 int compare_by_length(Event& x, Event& y) {
   for (int bits = first_length;; bits *= 2) {
@@ -131,10 +152,12 @@ int compare(Event& x, Event& y) {
   if (rough != unknown_sign) return rough;
   if (y.known) return compare(x, *y.known);
   if (x.known) return -compare(y, *x.known);
-  if (surely_coprime(x.curve->exact(), y.curve->exact())) return compare_by_length(x, y);
-  if (y.curve->degree() <= 2)
+  if (x.curve->degree() > y.curve->degree()) return -compare(y, x);
+  if (y.curve->degree() <= 2) {
+    if (const auto order = compare_by_constant(x, y)) return *order;
+    if (surely_coprime(x.curve->exact(), y.curve->exact())) return compare_by_length(x, y);
     return side_of_root(*y.curve, y.which, y.curve->sign_at(x), [&] { return y.curve->slope().sign_at(x); });
-  if (x.curve->degree() <= 2) return -compare(y, x);
+  }
   // Copies, as the bracket may be narrowed meanwhile.
   const Dyadic low = y.bracket->low, high = y.bracket->high;
   if (compare(x, low) < 0) return -1;

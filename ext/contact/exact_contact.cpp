@@ -25,12 +25,13 @@ class ExactPair {
     return false;
   }
 
-  ContactTimes times() {
+  std::optional<ContactTimes> times() {
     std::vector<Stay> stays;
     for (int i = 0; i < formula_.pieces.count; ++i) {
       const Stays piece = held(formula_.pieces.list[i]);
       stays.insert(stays.end(), piece.list.begin(), piece.list.begin() + piece.count);
     }
+    if (stays.empty()) return {};
     std::iter_swap(stays.begin(), std::min_element(stays.begin(), stays.end(), begins_before));
     return times_of(stays.data(), joined_to_first(stays));
   }
@@ -149,7 +150,7 @@ bool exact_touches(Formula& formula, const ExactMoments& moments) {
   return ExactPair(formula, moments).touches();
 }
 
-ContactTimes exact_times(Formula& formula, const ExactMoments& moments) {
+std::optional<ContactTimes> exact_times(Formula& formula, const ExactMoments& moments) {
   return ExactPair(formula, moments).times();
 }
 

@@ -30,8 +30,8 @@ struct Formula {
 /// Does the pair touch at some moment asked about?
 bool exact_touches(Formula& formula, const ExactMoments& moments);
 
-/// Requires: the pair touches.
-ContactTimes exact_times(Formula& formula, const ExactMoments& moments);
+/// Begin and end of the first contact, if there is one.
+std::optional<ContactTimes> exact_times(Formula& formula, const ExactMoments& moments);
 
 /// Makes the exact polynomials of a pair of the given kind.
 template <class Kind>

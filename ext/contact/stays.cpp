@@ -48,10 +48,9 @@ Events roots_by_formula(Curve& curve) {
     roots.list[roots.count++] = &curve.add_root(0, -c[1] / c[2].scaled(1));
     return roots;
   }
-  const auto [lesser, greater] = roots_of_quadratic(c, d);
-  roots.list[0] = &curve.add_root(-1, lesser);
-  roots.list[1] = &curve.add_root(1, greater);
-  roots.count = 2;
+  const Wide product = product_of_root(c, d);
+  for (int which : {-1, 1})
+    roots.list[roots.count++] = &curve.add_root(which, root_of_quadratic(c, product, which));
   return roots;
 }
 

@@ -79,9 +79,9 @@ class TypedContact : public Contact {
     if (touches == Verdict::no) return false;
     found = {begin.t, end.t, begin.dt, end.dt};
     if (touches == Verdict::yes && begin.known() && end.known()) return true;
-    if (touches == Verdict::uncertain && !exactly<bool>(row_a, row_b, exact_touches)) return false;
-    found = exactly<ContactTimes>(row_a, row_b, exact_times);
-    return true;
+    const auto exact = exactly<std::optional<ContactTimes>>(row_a, row_b, exact_times);
+    if (exact) found = *exact;
+    return exact.has_value();
   }
 
   /// What double and DoubleDouble can vouch for: whether the two touch and, where known, since and until

@@ -57,7 +57,7 @@ class LaneOfPair {
       EXPECT_TRUE(touches) << case_;
     }
     if (!touches) return;
-    const double begin = ask(exact_times).dt;
+    const double begin = ask(exact_times)->dt;
     if (lanes.touches_now[3] > 0) {
       EXPECT_EQ(begin, 0) << case_;
     }

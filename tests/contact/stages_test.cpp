@@ -80,14 +80,15 @@ class StagesOfPair {
   void check_times(const ExactMoments& exact) {
     Formula formula;
     polynomials_.formula(formula);
-    const ContactTimes times = exact_times(formula, exact);
+    const auto times = exact_times(formula, exact);
+    ASSERT_TRUE(times) << case_;
     const auto answer = contact(case_.a, case_.b, case_.question);
     ASSERT_TRUE(answer) << case_;
     ++certain_.times;
-    EXPECT_EQ(answer->dt, times.dt) << case_;
-    EXPECT_EQ(answer->t, times.t) << case_;
-    EXPECT_EQ(answer->dt_end, times.dt_end) << case_;
-    EXPECT_EQ(answer->t_end, times.t_end) << case_;
+    EXPECT_EQ(answer->dt, times->dt) << case_;
+    EXPECT_EQ(answer->t, times->t) << case_;
+    EXPECT_EQ(answer->dt_end, times->dt_end) << case_;
+    EXPECT_EQ(answer->t_end, times->t_end) << case_;
   }
 
   const Case& case_;
