@@ -20,6 +20,15 @@ inline Wide number(const Wide& x, int /*bits*/) {
 inline Precise number(const Dyadic& x, int bits) {
   return {x, bits};
 }
+/// About x, to a few digits more than those in which numbers so far apart differ: short factors multiply
+/// faster.
+inline Wide shortened(const Wide& x, const Wide& /*apart*/) {
+  return x.middle();
+}
+inline Dyadic shortened(const Dyadic& x, const Dyadic& apart) {
+  constexpr int more = 8;
+  return Precise(x, std::max(0, x.magnitude() - apart.magnitude()) + more).middle();
+}
 inline Wide hull(const Wide& low, const Wide& high, int /*bits*/) {
   return Wide::hull(low, high);
 }
@@ -66,7 +75,7 @@ class Narrowing {
   /// Halves the bracket at least; false if that is all.
   bool closer() {
     const End width = high - low;
-    const N x = number(number(between(), bits_).middle(), bits_);
+    const N x = number(shortened(between(), width), bits_);
     const End place = x.middle();
     if (!less(low, place) || !less(place, high)) return false;
     // From x the slope is bounded far better than from 0, where almost all cancels.
