@@ -159,30 +159,34 @@ struct SomeRows {
   }
 };
 
-template <int D, int Degree>
-void take_columns(typename RowLanes<D>::Side& side) {
+template <int D>
+void take_boxes(typename RowLanes<D>::Side& side) {
   for (int lane = 0; lane < lanes_width; lane += register_width) {
     const SomeRows<register_width> rows(side.rows + lane);
     rows.take(side.at_x, side.x, lane);
-    rows.take(side.at_v, side.v, lane);
-    if constexpr (Degree == 2) rows.take(side.at_a, side.a, lane);
     rows.take(side.at_half, side.half, lane);
   }
 }
 
 template <int D, int Degree>
+void take_motion(typename RowLanes<D>::Side& side) {
+  for (int lane = 0; lane < lanes_width; lane += register_width) {
+    const SomeRows<register_width> rows(side.rows + lane);
+    rows.take(side.at_v, side.v, lane);
+    if constexpr (Degree == 2) rows.take(side.at_a, side.a, lane);
+  }
+}
+
+template <int D, int Degree>
 bool settle_rows_here(RowLanes<D>& rows, BoxLanes<D, Degree>& lanes) {
-  take_columns<D, Degree>(rows.a);
-  take_columns<D, Degree>(rows.b);
+  take_boxes<D>(rows.a);
+  take_boxes<D>(rows.b);
   Some touching = Some{} + 1;
   for (int j = 0; j < D; ++j)
     for (int l = 0; l < lanes_width; l += register_width) {
       const Some x = some(rows.b.x[j] + l) - some(rows.a.x[j] + l);
       const Some half = some(rows.a.half[j] + l) + some(rows.b.half[j] + l) + rows.within;
       some(lanes.x[j] + l) = x, some(lanes.half[j] + l) = half;
-      some(lanes.v[j] + l) = some(rows.b.v[j] + l) - some(rows.a.v[j] + l);
-      if constexpr (Degree == 2) some(lanes.a[j] + l) = 0.5 * (some(rows.b.a[j] + l) - some(rows.a.a[j] + l));
-      some(lanes.ex[j] + l) = some(lanes.ev[j] + l) = Some{};
       // As settle_here() finds that they touch now. False if half extents may overflow, or for NaN.
       const Some size = x < 0.0 ? -x : x, room = half - size - 0x1p-48 * (size + half) - underflow;
       touching = half < huge ? touching : -1.0 + Some{};
@@ -191,6 +195,14 @@ bool settle_rows_here(RowLanes<D>& rows, BoxLanes<D, Degree>& lanes) {
   double all = 1;
   for (int l = 0; l < register_width; ++l) all = least(all, touching[l]);
   if (all > 0) return true;
+  take_motion<D, Degree>(rows.a);
+  take_motion<D, Degree>(rows.b);
+  for (int j = 0; j < D; ++j)
+    for (int l = 0; l < lanes_width; l += register_width) {
+      some(lanes.v[j] + l) = some(rows.b.v[j] + l) - some(rows.a.v[j] + l);
+      if constexpr (Degree == 2) some(lanes.a[j] + l) = 0.5 * (some(rows.b.a[j] + l) - some(rows.a.a[j] + l));
+      some(lanes.ex[j] + l) = some(lanes.ev[j] + l) = Some{};
+    }
   settle_here(lanes);
   return false;
 }
