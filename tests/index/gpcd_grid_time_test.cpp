@@ -147,6 +147,35 @@ double candidates_an_object(double offset, double since, bool lives) {
   return static_cast<double>(found.size()) / static_cast<double>(scene.size());
 }
 
+/// Every seventh object crosses the scene several times over, every eleventh is tall or long.
+Moving racers(const Layout& layout, std::size_t count, std::uint64_t seed) {
+  Moving scene = moving(random_scene({layout, SceneKind::uniform, count, seed}), 3);
+  const Offsets at = row_offsets(layout);
+  for (std::size_t i = 0; i < count; ++i) {
+    double* row = scene.rows.data() + i * static_cast<std::size_t>(at.size);
+    for (int axis = 0; axis < layout.axes; ++axis) {
+      if (i % 7 == 0) row[at.v + axis] *= 60;
+      if (i % 11 == static_cast<std::size_t>(axis)) row[at.half + axis] *= 30;
+    }
+  }
+  return scene;
+}
+
+TEST(GpcdGridTimeTest, LosesNothingThatRacersMeet) {
+  std::uint64_t seed = 600;
+  std::size_t met = 0;
+  for (const Law law : {Law::uniform, Law::accelerated})
+    for (int axes = 2; axes <= 3; ++axes)
+      for (int repetition = 0; repetition < 6; ++repetition) {
+        const Layout layout{.axes = axes, .law = law, .shape = Shape::box};
+        const Moving a = racers(layout, 500, ++seed), b = racers(layout, 300, ++seed);
+        expect_all_touching(a);
+        expect_all_touching(a, &b);
+        for (const Pair& pair : touching(a)) met += (pair.a % 7 == 0) != (pair.b % 7 == 0);
+      }
+  EXPECT_GT(met, 2000u);
+}
+
 TEST(GpcdGridTimeTest, LetsFewPassThatDoNotTouch) {
   for (bool lives : {false, true}) {
     const double here = candidates_an_object(0, 0, lives);

@@ -7,7 +7,7 @@ constexpr std::size_t sample_max = 512;
 /// At most every sixteenth box, so that small scenes do not pay for statistics.
 constexpr std::size_t sample_share = 16;
 constexpr std::size_t sample_enough = 64;
-constexpr std::size_t pairs_per_batch = 4096;
+constexpr std::size_t pairs_per_batch = 1024;
 constexpr std::size_t steps_per_batch = 1 << 17;  // about a millisecond
 
 /// Non-empty beams of both sides, one from each of some hundred equal parts, not at equal distances.
@@ -123,6 +123,8 @@ void GridVisit<D>::open_stripe(std::size_t number) {
                                      interrupt_);
     sides_[i].crossing.gather(sides_[i].giants.crossing(stripe), entered.rows, partition, stripe, interrupt_);
   }
+  for (std::size_t i = 0; i < sides_.size(); ++i)
+    sides_[i].crossing.clip_to(sides_[sides_.size() - 1 - i].inside.view());
   const LaneView<D>&inside = sides_[0].inside.view(), &crossing = sides_[0].crossing.view();
   if (sides_.size() == 1) {
     scans_.push_back(scan_within(inside));

@@ -3,6 +3,8 @@
 #include <limits>
 #include <utility>
 
+#include "index/gpcd_grid/clip.h"
+
 namespace foresee::gpcd {
 namespace {
 
@@ -30,6 +32,7 @@ void Lanes<D>::make_room(std::size_t count, Columns columns) {
   for (const float*& travel : view_.travel) travel = columns.travel ? next() : nullptr;
   view_.begin = columns.life ? next() : nullptr;
   view_.end = columns.life ? next() : nullptr;
+  view_.from = view_.to = nullptr;
 }
 
 /// Rows as columns, in four by four places at a time.
@@ -102,6 +105,15 @@ void Lanes<D>::gather(std::span<const Key> keys, const FloatRows<D>& rows, const
                       const int (&stripe)[D], Interrupt& interrupt) {
   gather(keys, rows, interrupt);
   classify(partition, stripe);
+}
+
+template <int D>
+void Lanes<D>::clip_to(const LaneView<D>& inside) {
+  if (D == 1 || !view_.travel[0] || view_.begin || view_.size == 0) return;
+  float* from = memory_.reach.room(2 * view_.size);
+  float* to = from + view_.size;
+  clip(view_, inside, from, to);
+  view_.from = from, view_.to = to;
 }
 
 template <int D>

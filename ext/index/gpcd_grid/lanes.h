@@ -29,6 +29,9 @@ class Lanes {
   /// The same without a stripe: every pair counts.
   void gather(std::span<const Key> keys, const FloatRows<D>& rows, Interrupt& interrupt);
 
+  /// Leaves to each box only that part along x where it can meet those `inside` (clip.h).
+  void clip_to(const LaneView<D>& inside);
+
   /// Valid until the next gather().
   const LaneView<D>& view() const { return view_; }
 

@@ -25,6 +25,7 @@ struct LaneView {
   const float *lower[D] = {}, *upper[D] = {};
   const float* travel[D] = {};                   ///< null where nothing moves
   const float *begin = nullptr, *end = nullptr;  ///< null where all exist throughout
+  const float *from = nullptr, *to = nullptr;    ///< of rows: which lanes count (clip.h); null: lower, upper
   const std::uint32_t *classes = nullptr, *ids = nullptr;
   std::size_t size = 0;
   double longest = 0;  ///< no box is longer along x; rounded up

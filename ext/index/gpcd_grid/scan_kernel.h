@@ -99,12 +99,26 @@ template <class V, int D, Time time>
   return apart;
 }
 
-/// The first lane that can reach the row.
+/// The first lane that can reach row i. Rows that are not clipped begin farther right, one after another.
 template <int D>
-std::size_t first_lane(Scan<D>& scan, double row_lower) {
+std::size_t first_lane(Scan<D>& scan, std::size_t i) {
   const LaneView<D>& lanes = *scan.lanes;
-  while (scan.left < lanes.size && static_cast<double>(lanes.lower[0][scan.left]) + lanes.longest < row_lower)
-    ++scan.left;
+  const float* from = scan.rows->from;
+  const double row_lower = from ? from[i] : scan.rows->lower[0][i];
+  const auto ends_before = [&](std::size_t lane) {
+    return static_cast<double>(lanes.lower[0][lane]) + lanes.longest < row_lower;
+  };
+  if (from) {
+    std::size_t first = 0;
+    for (std::size_t count = lanes.size; count > 0;) {
+      const std::size_t half = count / 2;
+      const bool later = ends_before(first + half);
+      first = later ? first + half + 1 : first;
+      count = later ? count - half - 1 : half;
+    }
+    return first;
+  }
+  while (scan.left < lanes.size && ends_before(scan.left)) ++scan.left;
   return scan.left;
 }
 
@@ -118,8 +132,8 @@ std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
   for (; scan.row < rows.size; ++scan.row, scan.begun = false) {
     const std::size_t i = scan.row;
     const Beams<V, D, time> row(rows, [i](const float* column) { return V::all(column[i]); });
-    const float upper = rows.upper[0][i];
-    std::size_t lane = scan.begun ? scan.lane : within ? i + 1 : first_lane(scan, rows.lower[0][i]);
+    const float upper = rows.to ? rows.to[i] : rows.upper[0][i];
+    std::size_t lane = scan.begun ? scan.lane : within ? i + 1 : first_lane(scan, i);
     for (;; lane += V::width, work -= V::width) {
       if (work < lanes_max || out > full) {
         steps = work / lanes_max, scan.lane = lane, scan.begun = true;

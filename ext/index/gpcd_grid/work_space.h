@@ -81,7 +81,7 @@ struct GridSpace {
   /// What one thread needs to visit stripes.
   struct Visit {
     struct Lanes {
-      Buffer<float> floats;
+      Buffer<float> floats, reach;
       Buffer<std::uint32_t> words, buckets;
       Buffer<std::uint64_t> keys;
     } inside[2], crossing[2];
@@ -105,7 +105,7 @@ struct GridSpace {
       work(sides[i].rows), work(sides[i].stripes), work(sides[i].keys);
       for (Part& part : sides[i].parts) work(part.keys), work(part.stripes), work(part.counts);
       for (Visit::Lanes* lanes : {&visit.inside[i], &visit.crossing[i]})
-        work(lanes->floats), work(lanes->words), work(lanes->buckets), work(lanes->keys);
+        work(lanes->floats), work(lanes->reach), work(lanes->words), work(lanes->buckets), work(lanes->keys);
     }
     work(visit.batch);
   }
