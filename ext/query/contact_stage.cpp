@@ -40,24 +40,33 @@ void ContactStage::ask(std::vector<Pair>& candidates, const TimeSlab& slab, Hits
   if (!all_times) keep_asked_times(slab, hits);
 }
 
+namespace {
+
+/// Of each pair the smaller id first. Which it is cannot be foretold, so there is no branch.
+void order_by_id(const std::vector<std::int64_t>& ids, std::vector<Pair>& pairs) {
+  for (Pair& pair : pairs) {
+    const std::uint32_t a = pair.a, b = pair.b;
+    const bool ordered = ids[a] < ids[b];
+    pair = {ordered ? a : b, ordered ? b : a};
+  }
+}
+
+}  // namespace
+
 void ContactStage::keep_asked_pairs(std::vector<Pair>& candidates) const {
   const Scene& a = *question_.a;
   const Scene& b = question_.b ? *question_.b : a;
-  const bool within_one = !question_.b;
-  const bool one_table = within_one || question_.b == question_.a;
-  const bool one_id = question_.only_a || question_.only_b;
-  std::size_t kept = 0;
-  for (Pair pair : candidates) {
-    if (one_table && pair.a == pair.b) continue;
-    if (within_one && a.ids[pair.a] > a.ids[pair.b]) {
-      if (one_id) continue;  // the id asked for stands in the other column of this pair
-      std::swap(pair.a, pair.b);
-    }
-    if (question_.only_a && a.ids[pair.a] != *question_.only_a) continue;
-    if (question_.only_b && b.ids[pair.b] != *question_.only_b) continue;
-    candidates[kept++] = pair;
+  if (question_.b == question_.a) std::erase_if(candidates, [](Pair pair) { return pair.a == pair.b; });
+  if (!question_.only_a && !question_.only_b) {
+    if (!question_.b) order_by_id(a.ids, candidates);
+    return;
   }
-  candidates.resize(kept);
+  // Within one scene the id asked for may stand in the other column of a pair: then it is another question's.
+  std::erase_if(candidates, [&](Pair pair) {
+    return (!question_.b && a.ids[pair.a] >= b.ids[pair.b]) ||
+           (question_.only_a && a.ids[pair.a] != *question_.only_a) ||
+           (question_.only_b && b.ids[pair.b] != *question_.only_b);
+  });
 }
 
 void ContactStage::keep_asked_times(const TimeSlab& slab, Hits& hits) const {
@@ -86,15 +95,20 @@ void ContactStage::write(Hits& hits, std::vector<JoinRow>& rows) {
   const Scene& a = *question_.a;
   const Scene& b = question_.b ? *question_.b : a;
   if (question_.wants.contact && question_.wants.ends && !hits.with_ends) add_ends(hits);
-  approaches_.resize(hits.pairs.size());
-  if (question_.wants.approach)
+  if (question_.wants.approach) {
+    approaches_.resize(hits.pairs.size());
     in_slices(hits.pairs.size(), [&](std::size_t begin, std::size_t count) {
       contact_->closest_approach(std::span(hits.pairs).subspan(begin, count),
                                  std::span(approaches_).subspan(begin, count));
     });
-  rows.reserve(rows.size() + hits.pairs.size());
-  for (std::size_t i = 0; i < hits.pairs.size(); ++i)
-    rows.push_back({a.ids[hits.pairs[i].a], b.ids[hits.pairs[i].b], hits.times[i], approaches_[i]});
+  }
+  const std::size_t before = rows.size();
+  rows.resize(before + hits.pairs.size());
+  for (std::size_t i = 0; i < hits.pairs.size(); ++i) {
+    JoinRow& row = rows[before + i];
+    row.a = a.ids[hits.pairs[i].a], row.b = b.ids[hits.pairs[i].b], row.contact = hits.times[i];
+    if (question_.wants.approach) row.approach = approaches_[i];
+  }
 }
 
 }  // namespace foresee

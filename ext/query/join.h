@@ -81,6 +81,7 @@ struct JoinQuestion {
 };
 
 struct JoinRow {
+  JoinRow() {}  // not even zeros in columns that are not wanted
   std::int64_t a, b;
   ContactTimes contact;
   ClosestApproach approach;

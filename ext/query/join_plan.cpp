@@ -16,7 +16,11 @@ constexpr double grid_object = 80;      // its box, its places in the grid, bein
 constexpr double grid_meeting = 1.6;    // two swept boxes that meet, and what lies beside them
 constexpr double grid_repetition = 60;  // a pair in contact already is looked at again in every slab
 
-constexpr std::size_t sample_share = 256, sample_least = 48, sample_most = 256;
+/// How many rows of a scene are looked at: one in so many, within limits.
+struct SampleSize {
+  std::size_t one_in, least, most;
+};
+constexpr SampleSize usual_sample{256, 48, 256}, few{256, 16, 16}, many{16, 48, 4096};
 constexpr std::size_t slabs_max = 4096;
 constexpr double worth_helpers = 1e6;  // a slab of a millisecond; to start threads takes a tenth of that
 
@@ -32,9 +36,9 @@ double objects_of(const JoinQuestion& question) {
 /// Swept boxes of some rows, one from each of so many equal parts, not at equal distances.
 template <int D>
 std::vector<Box<D>> sample_of(const Scene& scene, const Horizon& horizon, const Vec<D>& margin,
-                              std::size_t most = sample_most) {
+                              const SampleSize& size = usual_sample) {
   const std::size_t count = scene.size(),
-                    wanted = std::min({count, std::max(count / sample_share, sample_least), most});
+                    wanted = std::min(count, std::clamp(count / size.one_in, size.least, size.most));
   const Bodies bodies = scene.bodies();
   std::vector<Box<D>> boxes;
   boxes.reserve(wanted);
@@ -60,24 +64,22 @@ double share_that_meets(const JoinQuestion& question, const Horizon& horizon, co
   return asked == 0 ? 0 : static_cast<double>(meetings) / static_cast<double>(asked);
 }
 
-/// Which part of all pairs meets at one moment: some rows against every row, for a few giants may touch more
-/// than all others together, and a sample of both sides misses them.
+/// Which part of all pairs meets at one moment: a few rows against many, for a few giants may touch more than
+/// all others together, and a sample of both sides misses them.
 template <int D>
 double share_that_touches(const JoinQuestion& question, double moment, const Vec<D>& margin) {
-  constexpr std::size_t some = 16;
   const bool between = question.b && question.b != question.a;
-  const Scene& other = between ? *question.b : *question.a;
   const Horizon instant{moment, 0};
-  const std::vector<Box<D>> a = sample_of<D>(*question.a, instant, margin, some);
-  const Bodies bodies = other.bodies();
+  const std::vector<Box<D>> a = sample_of<D>(*question.a, instant, margin, few);
+  const std::vector<Box<D>> b = sample_of<D>(between ? *question.b : *question.a, instant, margin, many);
   std::size_t meetings = 0;
-  for (std::size_t j = 0; j < other.size(); ++j) {
-    const Box<D> b = swept_box<D>(bodies, j, instant, margin);
-    for (const Box<D>& box : a) meetings += box.meets(b);
-  }
-  if (!between) meetings -= std::min(meetings, a.size());  // with themselves
-  const double asked = static_cast<double>(a.size()) * static_cast<double>(other.size());
-  return asked == 0 ? 0 : static_cast<double>(meetings) / asked;
+  for (const Box<D>& box : b)
+    for (const Box<D>& other : a) meetings += box.meets(other);
+  const double asked = static_cast<double>(a.size() * b.size());
+  if (asked == 0) return 0;
+  // With themselves, as far as the samples share rows.
+  const double same = between ? 0 : asked / static_cast<double>(question.a->size());
+  return std::max(0.0, static_cast<double>(meetings) - same) / asked;
 }
 
 /// The middle one of so many equal parts of the horizon.
@@ -125,7 +127,7 @@ SlabChoice choose_slabs(const JoinQuestion& question, const Contact::Reach& reac
   if (best.cost <= 2 * fixed || !(span.length > 0)) return best;
   const double repeated =
       grid_repetition * expected_contacts(question, reach, question.now + span.begin + span.length / 2);
-  for (std::size_t parts = 2; parts <= slabs_max; parts += (parts + 3) / 4) {
+  for (std::size_t parts = 2; parts <= slabs_max; parts += (parts + 1) / 2) {
     const double times = static_cast<double>(parts), floor = times * fixed + (times - 1) * repeated;
     if (floor >= best.cost) break;
     const double cost = floor + grid_meeting * times * meetings(parts);
