@@ -212,7 +212,7 @@ TEST(Explain, SaysWhichStagesTheMethodLeavesOut) {
   }
   EXPECT_NE(explain_join(question, never)[0].detail.find("cells of "), std::string::npos);
   question.method = JoinMethod::grid;
-  EXPECT_NE(explain_join(question, never)[0].detail.find(" stripes, "), std::string::npos);
+  EXPECT_NE(explain_join(question, never)[0].detail.find(" stripes of "), std::string::npos);
   question.method = JoinMethod::automatic;
   EXPECT_TRUE(explain_join(question, never)[0].detail.starts_with("method 'auto' takes '"));
 }

@@ -1,5 +1,7 @@
 #include "index/gpcd_grid/grid.h"
 
+#include <cstdio>
+
 namespace foresee::gpcd {
 namespace {
 
@@ -46,6 +48,8 @@ Grid<D>::Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, 
   const Columns columns = columns_of(a, b, frame);
   const std::vector<FloatBox<D>> boxes = boxes_of(std::span<const Beam<D>>(sample), frame, columns);
   partition_ = choose_partition(std::span<const FloatBox<D>>(boxes), a.count() + (b ? b->count() : 0));
+  for (int axis = 1; axis < D; ++axis)
+    stripe_height_[axis] = 1 / static_cast<double>(partition_.axis[axis].per_unit) / frame.scale[axis];
   for (const BeamSource<D>* source : {&a, b})
     if (source)
       sides_.push_back(std::make_unique<Side>(*source, frame, columns, partition_, space.sides[sides_.size()],
@@ -153,11 +157,15 @@ std::size_t Grid<D>::giant_count() const {
 
 template <int D>
 std::string Grid<D>::describe() const {
-  std::string counts;
-  for (int axis = 1; axis < D; ++axis)
-    counts += (axis > 1 ? " x " : "") + std::to_string(partition_.axis[axis].count);
-  return (D == 1 ? "one stripe, " : counts + " stripes, ") + std::to_string(entry_count()) + " entries, " +
-         std::to_string(giant_count()) + " giants outside";
+  std::string counts, heights;
+  for (int axis = 1; axis < D; ++axis) {
+    const char* between = axis > 1 ? " x " : "";
+    char height[32];
+    std::snprintf(height, sizeof height, "%.3g", stripe_height_[axis]);
+    counts += between + std::to_string(partition_.axis[axis].count), heights += between + std::string(height);
+  }
+  return (D == 1 ? "one stripe, " : counts + " stripes of " + heights + ", ") +
+         std::to_string(entry_count()) + " entries, " + std::to_string(giant_count()) + " giants outside";
 }
 
 template class Grid<1>;

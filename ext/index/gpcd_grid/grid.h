@@ -52,6 +52,7 @@ class Grid {
 
  private:
   Partition<D> partition_;
+  double stripe_height_[D] = {};  // in the table's units
   std::vector<std::unique_ptr<Side>> sides_;
 };
 
