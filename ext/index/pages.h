@@ -19,8 +19,8 @@
 // held, whatever happens to the pages. modify() hands out a reference that stays good until the call of the
 // tree that asked for it returns; so pages may write out and drop nodes between two calls of the tree, and
 // in put(), but in no other call. Before its first change to a node in such a call the tree announces it by
-// modify(), put() or free(): that is the moment to keep a copy for a savepoint. The tree does not look at a
-// share of a node that it has announced a change of.
+// modify(), modify_record(), put() or free(): that is the moment to keep a copy for a savepoint. The tree
+// does not look at a share of a node that it has announced a change of.
 #pragma once
 
 #include <cstddef>
@@ -79,6 +79,8 @@ class Pages : public NodeSource {
   virtual std::size_t inner_capacity() const = 0;
 
   virtual Node& modify(NodeNumber number) = 0;
+  /// The same for one record of a leaf, and for nothing else of it: pages may note that record alone.
+  virtual double* modify_record(NodeNumber leaf, std::size_t slot) = 0;
   /// A new number, with an empty node.
   virtual NodeNumber allocate() = 0;
   /// Replaces a node whole; no reference to it is in use.

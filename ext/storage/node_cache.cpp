@@ -1,6 +1,7 @@
 #include "storage/node_cache.h"
 
 #include <algorithm>
+#include <bit>
 #include <limits>
 
 #include "storage/inner_node.h"
@@ -31,18 +32,25 @@ NodeNumber NodeCache::root() {
   return head_.root;
 }
 
+/// Null if its node would have to be read.
+NodeCache::Slot* NodeCache::in_memory(NodeNumber number) {
+  if (places_.size() < slots_.size() || places_.empty())
+    places_.assign(std::bit_ceil(std::max<std::size_t>(64, 2 * slots_.size())), {});
+  auto& [known, slot] = places_[static_cast<std::size_t>(number) & (places_.size() - 1)];
+  if (!slot || known != number) {
+    const auto found = slots_.find(number);
+    if (found == slots_.end()) return nullptr;
+    known = number, slot = &found->second;
+  }
+  return slot->state.node ? slot : nullptr;
+}
+
 NodeCache::Slot& NodeCache::fetch(NodeNumber number) {
-  auto& [recent_number, recent] = recent_[static_cast<std::size_t>(number) % recent_.size()];
-  if (recent && recent_number == number && recent->state.node) {
-    recent->used = use_;
-    return *recent;
+  if (Slot* slot = in_memory(number)) {
+    slot->used = use_;
+    return *slot;
   }
   const auto found = slots_.find(number);
-  if (found != slots_.end() && found->second.state.node) {
-    recent_number = number, recent = &found->second;
-    recent->used = use_;
-    return *recent;
-  }
   const bool gone = found != slots_.end() && found->second.state.dirty;
   if (!gone) evict();
   std::shared_ptr<Node> node;
@@ -56,7 +64,15 @@ NodeCache::Slot& NodeCache::fetch(NodeNumber number) {
   if (!node) damaged("node " + std::to_string(number) + " is missing");
   Slot& slot = slots_[number];
   slot = {.state = {std::move(node), false}, .used = use_};
+  if (!hints_.empty()) learn(number, slot);
   return slot;
+}
+
+void NodeCache::learn(NodeNumber number, Slot& slot) {
+  if (slot.learned || !slot.state.node->is_leaf()) return;
+  hints_.make_room(slots_.size() * format_.leaf_capacity);
+  hints_.learn(slot.state.node->keys, number);
+  slot.learned = true;
 }
 
 std::optional<NodeNumber> NodeCache::leaf_of(std::int64_t id) {
@@ -64,8 +80,20 @@ std::optional<NodeNumber> NodeCache::leaf_of(std::int64_t id) {
   if (leaf == MapChanges::erased) return std::nullopt;
   if (leaf != MapChanges::unknown) return leaf;
   if (last_found_ && last_found_->first == id) return last_found_->second;
+  if (const NodeNumber hint = hints_.find(id))
+    if (const Slot* slot = in_memory(hint); slot && slot->state.node->is_leaf()) {
+      const std::vector<std::int64_t>& ids = slot->state.node->keys;
+      if (std::find(ids.begin(), ids.end(), id) != ids.end()) {
+        last_found_ = {id, hint};
+        return hint;
+      }
+    }
   const std::optional<std::int64_t> stored = rows_->leaf_of(id);
-  if (stored) last_found_ = {id, *stored};
+  if (!stored) return stored;
+  last_found_ = {id, *stored};
+  hints_.make_room(1);
+  hints_.learn(id, *stored);
+  if (Slot* slot = in_memory(*stored)) learn(*stored, *slot);
   return stored;
 }
 
@@ -104,12 +132,15 @@ void NodeCache::set_dirty(Slot& slot, bool dirty) noexcept {
   slot.state.dirty = dirty;
 }
 
+void NodeCache::note_changed(NodeNumber number, Slot& slot) {
+  if (slot.changed == transaction_) return;
+  changed_.push_back(number);
+  slot.changed = transaction_;
+}
+
 // Nothing is lost if this throws.
 void NodeCache::about_to_change(NodeNumber number, Slot& slot) {
-  if (slot.changed != transaction_) {
-    changed_.push_back(number);
-    slot.changed = transaction_;
-  }
+  note_changed(number, slot);
   if (slot.kept == moment_) return;
   if (in_call_)
     call_log_.emplace_back(number, slot.state);
@@ -139,6 +170,20 @@ Node& NodeCache::modify(NodeNumber number) {
   return *node;
 }
 
+double* NodeCache::modify_record(NodeNumber leaf, std::size_t place) {
+  const auto size = static_cast<std::size_t>(format_.at.size);
+  Slot& slot = fetch(leaf);
+  const bool record_is_enough = in_call_ && marks_.none() && record_before_.leaf == 0 &&
+                                slot.kept != moment_ && slot.state.node.use_count() == 1;
+  if (!record_is_enough) return modify(leaf).values.data() + place * size;
+  double* record = slot.state.node->values.data() + place * size;
+  note_changed(leaf, slot);
+  record_before_.values.assign(record, record + size);
+  record_before_.leaf = leaf, record_before_.slot = place, record_before_.dirty = slot.state.dirty;
+  set_dirty(slot, true);
+  return record;
+}
+
 NodeNumber NodeCache::allocate() {
   if (head_.last == TreeHead::unknown) head_.last = std::max<std::int64_t>(rows_->largest_node(), 0);
   if (head_.last == std::numeric_limits<std::int64_t>::max()) damaged("there is no node number left");
@@ -156,6 +201,7 @@ void NodeCache::put(NodeNumber number, Node node) {
   Slot& slot = overwritten(number);
   about_to_change(number, slot);
   slot.state.node = std::move(shared);
+  slot.learned = false;
   set_dirty(slot, true);
   if (dirty_ * format_.node_size > limits_.waiting) {
     hand_call_to_marks();
@@ -198,63 +244,6 @@ void NodeCache::erase_everything() {
   }
   set_root(0);
   map_.void_stored();
-}
-
-// --- memory
-
-void NodeCache::evict() {
-  const std::size_t most = limits_.memory / format_.node_size;
-  if (slots_.size() < std::max(most, evict_at_)) return;
-  drop_unused(use_);
-  if (slots_.size() > most / 2) drop_unused(use_ + 1);
-  ++use_;
-  evict_at_ = slots_.size() + most / 8;
-  if (marks_.snapshots() == 0) marks_.drop_stored();
-}
-
-void NodeCache::drop_unused(std::uint64_t before) {
-  const bool watched = marks_.snapshots() > 0;
-  forget_recent();
-  std::erase_if(slots_, [&](const auto& entry) {
-    const Slot& slot = entry.second;
-    const bool changed = slot.changed == transaction_;
-    if (slot.state.dirty || slot.used >= before || (changed && watched)) return false;
-    dropped_changed_ |= changed;
-    return true;
-  });
-}
-
-// --- writing
-
-void NodeCache::write() {
-  write_nodes();
-  if (map_.waits()) {
-    if (map_.stored_is_void()) rows_->erase_map();
-    rows_->write_map(map_.sorted());
-    map_.written(!marks_.none());
-    last_found_.reset();
-  }
-  if (head_.root_dirty) rows_->write_root(head_.root);
-  head_.root_dirty = false;
-  if (marks_.snapshots() == 0) marks_.drop_stored();
-}
-
-void NodeCache::write_nodes() {
-  const std::vector<NodeNumber> numbers = waiting_numbers();
-  wrote_in_call_ |= in_call_ && !numbers.empty();
-  for (const NodeNumber number : numbers) {
-    Slot& slot = slots_.at(number);
-    about_to_change(number, slot);
-    if (const Node* node = slot.state.node.get())
-      rows_->write_node(number, node->is_leaf() ? encode_leaf(format_, number, *node)
-                                                : encode_inner(format_, number, *node));
-    else
-      rows_->erase_node(number);
-    set_dirty(slot, false);
-    if (slot.state.node) continue;
-    forget_recent();
-    slots_.erase(number);
-  }
 }
 
 }  // namespace foresee

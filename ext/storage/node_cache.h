@@ -8,15 +8,15 @@
 //
 // Nodes that were read stay, within `CacheLimits`, for as long as the stamp says that nothing changed. Old
 // states live in marks.h: savepoints, snapshots, and the call in progress. A node is copied before it changes
-// only while somebody holds it as it was.
+// only while somebody holds it as it was; for the call alone one record is enough.
 //
 // Rows are hostile: a node without fault by leaf_fault() or inner_fault() is believed by itself, what nodes
 // say about one another is not.
 #pragma once
 
-#include <array>
 #include <vector>
 
+#include "storage/leaf_hints.h"
 #include "storage/map_changes.h"
 #include "storage/marks.h"
 #include "storage/shadow_rows.h"
@@ -43,6 +43,7 @@ class NodeCache final : public Pages {
   std::size_t leaf_capacity() const override { return format_.leaf_capacity; }
   std::size_t inner_capacity() const override { return format_.inner_capacity; }
   Node& modify(NodeNumber number) override;
+  double* modify_record(NodeNumber leaf, std::size_t slot) override;
   NodeNumber allocate() override;
   void put(NodeNumber number, Node node) override;
   void free(NodeNumber number) override;
@@ -97,13 +98,18 @@ class NodeCache final : public Pages {
     std::uint64_t kept = 0;     ///< the moment up to which a mark or the call knows what it was
     std::uint64_t changed = 0;  ///< the transaction that changed it last
     std::uint64_t used = 0;
+    bool learned = false;  ///< where its objects are
   };
 
   [[noreturn]] void damaged(const std::string& what) const;
+  Slot* in_memory(NodeNumber number);
   Slot& fetch(NodeNumber number);
-  void forget_recent() noexcept { recent_ = {}; }
+  void learn(NodeNumber number, Slot& slot);
+  void erase_slot(NodeNumber number) noexcept;
   Slot& overwritten(NodeNumber number);
+  void note_changed(NodeNumber number, Slot& slot);
   void about_to_change(NodeNumber number, Slot& slot);
+  void take_back_record() noexcept;
   void set_dirty(Slot& slot, bool dirty) noexcept;
   void back_to(NodeNumber number, const NodeState& state) noexcept;
   const std::vector<NodeNumber>& waiting_numbers();
@@ -118,11 +124,11 @@ class NodeCache final : public Pages {
   ShadowRows* rows_ = nullptr;
 
   std::unordered_map<NodeNumber, Slot> slots_;
-  /// Asked for lately, by the last digits of the number: a change of the tree comes back to the same few
-  /// nodes. To be forgotten whenever a slot goes.
-  std::array<std::pair<NodeNumber, Slot*>, 64> recent_{};
+  /// Where slots are, by the last digits of their numbers: a look-up in slots_ misses the processor's caches.
+  std::vector<std::pair<NodeNumber, Slot*>> places_;
   TreeHead head_;
   MapChanges map_;
+  LeafHints hints_;
   std::optional<std::pair<std::int64_t, std::int64_t>> last_found_;  ///< id and leaf as the rows say
   std::size_t dirty_ = 0;
   std::uint64_t use_ = 1;     ///< moves with every eviction
@@ -138,6 +144,13 @@ class NodeCache final : public Pages {
 
   bool in_call_ = false, wrote_in_call_ = false;
   std::vector<std::pair<NodeNumber, NodeState>> call_log_;
+  /// Most updates change one record and nothing else: it is kept alone.
+  struct {
+    NodeNumber leaf = 0;  ///< 0: there is none
+    std::size_t slot;
+    bool dirty;
+    std::vector<double> values;
+  } record_before_;
   TreeHead head_before_call_;
   std::size_t map_before_call_ = 0;
   std::shared_ptr<Node> spare_;  ///< room for the next copy of a node

@@ -1,4 +1,7 @@
 // Going back: one call, a savepoint, a transaction; and reading what was.
+#include <algorithm>
+#include <utility>
+
 #include "storage/node_cache.h"
 #include "storage/object_store.h"
 
@@ -12,12 +15,12 @@ void NodeCache::back_to(NodeNumber number, const NodeState& state) noexcept {
   found->second.state.node = state.node;
   found->second.kept = 0;
   if (state.node || state.dirty) return;
-  forget_recent();
-  slots_.erase(found);
+  erase_slot(number);
 }
 
 void NodeCache::begin_call() {
   call_log_.clear();
+  record_before_.leaf = 0;
   head_before_call_ = head_;
   map_before_call_ = map_.position();
   in_call_ = true;
@@ -34,6 +37,7 @@ void NodeCache::end_call() {
     hand_call_to_marks();
   }
   call_log_.clear();
+  record_before_.leaf = 0;
   in_call_ = false;
 }
 
@@ -48,9 +52,22 @@ void NodeCache::cancel_call() noexcept {
   for (auto change = call_log_.rbegin(); change != call_log_.rend(); ++change)
     back_to(change->first, change->second);
   call_log_.clear();
+  take_back_record();
   map_.rewind(map_before_call_);
   head_ = head_before_call_;
   in_call_ = false;
+}
+
+/// After all else: if its leaf changed as a whole too, that was later.
+void NodeCache::take_back_record() noexcept {
+  const NodeNumber leaf = std::exchange(record_before_.leaf, 0);
+  const auto found = slots_.find(leaf);
+  if (found == slots_.end()) return;
+  NodeState& state = found->second.state;
+  std::copy(record_before_.values.begin(), record_before_.values.end(),
+            state.node->values.begin() +
+                static_cast<std::ptrdiff_t>(record_before_.slot * record_before_.values.size()));
+  set_dirty(found->second, record_before_.dirty);
 }
 
 Marks::Handle NodeCache::mark(bool is_snapshot) {
@@ -91,7 +108,8 @@ void NodeCache::restore(Marks::Handle mark, std::size_t map_position) {
 
 void NodeCache::forget_all() noexcept {
   slots_.clear();
-  forget_recent();
+  places_.clear();
+  hints_.clear();
   head_ = {};
   map_.clear();
   last_found_.reset();

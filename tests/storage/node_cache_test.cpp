@@ -54,6 +54,34 @@ TEST_F(NodeCacheTest, ACancelledCallThatHadWrittenLosesNothingThatASavepointSaw)
   EXPECT_EQ(db.number("SELECT count(*) FROM ships_node"), 1);
 }
 
+TEST_F(NodeCacheTest, ACancelledRecordIsAsItWasAlsoIfItsLeafChangedLater) {
+  for (const bool is_stored : {false, true})
+    for (const bool leaf_changes : {false, true}) {
+      const NodeNumber number = add(1);
+      if (is_stored) cache.write();
+      const std::vector<double> before = cache.read(number)->values;
+      cache.begin_call();
+      cache.modify_record(number, 0)[1] = 77;
+      EXPECT_EQ(cache.read(number)->values[1], 77);
+      EXPECT_TRUE(cache.waiting(number));
+      if (leaf_changes) cache.modify(number).values[2] = 88;
+      cache.cancel_call();
+      EXPECT_EQ(cache.read(number)->values, before);
+      EXPECT_EQ(cache.waiting(number).has_value(), !is_stored);
+    }
+  cache.begin_call();
+  const NodeNumber number = add(1);
+  cache.end_call();
+  const Marks::Handle mark = cache.mark(false);
+  cache.begin_call();
+  cache.modify_record(number, 0)[1] = 77;
+  cache.end_call();
+  cache.restore(mark, 0);
+  EXPECT_EQ(cache.read(number)->values, ship(1));
+  cache.give_up(mark);
+  db.run("ROLLBACK");
+}
+
 TEST_F(NodeCacheTest, NamesWhatWaitsInOrder) {
   cache.begin_call();
   const NodeNumber first = add(1), second = add(2), third = add(3), none = third + 1;

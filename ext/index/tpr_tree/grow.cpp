@@ -35,6 +35,24 @@ NodeNumber put_root_above(TreeState<D>& state, NodeNumber old_root) {
   return number;
 }
 
+/// Has the epoch become a bad one for this child? Then much of its width stems from the time since.
+template <int D>
+bool is_stale(const TreeState<D>& state, const Node& inner, std::size_t slot) {
+  const double away = std::abs(state.clock.now() - inner.epoch);
+  if (!(away > 0.5 * state.horizon)) return false;
+  const Bounds<D> bounds = bounds_at<D>(inner, slot);
+  const Vec<D> by_epoch =
+      away * ((bounds.v_upper - bounds.v_lower) + (0.5 * away) * (bounds.a_upper - bounds.a_lower));
+  return by_epoch.sum() > 0.5 * (bounds.x_upper - bounds.x_lower).sum();
+}
+
+/// Is there nothing to do in the parent about what was added beneath the child?
+template <int D, class Added>
+bool is_settled(const TreeState<D>& state, const Node& parent, NodeNumber child, const Added& added) {
+  const std::size_t slot = slot_of(parent, child);
+  return entry_at<D>(parent, slot).contains(added.entry(parent.epoch)) && !is_stale(state, parent, slot);
+}
+
 /// Widens the parent's entry so that it contains what was added beneath the child.
 template <int D, class Added>
 void widen(TreeState<D>& state, NodeNumber parent, NodeNumber child, const Added& added) {
@@ -111,19 +129,20 @@ void split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_number
 /// From a node that has just taken something in up to the root.
 template <int D, class Added>
 void make_room_upward(TreeState<D>& state, NodeNumber number, const Added& added) {
-  for (;;) {
-    NodeNumber parent;
-    bool overfull;
-    {
-      const auto node = state.pages.read(number);
-      parent = node->parent, overfull = node->size() > state.capacity(node->level);
-      read_above(state.pages, number, *node);
+  for (auto node = state.pages.read(number);;) {
+    const bool overfull = node->size() > state.capacity(node->level);
+    NodeNumber parent_number = node->parent;
+    auto parent = read_above(state.pages, number, *node);
+    if (!parent && !overfull) return;
+    if (parent && !overfull && is_settled(state, *parent, number, added)) {
+      node = std::move(parent), number = parent_number;
+      continue;
     }
-    if (parent == 0 && !overfull) return;
-    if (parent == 0) parent = put_root_above(state, number);
-    widen(state, parent, number, added);
-    if (overfull) split_node(state, number, parent);
-    number = parent;
+    node.reset(), parent.reset();  // they change now
+    if (parent_number == 0) parent_number = put_root_above(state, number);
+    widen(state, parent_number, number, added);
+    if (overfull) split_node(state, number, parent_number);
+    node = state.pages.read(parent_number), number = parent_number;
   }
 }
 
@@ -144,15 +163,7 @@ void renew_entries(TreeState<D>& state, NodeNumber inner) {
 
 template <int D>
 bool freshen(TreeState<D>& state, NodeNumber inner, std::size_t slot) {
-  {
-    const auto old = state.pages.read(inner);
-    const double away = std::abs(state.clock.now() - old->epoch);
-    const Bounds<D> bounds = bounds_at<D>(*old, slot);
-    const Vec<D> by_epoch =
-        away * ((bounds.v_upper - bounds.v_lower) + (0.5 * away) * (bounds.a_upper - bounds.a_lower));
-    if (!(away > 0.5 * state.horizon && by_epoch.sum() > 0.5 * (bounds.x_upper - bounds.x_lower).sum()))
-      return false;
-  }
+  if (!is_stale(state, *state.pages.read(inner), slot)) return false;
   renew_entries(state, inner);
   return true;
 }

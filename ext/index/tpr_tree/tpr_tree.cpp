@@ -24,8 +24,8 @@ class Tree final : public TprTree {
     state_.clock.saw(state_.reader.t(record.data()));
     const NewObject<D> object{id, record, Mover<D>(state_.reader, record.data())};
     freshen_above(*leaf);
-    const std::size_t slot = slot_of_object(*leaf, id);
-    if (parent_of(*leaf) == 0 || entry_contains(*leaf, object)) {
+    const auto [slot, stays] = place_of(*leaf, object);
+    if (stays) {
       overwrite(*leaf, slot, object);
     } else {
       const bool leaf_stays = take_out(state_, *leaf, slot);
@@ -39,7 +39,8 @@ class Tree final : public TprTree {
   bool erase(std::int64_t id) override {
     const auto leaf = state_.pages.leaf_of(id);
     if (!leaf) return false;
-    take_out(state_, *leaf, slot_of_object(*leaf, id));
+    const std::size_t slot = slot_in_leaf(*state_.pages.read(*leaf), id);
+    take_out(state_, *leaf, slot);
     state_.pages.forget(id);
     return true;
   }
@@ -64,47 +65,60 @@ class Tree final : public TprTree {
   }
 
  private:
-  NodeNumber parent_of(NodeNumber number) {
-    const auto node = state_.pages.read(number);
-    read_above(state_.pages, number, *node);
-    return node->parent;
-  }
-  std::size_t slot_in(NodeNumber number, std::int64_t key) {
-    return slot_of(*state_.pages.read(number), key);
+  static std::size_t slot_in_leaf(const Node& leaf, std::int64_t id) {
+    if (!leaf.is_leaf()) throw BrokenTree("an object is not in a leaf of the tree");
+    return slot_of(leaf, id);
   }
 
-  std::size_t slot_of_object(NodeNumber leaf, std::int64_t id) {
-    const auto node = state_.pages.read(leaf);
-    if (!node->is_leaf()) throw BrokenTree("an object is not in a leaf of the tree");
-    return slot_of(*node, id);
+  struct Place {
+    std::size_t slot;
+    bool stays;  ///< the leaf's entry is true for the object as it will be
+  };
+  Place place_of(NodeNumber number, const NewObject<D>& object) {
+    const auto leaf = state_.pages.read(number);
+    const std::size_t slot = slot_in_leaf(*leaf, object.id);
+    const auto parent = read_above(state_.pages, number, *leaf);
+    return {slot, !parent || entry_contains(*parent, number, object)};
   }
 
-  /// Would the entry of this node stay true if the object were beneath it? Greatest t apart, which is cheap
+  /// Would the entry of this child stay true if the object were beneath it? Greatest t apart, which is cheap
   /// to mend.
-  bool entry_contains(NodeNumber number, const NewObject<D>& object) {
-    const auto parent = state_.pages.read(parent_of(number));
-    Entry<D> entry = entry_at<D>(*parent, slot_of(*parent, number));
+  static bool entry_contains(const Node& parent, NodeNumber child, const NewObject<D>& object) {
+    Entry<D> entry = entry_at<D>(parent, slot_of(parent, child));
     entry.times.t_greatest = std::numeric_limits<double>::infinity();
-    return entry.contains(object.entry(parent->epoch));
+    return entry.contains(object.entry(parent.epoch));
   }
 
+  /// The lowest node above this one, not itself, that may take the object in; the root takes anything.
   NodeNumber ancestor_containing(NodeNumber number, const NewObject<D>& object) {
-    number = parent_of(number);
-    while (number != 0 && parent_of(number) != 0 && !entry_contains(number, object))
-      number = parent_of(number);
-    return number;
+    auto node = state_.pages.read(number);
+    auto parent = read_above(state_.pages, number, *node);
+    for (;;) {
+      number = node->parent, node = std::move(parent);
+      if (!node) return number;
+      parent = read_above(state_.pages, number, *node);
+      if (!parent || entry_contains(*parent, number, object)) return number;
+    }
   }
 
   void freshen_above(NodeNumber number) {
-    for (NodeNumber parent = parent_of(number); parent != 0; number = parent, parent = parent_of(number))
-      if (!freshen(state_, parent, slot_in(parent, number))) return;
+    for (;;) {
+      const auto node = state_.pages.read(number);
+      std::size_t slot;
+      {
+        const auto parent = read_above(state_.pages, number, *node);
+        if (!parent) return;
+        slot = slot_of(*parent, number);
+      }
+      if (!freshen(state_, node->parent, slot)) return;
+      number = node->parent;
+    }
   }
 
   /// Entries farther up contain the leaf's objects, not all that its own entry allows: they are looked at
   /// too.
   void overwrite(NodeNumber leaf, std::size_t slot, const NewObject<D>& object) {
-    Node& node = state_.pages.modify(leaf);
-    double* place = node.values.data() + slot * object.record.size();
+    double* place = state_.pages.modify_record(leaf, slot);
     const double t_before = state_.reader.t(place);
     std::copy(object.record.begin(), object.record.end(), place);
     if (object.mover.motion.t != t_before) refresh_newest(state_, leaf);
