@@ -7,7 +7,7 @@ namespace foresee {
 std::int64_t Connection::announce(std::shared_ptr<ObjectStore> store, const std::string& schema,
                                   const std::string& table) {
   const std::int64_t number = last_number_ + 1;
-  tables_.emplace(number, OpenTable{std::move(store), schema, table});
+  tables_.emplace(number, OpenTable{std::move(store), schema, table, number});
   return last_number_ = number;
 }
 

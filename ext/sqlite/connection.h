@@ -45,6 +45,7 @@ class Connection {
   struct OpenTable {
     std::shared_ptr<ObjectStore> store;
     std::string schema, table;
+    std::int64_t number;
   };
   /// Null if no table has this number. Valid until the table leaves.
   const OpenTable* find(std::int64_t number) const;

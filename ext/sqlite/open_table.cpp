@@ -60,15 +60,26 @@ void explain(sqlite3* db, const std::string& table, const std::optional<std::str
   throw Error("no such table: " + name + (schema ? "" : with_schema_apart(tables, table)) + list_of(tables));
 }
 
+/// What the connection knows of the table that the name means; null if it is none of ours.
+const Connection::OpenTable* look_up(Connection& connection, const AskedTable& name) {
+  const auto number = connection.lookups().number_of(name);
+  return number ? connection.find(*number) : nullptr;
+}
+
 /// Nothing if the table that SQLite finds is none of ours.
 std::optional<Connection::OpenTable> ask(Connection& connection, const AskedTable& name) {
-  const auto number = connection.lookups().number_of(name);
-  const Connection::OpenTable* open = number ? connection.find(*number) : nullptr;
+  TableLookups& lookups = connection.lookups();
+  const Connection::OpenTable* open = look_up(connection, name);
+  if (!open) {  // or SQLite has connected it anew since
+    lookups.forget(name);
+    open = look_up(connection, name);
+  }
   if (!open || !same_name(open->table, *name.table)) return std::nullopt;
   const Connection::OpenTable found = *open;
-  // A table that is made in main would come before it from then on; a kept statement would not look there.
-  if (!name.schema && !same_name(found.schema, "main") && !same_name(found.schema, "temp"))
-    connection.lookups().forget(name);
+  // A table that is made in main would come before one that is attached from then on; nothing that is kept
+  // would notice.
+  if (name.schema || same_name(found.schema, "main") || same_name(found.schema, "temp"))
+    lookups.keep(name, found.number, found.schema);
   return found;
 }
 

@@ -26,6 +26,10 @@ class Select {
   bool step();
   /// Lets go of the row and of all locks: the next step begins anew.
   void rewind() { sqlite3_reset(statement_); }
+  /// A schema that it reads, or all of them, changed between prepare and step.
+  bool was_compiled_anew() const {
+    return sqlite3_stmt_status(statement_, SQLITE_STMTSTATUS_REPREPARE, 0) > 0;
+  }
   /// A column of the current row; "" for NULL.
   std::string text(int column) const;
   /// A column of the current row, if it is an integer.

@@ -113,6 +113,36 @@ TEST_F(TableLookups, NothingStandsInTheWayOfVacuumAndDetach) {
   EXPECT_EQ(found(), "1");
 }
 
+// Its statements are what keeps a table in memory, scenes and nodes with it.
+TEST_F(TableLookups, ADetachedTableIsLetGo) {
+  const auto statements_on = [&](const std::string& table) {
+    int count = 0;
+    for (sqlite3_stmt* s = nullptr; (s = sqlite3_next_stmt(db.handle(), s)) != nullptr;)
+      count += std::string(sqlite3_sql(s)).find(table) != std::string::npos;
+    return count;
+  };
+  db.exec("ATTACH ':memory:' AS other");
+  make("other.boats", 2);
+  for (int turn = 0; turn < 3; ++turn)
+    EXPECT_EQ(db.rows("SELECT id FROM predictive_window(1, 'boats') WHERE schema = 'other'"), "2");
+  EXPECT_EQ(db.rows("SELECT a FROM predictive_join(1, 'boats') WHERE schema = 'other'"), "");
+  EXPECT_GT(statements_on("boats"), 0);
+  db.exec("DETACH other; SELECT 1");  // SQLite disconnects a detached table when it compiles next
+  EXPECT_EQ(statements_on("boats"), 0);
+}
+
+TEST_F(TableLookups, AnAuthorizerThatHidesTheSchemaHidesNoTable) {
+  make("ships", 1);
+  EXPECT_EQ(found(), "1");
+  sqlite3_set_authorizer(
+      db.handle(),
+      [](void*, int action, const char* table, const char*, const char*, const char*) {
+        return action == SQLITE_READ && std::string(table).starts_with("sqlite_") ? SQLITE_DENY : SQLITE_OK;
+      },
+      nullptr);
+  for (int turn = 0; turn < 3; ++turn) EXPECT_EQ(found(), "1");
+}
+
 // As `.load foresee` in a start-up file and in a script does: the first functions stay, and know their
 // tables.
 TEST_F(TableLookups, LoadedASecondTime) {
