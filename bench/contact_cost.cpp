@@ -6,7 +6,6 @@
 // Prints nanoseconds of processor time an object and the ratio of exact to plain (medians over repetitions in
 // which both ran one after the other): for a count and for (a, b, t), of the whole join and of contact alone.
 #include <cstdio>
-#include <cstring>
 #include <iterator>
 #include <string>
 
@@ -14,6 +13,7 @@
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "measure.h"
 #include "plain_contact.h"
+#include "program.h"
 #include "workloads.h"
 
 namespace foresee::bench {
@@ -89,13 +89,9 @@ void compare(const Workload& w, int repetitions) {
   }
 }
 
-int main_of(int count, char** arguments) {
-  bool quick = false;
-  std::vector<std::string> names;
-  for (int i = 1; i < count; ++i)
-    std::strcmp(arguments[i], "--quick") == 0 ? void(quick = true) : names.push_back(arguments[i]);
-  if (names.empty()) names = {"S-100000", "P-zipf-5000", "L-30", "M-100000"};
-  for (const std::string& name : names) {
+int main_of(const Options& options) {
+  const bool quick = options.has("--quick");
+  for (const std::string& name : options.names({"S-100000", "P-zipf-5000", "L-30", "M-100000"})) {
     const Workload w = make_workload(name);
     const int repetitions = (quick ? 5 : 15) * (w.count <= 10000 ? 10 : 1);
     w.layout.axes == 2 ? compare<2>(w, repetitions) : compare<3>(w, repetitions);
@@ -107,10 +103,5 @@ int main_of(int count, char** arguments) {
 }  // namespace foresee::bench
 
 int main(int count, char** arguments) {
-  try {
-    return foresee::bench::main_of(count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return foresee::bench::run_program(count, arguments, foresee::bench::main_of);
 }

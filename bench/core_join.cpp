@@ -10,7 +10,6 @@
 // in a pair; time stepping, which misses pairs, must not have more of them.
 #include <chrono>
 #include <cstdio>
-#include <cstring>
 #include <functional>
 #include <string>
 
@@ -18,6 +17,7 @@
 #include "core_rivals.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "measure.h"
+#include "program.h"
 #include "query/join.h"
 
 namespace foresee::bench {
@@ -172,24 +172,17 @@ bool compare(const Workload& w, int repetitions, bool quick, std::FILE* csv) {
   return w.count < 100000 || compare_helpers(w, scene, repetitions);
 }
 
-int main_of(int count, char** arguments) {
-  bool quick = false;
-  std::FILE* csv = nullptr;
-  std::vector<std::string> names;
-  for (int i = 1; i < count; ++i) {
-    if (std::strcmp(arguments[i], "--quick") == 0)
-      quick = true;
-    else if (std::strcmp(arguments[i], "--csv") == 0 && i + 1 < count)
-      csv = std::fopen(arguments[++i], "w");
-    else
-      names.push_back(arguments[i]);
-  }
+int main_of(Options options) {
+  const bool quick = options.has("--quick");
+  const auto csv_path = options.value("--csv");
+  std::FILE* csv = csv_path ? std::fopen(csv_path->c_str(), "w") : nullptr;
   if (csv) std::fprintf(csv, "workload,method,n,h,candidates,pairs,ns_per_object,ratio_to_foresee,missed\n");
-  if (names.empty() && quick) names = {"P-zipf-5000", "S-10000", "S-100000", "L-30", "M-100000"};
-  if (names.empty())
-    names = {"P-uniform-2000", "P-zipf-5000", "P-city-5000", "P-cube-100000", "S-10000", "S-100000",
-             "S-1000000",      "K-1000000",   "M-100000",    "L-30",          "L-300"};
-  for (const std::string& name : names) {
+  using Names = std::vector<std::string>;
+  const Names usual =
+      quick ? Names{"P-zipf-5000", "S-10000", "S-100000", "L-30", "M-100000"}
+            : Names{"P-uniform-2000", "P-zipf-5000", "P-city-5000", "P-cube-100000", "S-10000", "S-100000",
+                    "S-1000000",      "K-1000000",   "M-100000",    "L-30",          "L-300"};
+  for (const std::string& name : options.names(usual)) {
     const Workload w = make_workload(name);
     const int repetitions = quick ? 3 : w.count <= 10000 ? 25 : 5;
     if (compare(w, repetitions, quick, csv)) continue;
@@ -204,10 +197,5 @@ int main_of(int count, char** arguments) {
 }  // namespace foresee::bench
 
 int main(int count, char** arguments) {
-  try {
-    return foresee::bench::main_of(count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return foresee::bench::run_program(count, arguments, foresee::bench::main_of);
 }

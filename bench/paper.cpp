@@ -9,7 +9,6 @@
 // and a figure is the median over the turns. --quick: fewer turns, and sweeps of three steps.
 #include <bit>
 #include <cstdio>
-#include <cstring>
 #include <functional>
 #include <string>
 
@@ -18,6 +17,7 @@
 #include "index/tpr_tree/tpr_tree.h"
 #include "index/tpr_tree/tree_join.h"
 #include "measure.h"
+#include "program.h"
 #include "query/explain.h"
 #include "query/join.h"
 #include "workloads.h"
@@ -218,10 +218,11 @@ std::vector<Setting> settings(bool quick) {
   return all;
 }
 
-int main_of(int count, char** arguments) {
-  const bool quick = count > 1 && std::strcmp(arguments[1], "--quick") == 0;
-  if (count != 2 + quick) throw Error("write bench_paper [--quick] FOLDER");
-  Report report(arguments[count - 1]);
+int main_of(const Options& options) {
+  const bool quick = options.has("--quick");
+  const std::vector<std::string> folder = options.names({});
+  if (folder.size() != 1) throw Error("write bench_paper [--quick] FOLDER");
+  Report report(folder[0]);
   const std::vector<Setting> all = settings(quick);
   for (std::size_t i = 0; i < all.size(); ++i) {
     std::fprintf(stderr, "\r%zu of %zu settings: %-8s %s      ", i + 1, all.size(), all[i].sweep,
@@ -241,10 +242,5 @@ int main_of(int count, char** arguments) {
 }  // namespace foresee::bench
 
 int main(int count, char** arguments) {
-  try {
-    return foresee::bench::main_of(count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return foresee::bench::run_program(count, arguments, foresee::bench::main_of);
 }

@@ -23,6 +23,7 @@
 #include <functional>
 
 #include "measure.h"
+#include "program.h"
 #include "query/join.h"
 #include "sql_ours.h"
 #include "sql_rival.h"
@@ -220,23 +221,14 @@ bool compare(const Workload& w, bool quick, Report& report) {
   return agree;
 }
 
-int main_of(int count, char** arguments) {
-  bool quick = false;
-  std::FILE* csv = nullptr;
-  std::vector<std::string> names;
-  for (int i = 1; i < count; ++i) {
-    if (std::strcmp(arguments[i], "--quick") == 0)
-      quick = true;
-    else if (std::strcmp(arguments[i], "--csv") == 0 && i + 1 < count)
-      csv = std::fopen(arguments[++i], "w");
-    else
-      names.push_back(arguments[i]);
-  }
-  if (names.empty())
-    names = quick ? std::vector<std::string>{"S-100000"}
-                  : std::vector<std::string>{"S-100000", "S-1000000", "L-30", "M-100000"};
+int main_of(Options options) {
+  const bool quick = options.has("--quick");
+  const auto csv_path = options.value("--csv");
+  std::FILE* csv = csv_path ? std::fopen(csv_path->c_str(), "w") : nullptr;
+  using Names = std::vector<std::string>;
+  const Names usual = quick ? Names{"S-100000"} : Names{"S-100000", "S-1000000", "L-30", "M-100000"};
   Report report(csv);
-  for (const std::string& name : names)
+  for (const std::string& name : options.names(usual))
     if (!compare(make_workload(name), quick, report)) {
       std::fprintf(stderr, "%s: the answers differ\n", name.c_str());
       return 1;
@@ -249,10 +241,5 @@ int main_of(int count, char** arguments) {
 }  // namespace foresee::bench
 
 int main(int count, char** arguments) {
-  try {
-    return foresee::bench::main_of(count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return foresee::bench::run_program(count, arguments, foresee::bench::main_of);
 }

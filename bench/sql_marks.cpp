@@ -1,7 +1,7 @@
 // The speed marks through SQL: foresee against base table + R*Tree + exact test as an SQL function, in one
 // process.
 //
-//   bench_sql_marks [--quick | --joins]
+//   bench_sql_marks [--quick] [--joins | --loads | --updates]
 //
 //   join  S-100000: SELECT a, b, t FROM predictive_join(3), all rows stepped, warm; both tables stand ready.
 //         Then how many they are, and the ten that meet first; the rival's whole join is what these compare
@@ -14,11 +14,12 @@
 // Processor time, medians; a ratio is the rival's time over ours in the same repetition. Fails if the two
 // joins differ in a pair or a time.
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <random>
+#include <string>
 
 #include "measure.h"
+#include "program.h"
 #include "sql_ours.h"
 #include "sql_rival.h"
 
@@ -160,15 +161,19 @@ void compare_loads(std::size_t count, int repetitions, bool into_file) {
   comparison.print(("load " + w.name + (into_file ? ", file" : ", memory")).c_str(), count, 6);
 }
 
-int main_of(bool quick, bool only_joins) {
-  if (!compare_joins(100000, quick ? 5 : 15)) {
+int main_of(const Options& options) {
+  const bool quick = options.has("--quick"), joins = options.has("--joins"), loads = options.has("--loads"),
+             updates = options.has("--updates"), all = !joins && !loads && !updates;
+  if ((all || joins) && !compare_joins(100000, quick ? 5 : 15)) {
     std::fprintf(stderr, "the two joins differ\n");
     return 1;
   }
-  if (only_joins) return 0;
-  for (bool into_file : {false, true}) compare_loads(quick ? 300000 : 1000000, quick ? 1 : 3, into_file);
-  compare_updates(100000, quick ? 1 : 5);
-  if (!quick) compare_updates(1000000, 3);
+  if (all || loads)
+    for (bool into_file : {false, true}) compare_loads(quick ? 300000 : 1000000, quick ? 1 : 3, into_file);
+  if (all || updates) {
+    compare_updates(100000, quick ? 1 : 5);
+    if (!quick) compare_updates(1000000, 3);
+  }
   return 0;
 }
 
@@ -176,13 +181,5 @@ int main_of(bool quick, bool only_joins) {
 }  // namespace foresee::bench
 
 int main(int count, char** arguments) {
-  try {
-    const auto asked = [&](const char* option) {
-      return count > 1 && std::strcmp(arguments[1], option) == 0;
-    };
-    return foresee::bench::main_of(asked("--quick"), asked("--joins"));
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return foresee::bench::run_program(count, arguments, foresee::bench::main_of);
 }

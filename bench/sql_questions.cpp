@@ -3,23 +3,22 @@
 //   bench_sql_questions [--quick]
 //
 //   window  S-100000 and S-1000000: prepared windows of about 100 objects over the next 3 seconds, ids only
-//   and
-//           with t, against base table + R*Tree of swept boxes + a textbook's test in plain double as an SQL
-//           function. Both stand ready in memory.
-//   nearest S-100000: the 10 nearest during the next 3 seconds (the R*Tree has no such question).
-//   open    the same tables in files: open, ask one window, take one row. Warm file cache.
+//           and with t, against base table + R*Tree of swept boxes + a textbook's test in plain double as an
+//           SQL function. Both stand ready in memory.
+//   nearest the 10 nearest during the next 3 seconds (the R*Tree has no such question).
+//   open    the same tables and S-10000 in files: open, ask one window, take one row. Warm file cache.
 //
 // Processor time, medians; a ratio is the rival's time over ours in the same repetition. Fails if a window
 // holds other objects there than here. (--quick: without S-1000000.)
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <random>
 
 #include "measure.h"
+#include "program.h"
+#include "sql_ours.h"
 #include "sql_rival.h"
-#include "sqlite/foresee.h"
 
 namespace foresee::bench {
 namespace {
@@ -77,17 +76,9 @@ const char* our_sql(bool with_t) {
 struct Tables {
   Tables(const Workload& w, const std::string& ours, const std::string& theirs)
       : our_db(ours), rival_db(theirs), rival(rival_db, w) {
-    our_db.check(sqlite3_foresee_init(our_db.handle(), nullptr, nullptr));
-    our_db.run("CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y, vx, vy, ax, ay, hx, hy)");
+    create_ours(our_db, w);
+    load_ours(our_db, w);
     rival.load();
-    Statement insert(our_db, "INSERT INTO ships VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
-    our_db.run("BEGIN");
-    for (std::size_t i = 0; i < w.count; ++i) {
-      insert.bind(1, static_cast<std::int64_t>(i + 1));
-      for (int k = 0; k < 8; ++k) insert.bind(2 + k, w.bodies().row(i)[k]);
-      insert.step();
-    }
-    our_db.run("COMMIT");
   }
 
   Database our_db, rival_db;
@@ -189,7 +180,7 @@ void compare_opening(const Workload& w, int repetitions) {
     return seconds_of([&] {
       Database db(path);
       if (is_ours)
-        db.check(sqlite3_foresee_init(db.handle(), nullptr, nullptr));
+        register_foresee(db);
       else
         add_rival_function(db);
       Statement window(db, is_ours ? our_sql(true) : rival_sql(true));
@@ -207,12 +198,12 @@ void compare_opening(const Workload& w, int repetitions) {
   for (const std::string& path : {ours, theirs}) std::filesystem::remove(path);
 }
 
-int main_of(bool quick) {
-  std::vector<std::size_t> counts{100000};
-  if (!quick) counts.push_back(1000000);
-  for (const std::size_t count : counts) {
+int main_of(const Options& options) {
+  const bool quick = options.has("--quick");
+  for (const std::size_t count : {10000, 100000, 1000000}) {
+    if (quick && count > 100000) break;
     const Workload w = make_workload("S-" + std::to_string(count));
-    {
+    if (count > 10000) {
       Tables tables(w, ":memory:", ":memory:");
       if (!compare_windows(tables, w, quick ? 3 : 9)) {
         std::fprintf(stderr, "the windows differ\n");
@@ -229,10 +220,5 @@ int main_of(bool quick) {
 }  // namespace foresee::bench
 
 int main(int count, char** arguments) {
-  try {
-    return foresee::bench::main_of(count > 1 && std::strcmp(arguments[1], "--quick") == 0);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return foresee::bench::run_program(count, arguments, foresee::bench::main_of);
 }

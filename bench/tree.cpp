@@ -8,7 +8,6 @@
 // libspatialindex's TPR-tree, if it was there when this was built, on at most 20,000 objects.
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <string>
 
 #include "contact/contact.h"
@@ -18,6 +17,7 @@
 #include "index/tpr_tree/tree_join.h"
 #include "index/tpr_tree/window_walk.h"
 #include "measure.h"
+#include "program.h"
 #include "scenes.h"
 #include "workloads.h"
 
@@ -253,24 +253,13 @@ void measure(const Workload& w, double horizon, bool quick) {
   }
 }
 
-int main_of(int count, char** arguments) {
-  double horizon = 60;
-  bool quick = false;
-  std::vector<std::string> names;
-  for (int i = 1; i < count; ++i) {
-    if (std::strcmp(arguments[i], "--horizon") == 0 && i + 1 < count)
-      horizon = std::atof(arguments[++i]);
-    else if (std::strcmp(arguments[i], "--quick") == 0)
-      quick = true;
-    else
-      names.push_back(arguments[i]);
-  }
-  if (names.empty()) names = {"S-100000"};
-  for (const std::string& name : names) {
+int main_of(Options options) {
+  const bool quick = options.has("--quick");
+  const double horizon = std::stod(options.value("--horizon").value_or("60"));
+  for (const std::string& name : options.names({"S-100000"})) {
     const Workload w = make_workload(name);
     w.layout.axes == 2 ? measure<2>(w, horizon, quick) : measure<3>(w, horizon, quick);
   }
-
   return 0;
 }
 
@@ -278,10 +267,5 @@ int main_of(int count, char** arguments) {
 }  // namespace foresee::bench
 
 int main(int count, char** arguments) {
-  try {
-    return foresee::bench::main_of(count, arguments);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "%s\n", error.what());
-    return 1;
-  }
+  return foresee::bench::run_program(count, arguments, foresee::bench::main_of);
 }

@@ -1,0 +1,54 @@
+// What every benchmark's main() does: reads its arguments, and turns an exception into a message.
+//
+//   int main_of(const Options& options) { if (options.has("--quick")) … }
+//   int main(int count, char** arguments) { return run_program(count, arguments, main_of); }
+#pragma once
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace foresee::bench {
+
+/// --flags, names, and values that follow a flag.
+class Options {
+ public:
+  Options(int count, char** arguments) : words_(arguments + 1, arguments + count) {}
+
+  bool has(const std::string& flag) const {
+    return std::find(words_.begin(), words_.end(), flag) != words_.end();
+  }
+  /// The word after `flag`, which is then no name.
+  std::optional<std::string> value(const std::string& flag) {
+    const auto found = std::find(words_.begin(), words_.end(), flag);
+    if (found == words_.end() || found + 1 == words_.end()) return std::nullopt;
+    std::string value = found[1];
+    words_.erase(found, found + 2);
+    return value;
+  }
+  /// All words that are no flags, or `otherwise` if there are none.
+  std::vector<std::string> names(std::vector<std::string> otherwise) const {
+    std::vector<std::string> names;
+    for (const std::string& word : words_)
+      if (!word.starts_with("--")) names.push_back(word);
+    return names.empty() ? otherwise : names;
+  }
+
+ private:
+  std::vector<std::string> words_;
+};
+
+template <class Main>
+int run_program(int count, char** arguments, Main main_of) {
+  try {
+    return main_of(Options(count, arguments));
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "%s\n", error.what());
+    return 1;
+  }
+}
+
+}  // namespace foresee::bench
