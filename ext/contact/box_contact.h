@@ -32,7 +32,7 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
 
   void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) override {
     const FloatEnvironment environment;
-    in_lanes(pairs, [&](std::span<const Pair> some, Settled settled) {
+    in_lanes(pairs, false, [&](std::span<const Pair> some, Settled settled) {
       if (settled == Settled::all_touch_now) {
         hits.insert(hits.end(), some.begin(), some.end());
         return;
@@ -50,19 +50,19 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
                       std::vector<ContactTimes>& times) override {
     const FloatEnvironment environment;
     const double now = setup_.horizon.now;
-    in_lanes(pairs, [&](std::span<const Pair> some, Settled settled) {
-      if (settled == Settled::all_touch_now && wanted == TimesWanted::begins) {
+    in_lanes(pairs, wanted == TimesWanted::both, [&](std::span<const Pair> some, Settled settled) {
+      if (settled == Settled::all_touch_now) {
         hits.insert(hits.end(), some.begin(), some.end());
         times.insert(times.end(), some.size(), {now, now, 0, 0});
         return;
       }
       find_meetings_of(some, settled);
+      if (wanted == TimesWanted::both && settled == Settled::by_rows) find_ends();
       ContactTimes found;
       for (int l = 0; l < static_cast<int>(some.size()); ++l) {
-        const bool touches_now = settled == Settled::all_touch_now || lanes_.touches_now[l] > 0;
-        if (!touches_now && lanes_.misses[l] > 0) continue;
+        if (lanes_.misses[l] > 0) continue;
         const Pair& pair = some[static_cast<std::size_t>(l)];
-        if (!quick_contact(pair, l, touches_now, wanted, found) &&
+        if (!quick_contact(pair, l, settled, wanted, found) &&
             !this->first_contact(row_a(pair), row_b(pair), wanted, found))
           continue;
         hits.push_back(pair);
@@ -77,15 +77,15 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
 
   /// Settles the pairs, some at a time, and visits those.
   template <class Visit>
-  void in_lanes(std::span<const Pair> pairs, Visit&& visit) {
+  void in_lanes(std::span<const Pair> pairs, bool ends_wanted, Visit&& visit) {
     for (std::size_t begin = 0; begin < pairs.size(); begin += lanes_width) {
       const auto some = pairs.subspan(begin, std::min<std::size_t>(lanes_width, pairs.size() - begin));
       for (std::size_t l = 0; l < some.size(); ++l) this->fetch_ahead(pairs, begin + l);
-      visit(some, settle(some));
+      visit(some, settle(some, ends_wanted));
     }
   }
 
-  Settled settle(std::span<const Pair> some) {
+  Settled settle(std::span<const Pair> some, bool ends_wanted) {
     if (own_ends_ || !all_fresh(some)) {
       for (std::size_t l = 0; l < some.size(); ++l)
         put_aged(row_a(some[l]), row_b(some[l]), static_cast<int>(l));
@@ -97,7 +97,7 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
       const Pair& pair = some[std::min(l, some.size() - 1)];
       rows_.a.rows[l] = row_a(pair), rows_.b.rows[l] = row_b(pair);
     }
-    return kernel_.settle_rows(rows_, lanes_) ? Settled::all_touch_now : Settled::by_rows;
+    return kernel_.settle_rows(rows_, ends_wanted, lanes_) ? Settled::all_touch_now : Settled::by_rows;
   }
 
   /// Whether all motions are stored as of `now`.
@@ -127,25 +127,44 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
   }
 
   /// The times, where the lane tells them.
-  bool quick_contact(const Pair& pair, int l, bool touches_now, TimesWanted wanted,
+  bool quick_contact(const Pair& pair, int l, Settled settled, TimesWanted wanted,
                      ContactTimes& found) const {
+    const bool touches_now = lanes_.touches_now[l] > 0;
     if (!touches_now && !(lanes_.meets_first[l] > 0)) return false;
     const Instant begin =
         touches_now ? Instant{0, setup_.horizon.now} : Instant{meetings_.dt[l], meetings_.t[l]};
     Instant end = begin;
     if (wanted == TimesWanted::both && begin.known()) {
-      const double *a = row_a(pair), *b = row_b(pair);
-      const Moments moments = moments_of(setup_, a, b);
-      const double from = touches_now ? 0 : lanes_.after[l];
-      end = this->end_of_contact(this->track(a, b, moments), from, moments, a, b);
+      end = settled == Settled::by_rows ? quick_end(l) : unknown_instant();
+      if (!end.known()) end = slow_end(pair, touches_now ? 0 : lanes_.after[l]);
     }
     found = {begin.t, end.t, begin.dt, end.dt};
     return begin.known() && end.known();
   }
 
+  Instant quick_end(int l) const {
+    const Horizon& horizon = setup_.horizon;
+    if (ends_.stays[l] > 0) return {horizon.h, horizon.now + horizon.h};
+    return ends_.leaves[l] > 0 ? Instant{endings_.dt[l], endings_.t[l]} : unknown_instant();
+  }
+
+  Instant slow_end(const Pair& pair, double from) const {
+    const double *a = row_a(pair), *b = row_b(pair);
+    const Moments moments = moments_of(setup_, a, b);
+    return this->end_of_contact(this->track(a, b, moments), from, moments, a, b);
+  }
+
+  void find_ends() {
+    for (int l = 0; l < lanes_width; ++l) ends_.from[l] = lanes_.touches_now[l] > 0 ? 0 : lanes_.after[l];
+    kernel_.settle_ends(lanes_, ends_);
+    if (std::none_of(ends_.leaves, ends_.leaves + lanes_width, [](double certain) { return certain > 0; }))
+      return;
+    kernel_.take_ends(rows_, ends_, endings_);
+    kernel_.find_ends(endings_, setup_.horizon.now);
+  }
+
   /// Finds the moments of all pairs that meet on their lanes.
   void find_meetings_of(std::span<const Pair> pairs, Settled settled) {
-    if (settled == Settled::all_touch_now) return;
     bool any = false;
     for (int l = 0; l < static_cast<int>(pairs.size()); ++l) {
       if (!(lanes_.meets_first[l] > 0)) continue;
@@ -166,8 +185,7 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
     m.x[l] = course.x.high, m.v[l] = course.v.high, m.a[l] = course.a.high, m.half[l] = half.high;
     m.x_low[l] = course.x.low, m.v_low[l] = course.v.low, m.a_low[l] = course.a.low, m.half_low[l] = half.low;
     m.ex[l] = lanes_.ex[j][l], m.ev[l] = lanes_.ev[j][l];
-    m.side[l] = lanes_.x[j][l] < 0 ? -1 : 1;
-    m.moment[l] = lanes_.moment[l], m.room[l] = lanes_.after[l] - lanes_.before[l];
+    m.side[l] = lanes_.side[l], m.moment[l] = lanes_.moment[l], m.room[l] = lanes_.room[l];
   }
 
   const double* row_a(const Pair& pair) const { return setup_.a.row(pair.a); }
@@ -179,7 +197,8 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
   const bool own_ends_ = setup_.a.layout.has_until || setup_.b.layout.has_until || setup_.horizon.h > 0x1p39;
   RowLanes<D> rows_;
   BoxLanes<D, Degree> lanes_;
-  MeetingLanes meetings_;
+  EndLanes ends_;
+  MeetingLanes meetings_, endings_;
 };
 
 }  // namespace foresee

@@ -49,6 +49,7 @@ struct BoxLanes {
   double
       meets_first[width];  ///< between `before` and `after` for the first time, entering each other on `axis`
   double moment[width], before[width], after[width], axis[width];
+  double side[width], room[width];  ///< 1 or -1: where x comes from; after - before
 };
 
 /// When? The course and the half extents, in DoubleDouble, on the axis on which the boxes of each lane meet.
@@ -58,9 +59,19 @@ struct MeetingLanes {
   double x[width] = {}, v[width] = {}, a[width] = {}, half[width] = {};
   double x_low[width] = {}, v_low[width] = {}, a_low[width] = {}, half_low[width] = {};
   double ex[width] = {}, ev[width] = {};                          ///< as in BoxLanes
-  double side[width] = {}, moment[width] = {}, room[width] = {};  ///< 1 or -1: of x; after - before
+  double side[width] = {}, moment[width] = {}, room[width] = {};  ///< as in BoxLanes or EndLanes
 
   double dt[width], t[width];  ///< each rounded once; NaN where find_meetings() cannot tell
+};
+
+/// Where contacts end that BoxLanes have found.
+struct EndLanes {
+  double from[lanes_width] = {};  ///< the boxes certainly touch then
+
+  // What settle_ends() finds, as in BoxLanes.
+  double stays[lanes_width];   ///< they touch until `end`
+  double leaves[lanes_width];  ///< the contact ends about `moment`, on `axis` and `side`
+  double moment[lanes_width], room[lanes_width], axis[lanes_width], side[lanes_width];
 };
 
 /// The loops over lanes, compiled for one kind of CPU.
@@ -68,13 +79,17 @@ template <int D, int Degree>
 struct BoxKernel {
   /// Fills in what is found.
   void (*settle)(BoxLanes<D, Degree>& lanes);
-  /// The same for pairs whose reference time is `now`; lanes.end is given. True if all lanes touch now:
-  /// nothing else is then found.
-  bool (*settle_rows)(RowLanes<D>& rows, BoxLanes<D, Degree>& lanes);
+  /// The same for pairs whose reference time is `now`; lanes.end is given. True if all lanes touch now and no
+  /// courses are wanted: nothing else is then found.
+  bool (*settle_rows)(RowLanes<D>& rows, bool courses_wanted, BoxLanes<D, Degree>& lanes);
   /// Takes the courses of lanes that settle_rows() has settled.
   void (*take_meetings)(const RowLanes<D>& rows, const BoxLanes<D, Degree>& lanes, MeetingLanes& meetings);
   /// Fills in dt and t.
   void (*find_meetings)(MeetingLanes& lanes, double now);
+  /// The same three for ends, of lanes that settle_rows() has settled.
+  void (*settle_ends)(const BoxLanes<D, Degree>& lanes, EndLanes& ends);
+  void (*take_ends)(const RowLanes<D>& rows, const EndLanes& ends, MeetingLanes& meetings);
+  void (*find_ends)(MeetingLanes& lanes, double now);
 };
 
 /// Of the widest instructions in use (motion/simd.h).

@@ -63,7 +63,8 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
     };
 
     // The guess: the latest axis to be entered, and its quadratic.
-    double moment = 0, axis = 0, gap = 0, slope = 0, bend = 0, size = 0, lost = 0, lost_slope = 0;
+    double moment = 0, axis = 0, from_side = 1, gap = 0, slope = 0, bend = 0, size = 0, lost = 0,
+           lost_slope = 0;
     double inside_now = never, all = 0;
 #pragma GCC unroll 3
     for (int j = 0; j < D; ++j) {
@@ -73,6 +74,7 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
       const bool later = entry > moment;
       moment = later ? entry : moment;
       axis = later ? j : axis;
+      from_side = later ? side : from_side;
       gap = later ? c : gap, slope = later ? w : slope, bend = later ? k : bend;
       size = later ? size_of(x) + lanes.half[j][l] : size;
       lost = later ? lanes.ex[j][l] : lost, lost_slope = later ? lanes.ev[j][l] : lost_slope;
@@ -110,7 +112,8 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
     lanes.misses[l] = least(least(apart_before, before < end ? apart_after : never), fits);
     lanes.meets[l] = meets;
     lanes.meets_first[l] = least(apart_before, meets);
-    lanes.moment[l] = moment, lanes.before[l] = before, lanes.after[l] = after, lanes.axis[l] = axis;
+    lanes.moment[l] = moment, lanes.before[l] = before, lanes.after[l] = after;
+    lanes.axis[l] = axis, lanes.side[l] = from_side, lanes.room[l] = after - before;
   }
 }
 
@@ -178,7 +181,7 @@ void take_motion(typename RowLanes<D>::Side& side) {
 }
 
 template <int D, int Degree>
-bool settle_rows_here(RowLanes<D>& rows, BoxLanes<D, Degree>& lanes) {
+bool settle_rows_here(RowLanes<D>& rows, bool courses_wanted, BoxLanes<D, Degree>& lanes) {
   take_boxes<D>(rows.a);
   take_boxes<D>(rows.b);
   Some touching = Some{} + 1;
@@ -194,7 +197,7 @@ bool settle_rows_here(RowLanes<D>& rows, BoxLanes<D, Degree>& lanes) {
     }
   double all = 1;
   for (int l = 0; l < register_width; ++l) all = least(all, touching[l]);
-  if (all > 0) return true;
+  if (all > 0 && !courses_wanted) return true;
   take_motion<D, Degree>(rows.a);
   take_motion<D, Degree>(rows.b);
   for (int j = 0; j < D; ++j)
@@ -219,16 +222,16 @@ inline void on_axis(const double (&axis)[lanes_width], const double (&columns)[D
   }
 }
 
-template <int D, int Degree>
-void take_meetings_here(const RowLanes<D>& rows, const BoxLanes<D, Degree>& lanes,
-                        MeetingLanes& __restrict meetings) {
+/// `From` is BoxLanes or EndLanes.
+template <int D, int Degree, class From>
+void take_crossings(const RowLanes<D>& rows, const From& from, MeetingLanes& __restrict meetings) {
   double x[2][lanes_width], v[2][lanes_width], a[2][lanes_width], half[2][lanes_width];
   for (int side = 0; side < 2; ++side) {
-    const typename RowLanes<D>::Side& from = side == 0 ? rows.a : rows.b;
-    on_axis(lanes.axis, from.x, x[side]);
-    on_axis(lanes.axis, from.v, v[side]);
-    if constexpr (Degree == 2) on_axis(lanes.axis, from.a, a[side]);
-    on_axis(lanes.axis, from.half, half[side]);
+    const typename RowLanes<D>::Side& body = side == 0 ? rows.a : rows.b;
+    on_axis(from.axis, body.x, x[side]);
+    on_axis(from.axis, body.v, v[side]);
+    if constexpr (Degree == 2) on_axis(from.axis, body.a, a[side]);
+    on_axis(from.axis, body.half, half[side]);
   }
   for (int l = 0; l < lanes_width; ++l) {
     const DoubleDouble place = difference(x[1][l], x[0][l]), speed = difference(v[1][l], v[0][l]);
@@ -236,9 +239,8 @@ void take_meetings_here(const RowLanes<D>& rows, const BoxLanes<D, Degree>& lane
     meetings.x[l] = place.high, meetings.x_low[l] = place.low;
     meetings.v[l] = speed.high, meetings.v_low[l] = speed.low;
     meetings.half[l] = size.high, meetings.half_low[l] = size.low;
-    meetings.side[l] = place.high < 0 ? -1 : 1;
     meetings.ex[l] = meetings.ev[l] = 0;
-    meetings.moment[l] = lanes.moment[l], meetings.room[l] = lanes.after[l] - lanes.before[l];
+    meetings.side[l] = from.side[l], meetings.moment[l] = from.moment[l], meetings.room[l] = from.room[l];
   }
   if constexpr (Degree == 2)
     for (int l = 0; l < lanes_width; ++l) {
@@ -247,7 +249,8 @@ void take_meetings_here(const RowLanes<D>& rows, const BoxLanes<D, Degree>& lane
     }
 }
 
-void find_meetings_here(MeetingLanes& lanes, double now) {
+template <Way way>
+void find_crossings(MeetingLanes& lanes, double now) {
   for (int l = 0; l < lanes.width; ++l) {
     const double tau = lanes.moment[l], side = lanes.side[l], half_turn = tau * lanes.a[l];
     const double speed = size_of(lanes.v[l]) + size_of(half_turn);
@@ -260,29 +263,10 @@ void find_meetings_here(MeetingLanes& lanes, double now) {
     // DoubleDouble loses at most 2^-97 of what the bound for doubles counts in 2^-53.
     const Crossed crossed{value, error * 0x1p-44 + underflow, side * (lanes.v[l] + 2 * half_turn),
                           lanes.ev[l] + 0x1p-49 * speed + underflow, 2 * size_of(lanes.a[l]) + underflow};
-    const Instant meeting = root_of<Way::in>(crossed, now, tau, lanes.room[l]);
+    const Instant meeting = root_of<way>(crossed, now, tau, lanes.room[l]);
     lanes.dt[l] = meeting.dt, lanes.t[l] = meeting.t;
   }
 }
 
-template <int D, int Degree>
-constexpr BoxKernel<D, Degree> kernel_here{settle_here<D, Degree>, settle_rows_here<D, Degree>,
-                                           take_meetings_here<D, Degree>, find_meetings_here};
-
 }  // namespace
 }  // namespace foresee
-
-/// Defines what `name` answers for every kind of boxes, compiled as the file that says so is.
-#define FORESEE_BOX_KERNELS(name)         \
-  namespace foresee {                     \
-  template <int D, int Degree>            \
-  const BoxKernel<D, Degree>& name() {    \
-    return kernel_here<D, Degree>;        \
-  }                                       \
-  template const BoxKernel<1, 1>& name(); \
-  template const BoxKernel<1, 2>& name(); \
-  template const BoxKernel<2, 1>& name(); \
-  template const BoxKernel<2, 2>& name(); \
-  template const BoxKernel<3, 1>& name(); \
-  template const BoxKernel<3, 2>& name(); \
-  }

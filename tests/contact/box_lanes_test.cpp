@@ -1,6 +1,6 @@
-// Boxes eight at a time: what a lane is certain of against the exact stage, on the families of hard_pairs.h;
-// the same bits from every set of vector instructions; and boxes without t and until, which take a shorter
-// way.
+// Boxes sixteen at a time: what a lane is certain of against the exact stage, on the families of
+// hard_pairs.h; the same bits from every set of vector instructions; and boxes without t and until, which
+// take a shorter way.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -15,7 +15,7 @@ namespace {
 using namespace testing_pairs;
 
 struct Certain {
-  int misses = 0, now = 0, meets = 0, first = 0;
+  int misses = 0, now = 0, meets = 0, first = 0, leaves = 0, stays = 0;
 };
 
 template <int D>
@@ -57,13 +57,16 @@ class LaneOfPair {
       EXPECT_TRUE(touches) << case_;
     }
     if (!touches) return;
-    const double begin = ask(exact_times)->dt;
+    const ContactTimes times = *ask(exact_times);
     if (lanes.touches_now[3] > 0) {
-      EXPECT_EQ(begin, 0) << case_;
+      EXPECT_EQ(times.dt, 0) << case_;
+    } else if (lanes.meets_first[3] > 0) {
+      EXPECT_GE(times.dt, lanes.before[3]) << case_;
+      EXPECT_LE(times.dt, lanes.after[3]) << case_;
+    } else {
+      return;
     }
-    if (!(lanes.meets_first[3] > 0)) return;
-    EXPECT_GE(begin, lanes.before[3]) << case_;
-    EXPECT_LE(begin, lanes.after[3]) << case_;
+    check_end(lanes, times.dt_end, certain);
   }
 
  private:
@@ -73,6 +76,28 @@ class LaneOfPair {
     Formula formula;
     polynomials.formula(formula);
     return question(formula, exact_moments_of(setup_, row_a_.data(), row_b_.data()));
+  }
+
+  void check_end(const BoxLanes<D, 2>& lanes, double dt_end, Certain& certain) const {
+    EndLanes ends;
+    std::fill_n(ends.from, lanes_width, lanes.touches_now[3] > 0 ? 0 : lanes.after[3]);
+    box_kernel<D, 2>().settle_ends(lanes, ends);
+    certain.leaves += ends.leaves[3] > 0;
+    certain.stays += ends.stays[3] > 0;
+    if (ends.leaves[3] > 0) {
+      EXPECT_LE(std::abs(dt_end - ends.moment[3]), ends.room[3]) << case_;
+    }
+    if (ends.stays[3] > 0) {
+      EXPECT_EQ(dt_end, moments_.dt_end) << case_;
+    }
+    const Simd usual = simd_in_use();
+    for (const Simd simd : available_simd()) {
+      EndLanes others = ends;
+      use_simd(simd);
+      box_kernel<D, 2>().settle_ends(lanes, others);
+      EXPECT_EQ(std::memcmp(&ends, &others, sizeof ends), 0) << name_of(simd) << ": " << case_;
+    }
+    use_simd(usual);
   }
 
   void check_simd(const BoxLanes<D, 2>& lanes) const {
@@ -110,6 +135,8 @@ void check_families(std::uint64_t seed) {
   EXPECT_GT(certain.now, 20);
   EXPECT_GT(certain.meets, 60);
   EXPECT_GT(certain.first, 60);
+  EXPECT_GT(certain.leaves, 60);
+  EXPECT_GT(certain.stays, 20);
 }
 
 TEST(BoxLanes, AreRightWhereCertainInOneDimension) {
