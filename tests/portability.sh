@@ -12,6 +12,8 @@
 #   x86-64 -O0           GCC, no optimisation
 #   x86-64 clang         Clang
 #   aarch64              GCC, cross-built, emulated
+#
+# With -ffast-math nothing must build at all.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . sql/packages.sh
@@ -73,5 +75,12 @@ run x86-64-clang $out/x86-64-clang/$program
 
 build aarch64 aarch64-linux-gnu-g++ "$optimised" -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64
 run aarch64 qemu-aarch64 -L /usr/aarch64-linux-gnu $out/aarch64/$program
+
+if g++ -std=c++20 -ffast-math -fsyntax-only -Iext -x c++ ext/motion/float_environment.h 2>/dev/null; then
+  echo "-ffast-math: BUILDS"
+  different=1
+else
+  echo "-ffast-math: refused"
+fi
 
 exit $different

@@ -98,12 +98,12 @@ Case make_case(Generator& generate, const Family& family, Shapes shapes, int axe
   Case c{generate.object(axes, shape_a), generate.object(axes, shape_b), {}};
   if (family.same_motion)
     for (int j = 0; j < axes; ++j) c.b.v[j] = c.a.v[j], c.b.a[j] = c.a.a[j], c.b.layout = c.a.layout;
-  c.b.layout.shape = shape_b;
+  c.b.layout.shape = shapes == Shapes::cylinders && generate.chance(4) ? Shape::point : shape_b;
   if (generate.chance(2)) std::swap(c.a, c.b);
   c.question.horizon = generate.horizon();
   if (generate.chance(2)) generate.aim(c.a, c.b, c.question.horizon);
   if (points || generate.chance(2)) c.question.within = generate.size();
-  if (cylinders && generate.chance(2)) c.question.within_z = generate.size();
+  if (axes == 3 && (cylinders || points) && generate.chance(2)) c.question.within_z = generate.size();
   return c;
 }
 
