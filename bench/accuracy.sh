@@ -27,7 +27,7 @@ if ! echo '#include <boost/math/tools/quartic_roots.hpp>' | g++ -E -x c++ - >/de
 fi
 
 cmake --preset release -DFORESEE_BENCH=ON -DFORESEE_NEWER_BOOST="$boost" >/dev/null
-cmake --build --preset release --target bench_accuracy bench_extreme_scenes
+cmake --build --preset release --target bench_accuracy bench_extreme_scenes bench_exponent_fuzz
 bench=build/release/bench
 
 {
@@ -41,5 +41,6 @@ bench=build/release/bench
 
 $bench/bench_accuracy $out "$@"
 $bench/bench_extreme_scenes >$out/extreme_scenes.csv
+$bench/bench_exponent_fuzz >$out/exponent_fuzz.csv
 gnuplot -c bench/accuracy/pictures.gnuplot $out
 echo "Written: $out/"
