@@ -86,8 +86,12 @@ class Generator {
                    a = o.layout.law < Law::accelerated ? 0 : o.a[j];
       return s * v + s * s * a / 2;
     };
-    for (int j = 0; j < b.layout.axes; ++j)
-      b.x[j] = a.x[j] + displacement(a, j) - displacement(b, j) + (chance(3) ? 0 : length(2 * family_.sizes));
+    for (int j = 0; j < b.layout.axes; ++j) {
+      const double place =
+          a.x[j] + displacement(a, j) - displacement(b, j) + (chance(3) ? 0 : length(2 * family_.sizes));
+      // Of hostile scales some displacements are beyond all doubles.
+      if (std::isfinite(place)) b.x[j] = place;
+    }
   }
 
   Horizon horizon() {
