@@ -10,7 +10,7 @@ namespace foresee {
 namespace {
 
 /// What is left between a centre and a face, half - side x(t), as seen from `from`: gap + slope s + bend s^2.
-struct Face {
+struct FaceGap {
   double gap, slope, bend;
 };
 
@@ -27,7 +27,8 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
     };
     const auto face = [&lanes, l, from](int j, double side) {
       const double turn = from * lanes.a[j][l], place = lanes.x[j][l] + from * (lanes.v[j][l] + turn);
-      return Face{lanes.half[j][l] - side * place, -side * (lanes.v[j][l] + 2 * turn), -side * lanes.a[j][l]};
+      return FaceGap{lanes.half[j][l] - side * place, -side * (lanes.v[j][l] + 2 * turn),
+                     -side * lanes.a[j][l]};
     };
 
     // Faces are numbered: 2 j in front on axis j, 2 j + 1 behind.
@@ -36,7 +37,7 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
     for (int number = 0; number < 2 * D; ++number) {
       const int j = number / 2;
       const double side = number % 2 == 0 ? 1 : -1;
-      const Face f = face(j, side);
+      const FaceGap f = face(j, side);
       const double exit = from + first_root<Degree>(f.gap, f.slope, f.bend);
       const bool sooner = exit < moment;
       moment = sooner ? exit : moment;
@@ -54,7 +55,7 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
       const int j = number / 2;
       const double side = number % 2 == 0 ? 1 : -1;
       const double size = magnitude(j, after), lost = error(j, after, size);
-      const Face f = face(j, side);
+      const FaceGap f = face(j, side);
       const double last = f.gap + stretch * (f.slope + stretch * f.bend);
       const double lowest = least(least(f.gap, f.gap + 0.5 * stretch * f.slope), last) - lost;
       // Between `before` and `after` an axis moves by less than 2^-38 of its magnitudes.
