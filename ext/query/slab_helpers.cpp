@@ -15,7 +15,7 @@
 namespace foresee {
 namespace {
 
-constexpr std::size_t parts_ahead_per_helper = 16;
+constexpr std::size_t parts_ahead_per_thread = 16;
 constexpr std::size_t batches_ahead = 8;  // of a part; a batch is at most some thousand rows
 constexpr std::chrono::milliseconds between_checks{1};
 
@@ -29,13 +29,14 @@ struct Part {
 
 struct SlabHelpers::Shared {
   Shared(const JoinQuestion& asked, const TimeSlab& part_of_time, bool sorted, const Contact::Reach& reach,
-         Interrupt& asked_while_waiting)
+         Interrupt& of_caller)
       : question(asked),
         slab(part_of_time),
         sorts(sorted),
-        interrupt(asked_while_waiting),
+        interrupt(of_caller),
         candidates(divided_candidates(question, slab.horizon, reach, interrupt)),
-        parts(candidates->parts()) {}
+        parts(candidates->parts()),
+        own(question, interrupt) {}
 
   ~Shared() {
     {
@@ -62,10 +63,15 @@ struct SlabHelpers::Shared {
     }
   }
 
+  /// With the mutex held.
+  bool none_left() const { return taken >= parts.size(); }
+  bool may_take() const { return !none_left() && taken < read + ahead; }
+  bool has_room(std::size_t i) const { return parts[i].batches.size() < batches_ahead; }
+
   bool take_part(std::size_t& part) {
     std::unique_lock lock(mutex);
-    changed.wait(lock, [this] { return stop.stopped() || taken >= parts.size() || taken < read + ahead; });
-    if (stop.stopped() || taken >= parts.size()) return false;
+    changed.wait(lock, [this] { return stop.stopped() || none_left() || may_take(); });
+    if (stop.stopped() || none_left()) return false;
     part = taken++;
     return true;
   }
@@ -74,19 +80,27 @@ struct SlabHelpers::Shared {
     const std::unique_ptr<Candidates> part = candidates->part(i, stop);
     std::vector<Pair> pairs;
     SlabBatch batch;
-    for (; part->next(pairs); pairs.clear()) {
-      stage.ask(pairs, slab, batch.hits);
-      batch.rows.clear();
-      if (!sorts) stage.write(batch.hits, batch.rows);
-      if (!batch.hits.pairs.empty()) batch = hand_over(i, std::move(batch));
+    while (answer_some(*part, stage, pairs, batch)) {
+      if (batch.hits.pairs.empty()) continue;
+      std::unique_lock lock(mutex);
+      changed.wait(lock, [&] { return stop.stopped() || has_room(i); });
+      stop.check();
+      batch = hand_over(i, std::move(batch));
     }
   }
 
-  /// Answers a batch that has been read, for its memory.
+  /// False behind the end of the part.
+  bool answer_some(Candidates& part, ContactStage& stage, std::vector<Pair>& pairs, SlabBatch& batch) const {
+    pairs.clear();
+    if (!part.next(pairs)) return false;
+    stage.ask(pairs, slab, batch.hits);
+    batch.rows.clear();
+    if (!sorts) stage.write(batch.hits, batch.rows);
+    return true;
+  }
+
+  /// Answers a batch that has been read, for its memory. With the mutex held.
   SlabBatch hand_over(std::size_t i, SlabBatch batch) {
-    std::unique_lock lock(mutex);
-    changed.wait(lock, [&] { return stop.stopped() || parts[i].batches.size() < batches_ahead; });
-    stop.check();
     parts[i].batches.push_back(std::move(batch));
     changed.notify_all();
     SlabBatch spare;
@@ -115,12 +129,27 @@ struct SlabHelpers::Shared {
         changed.notify_all();
         continue;
       }
-      changed.wait_for(lock, between_checks);
+      const bool works = own.part ? has_room(own.number) : may_take();
+      if (!works) changed.wait_for(lock, between_checks);
+      if (works && !own.part) own.number = taken++;
       lock.unlock();
       interrupt.check();
+      if (works) work();
       lock.lock();
     }
     return false;
+  }
+
+  /// Some of the caller's own part.
+  void work() {
+    if (!own.part) own.part = candidates->part(own.number, interrupt);
+    const bool more = answer_some(*own.part, own.stage, own.pairs, own.batch);
+    if (!more) own.part.reset();
+    const std::lock_guard lock(mutex);
+    if (!more)
+      parts[own.number].done = true;
+    else if (!own.batch.hits.pairs.empty())
+      own.batch = hand_over(own.number, std::move(own.batch));
   }
 
   const JoinQuestion& question;
@@ -137,6 +166,16 @@ struct SlabHelpers::Shared {
   std::size_t taken = 0, read = 0;
   std::vector<SlabBatch> spares;
 
+  /// What the caller does while there is nothing to read.
+  struct Own {
+    Own(const JoinQuestion& question, Interrupt& interrupt) : stage(question, interrupt) {}
+    ContactStage stage;
+    std::size_t number = 0;
+    std::unique_ptr<Candidates> part;
+    std::vector<Pair> pairs;
+    SlabBatch batch;
+  } own;
+
   std::deque<ContactStage> stages;    // one a helper
   std::vector<std::jthread> threads;  // last: ended first
 };
@@ -145,15 +184,14 @@ SlabHelpers::SlabHelpers(const JoinQuestion& question, const TimeSlab& slab, boo
                          const Contact::Reach& reach, Interrupt& interrupt)
     : shared_(std::make_unique<Shared>(question, slab, sorts, reach, interrupt)) {
   Shared& shared = *shared_;
-  shared.ahead = parts_ahead_per_helper * question.helpers;
+  shared.ahead = parts_ahead_per_thread * (question.helpers + 1);
   shared.threads.reserve(question.helpers);
   for (std::size_t i = 0; i < question.helpers; ++i) shared.stages.emplace_back(question, shared.stop);
   for (ContactStage& stage : shared.stages) {
     try {
       shared.threads.emplace_back([&shared, &stage] { shared.run(stage); });
     } catch (const std::system_error&) {
-      if (shared.threads.empty()) throw std::bad_alloc();  // the system is out of what threads are made of
-      break;
+      break;  // no more threads: the caller works too
     }
   }
 }

@@ -1,12 +1,13 @@
-// One time slab of a join, answered by helper threads: candidates, contact and rows part by part, while the
-// caller reads.
+// One time slab of a join, answered by helper threads and the caller: candidates, contact and rows part by
+// part.
 //
 //   SlabHelpers helpers(question, slab, reach, interrupt);
 //   while (helpers.next(batch)) …                        // in the order of one thread
 //
 // Helpers never call SQLite. Each takes the next part of the grid; a part that is not yet read waits once it
-// has some thousand rows, and no helper runs far ahead, so memory stays bounded. The caller looks for an
-// interrupt while it waits. What a helper throws, next() throws in its place among the batches.
+// has some thousand rows, and nobody runs far ahead, so memory stays bounded. The caller reads what is there;
+// where there is nothing yet it takes a part too, and goes on with it between two batches. What a helper
+// throws, next() throws in its place among the batches.
 #pragma once
 
 #include "query/contact_stage.h"
@@ -20,8 +21,8 @@ struct SlabBatch {
 
 class SlabHelpers {
  public:
-  /// Enters the slab's objects into a grid with question.helpers threads, then starts them. All must outlive
-  /// this. `sorts`: batches have hits only.
+  /// Enters the slab's objects into a grid with question.helpers threads beside this one, then starts them.
+  /// All must outlive this. `sorts`: batches have hits only.
   SlabHelpers(const JoinQuestion& question, const TimeSlab& slab, bool sorts, const Contact::Reach& reach,
               Interrupt& interrupt);
   /// Stops the helpers, which takes them a millisecond.

@@ -43,18 +43,19 @@ class DividedGrid final : public DividedCandidates {
 
   std::size_t parts() const override { return ends_.size(); }
   std::unique_ptr<Candidates> part(std::size_t i, Interrupt& interrupt) override {
-    return std::make_unique<Part>(grid_, i == 0 ? 0 : ends_[i - 1], ends_[i], interrupt);
+    return std::make_unique<Part>(grid_, i == 0 ? 0 : ends_[i - 1], ends_[i], space_->visits, interrupt);
   }
 
  private:
   class Part final : public Candidates {
    public:
-    Part(gpcd::Grid<D>& grid, std::size_t first, std::size_t last, Interrupt& interrupt)
-        : visit_(grid, first, last, memory_, interrupt) {}
+    Part(gpcd::Grid<D>& grid, std::size_t first, std::size_t last, GridSpace::Visits& visits,
+         Interrupt& interrupt)
+        : memory_(visits), visit_(grid, first, last, *memory_, interrupt) {}
     bool next(std::vector<Pair>& out) override { return visit_.next(out); }
 
    private:
-    GridSpace::Visit memory_;
+    GridSpace::Visits::Taken memory_;
     gpcd::GridVisit<D> visit_;
   };
 

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -88,6 +89,49 @@ struct GridSpace {
     Buffer<Pair> batch;
   } visit;
 
+  /// The same for several threads, which take and return it.
+  class Visits {
+   public:
+    class Taken {
+     public:
+      explicit Taken(Visits& visits) : visits_(visits), visit_(visits.take()) {}
+      ~Taken() { visits_.put_back(std::move(visit_)); }
+      Taken(const Taken&) = delete;
+      Taken& operator=(const Taken&) = delete;
+      Visit& operator*() const { return *visit_; }
+
+     private:
+      Visits& visits_;
+      std::unique_ptr<Visit> visit_;
+    };
+
+    /// Where nobody has taken any.
+    template <class Work>
+    void for_each(Work work) {
+      for (const auto& visit : unused_) work(*visit);
+    }
+
+   private:
+    std::unique_ptr<Visit> take() {
+      const std::lock_guard lock(mutex_);
+      if (unused_.empty()) {
+        unused_.reserve(++made_);  // there is always a place to put it back
+        return std::make_unique<Visit>();
+      }
+      std::unique_ptr<Visit> visit = std::move(unused_.back());
+      unused_.pop_back();
+      return visit;
+    }
+    void put_back(std::unique_ptr<Visit> visit) {
+      const std::lock_guard lock(mutex_);
+      unused_.push_back(std::move(visit));
+    }
+
+    std::mutex mutex_;
+    std::vector<std::unique_ptr<Visit>> unused_;
+    std::size_t made_ = 0;
+  } visits;
+
   /// After each query: the space stays at most some times as large as the last one needed.
   void trim() {
     for_each([](auto& buffer) { buffer.trim(); });
@@ -100,14 +144,20 @@ struct GridSpace {
 
  private:
   template <class Work>
-  void for_each(Work work) {
-    for (int i = 0; i < 2; ++i) {
-      work(sides[i].rows), work(sides[i].stripes), work(sides[i].keys);
-      for (Part& part : sides[i].parts) work(part.keys), work(part.stripes), work(part.counts);
+  static void for_each(Visit& visit, Work work) {
+    for (int i = 0; i < 2; ++i)
       for (Visit::Lanes* lanes : {&visit.inside[i], &visit.crossing[i]})
         work(lanes->floats), work(lanes->reach), work(lanes->words), work(lanes->buckets), work(lanes->keys);
-    }
     work(visit.batch);
+  }
+  template <class Work>
+  void for_each(Work work) {
+    for (Side& side : sides) {
+      work(side.rows), work(side.stripes), work(side.keys);
+      for (Part& part : side.parts) work(part.keys), work(part.stripes), work(part.counts);
+    }
+    for_each(visit, work);
+    visits.for_each([&work](Visit& other) { for_each(other, work); });
   }
 };
 
