@@ -1,0 +1,107 @@
+// Float boxes contain the boxes that they stand for, and meet the stripes that their ends lie in; all sets of
+// vector instructions give the same bits.
+#include "index/gpcd_grid/float_lanes.h"
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cstring>
+
+#include "motion/beam.h"
+#include "motion/simd.h"
+#include "scenes.h"
+
+namespace foresee::testing {
+namespace {
+
+using Rational = boost::multiprecision::cpp_rational;
+using gpcd::Columns;
+using gpcd::FloatBox;
+using gpcd::FloatLanes;
+using gpcd::Frame;
+using gpcd::Partition;
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr float largest = std::numeric_limits<float>::max();
+
+/// Numbers of any size; some empty boxes, some without bounds.
+std::vector<Beam<2>> some_beams(std::size_t count, double size) {
+  Random random(6);
+  const auto number = [&] { return std::ldexp(random.in(-2, 2), static_cast<int>(random.in(-size, size))); };
+  std::vector<Beam<2>> beams;
+  for (std::size_t i = 0; i < count; ++i) {
+    Beam<2> beam{Box<2>::empty(), Vec<2>::Zero(), 0, 1};
+    for (int k = 0; k < 2 && i % 16 != 5; ++k) {
+      beam.box.lower[k] = i % 16 == 6 ? -inf : number();
+      beam.box.upper[k] = i % 16 == 7 ? inf : beam.box.lower[k] + std::abs(number());
+      beam.travel[k] = number();
+    }
+    beams.push_back(beam);
+  }
+  return beams;
+}
+
+/// By every set of vector instructions.
+FloatLanes<2> lanes_of(const std::vector<Beam<2>>& beams, const Frame<2>& frame, const Columns& columns,
+                       const Partition<2>& partition) {
+  const Simd usual = simd_in_use();
+  BeamLanes<2> from;
+  for (std::size_t l = 0; l < beams.size(); ++l) put(beams[l], from, l);
+  FloatLanes<2> first;
+  for (const Simd simd : available_simd()) {
+    use_simd(simd);
+    FloatLanes<2> lanes;
+    round_outward(from, beams.size(), frame, columns, lanes);
+    find_stripes(lanes, beams.size(), partition);
+    if (simd == Simd::baseline) first = lanes;
+    EXPECT_EQ(std::memcmp(&first, &lanes, sizeof lanes), 0) << name_of(simd);
+  }
+  use_simd(usual);
+  return first;
+}
+
+void expect_inside(const Box<2>& box, const FloatBox<2>& rounded, const Frame<2>& frame) {
+  if (box.is_empty()) {
+    EXPECT_TRUE(rounded.is_empty());
+    return;
+  }
+  for (int k = 0; k < 2; ++k) {
+    const auto place = [&](double x) -> Rational {
+      return Rational(x) * Rational(frame.scale[k]) - Rational(frame.scaled_origin[k]);
+    };
+    EXPECT_LE(rounded.lower[k], rounded.upper[k]);
+    // The ends of the range stand for all that lies beyond.
+    if (rounded.lower[k] > -largest && rounded.lower[k] < largest) {
+      EXPECT_LE(Rational(rounded.lower[k]), place(box.lower[k]));
+    }
+    if (rounded.upper[k] > -largest && rounded.upper[k] < largest) {
+      EXPECT_GE(Rational(rounded.upper[k]), place(box.upper[k]));
+    }
+  }
+}
+
+TEST(FloatLanes, ContainTheBoxesAndMeetTheirStripes) {
+  Partition<2> partition;
+  partition.axis[1] = {-40, 0.25F, 30};
+  partition.largest_inside[0] = 1e6F, partition.largest_inside[1] = 20;
+  for (double size : {3.0, 40.0, 1000.0})
+    for (bool moves : {false, true})
+      for (const Frame<2>& frame : {Frame<2>{{1, 1}, {0, 0}}, Frame<2>{{0x1p-7, 0x1p20}, {12.3, -4e15}}}) {
+        const std::vector<Beam<2>> beams = some_beams(BeamLanes<2>::width, size);
+        const FloatLanes<2> lanes = lanes_of(beams, frame, {moves, false}, partition);
+        for (std::size_t l = 0; l < beams.size(); ++l) {
+          const FloatBox<2> box = lanes.box(l);
+          expect_inside(beams[l].box, box, frame);
+          const bool giant = box.extent(0) > 1e6F || box.extent(1) > 20;
+          EXPECT_EQ(lanes.inside[l], !box.is_empty() && !giant);
+          EXPECT_EQ(lanes.giant[l], !box.is_empty() && giant);
+          if (!lanes.inside[l]) continue;
+          EXPECT_EQ(static_cast<int>(lanes.first[l]), partition.axis[1].index(box.lower[1]));
+          EXPECT_EQ(static_cast<int>(lanes.first[l] + lanes.more_y[l]),
+                    partition.axis[1].index(box.upper[1]));
+        }
+      }
+}
+
+}  // namespace
+}  // namespace foresee::testing
