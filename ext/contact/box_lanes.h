@@ -27,7 +27,8 @@ struct RowLanes {
   struct Side {
     const double* rows[lanes_width];
     int at_x, at_v, at_a, at_half;  ///< where columns begin in a row; below 0: not there, all 0
-    double x[D][lanes_width] = {}, v[D][lanes_width] = {}, a[D][lanes_width] = {}, half[D][lanes_width] = {};
+    alignas(64) double x[D][lanes_width] = {};
+    double v[D][lanes_width] = {}, a[D][lanes_width] = {}, half[D][lanes_width] = {};
   } a, b;
   double within, now;
 };
@@ -38,7 +39,8 @@ struct BoxLanes {
 
   /// Course from 0 to `end` (rounded up, at most 2^40) and half extents on each axis. Errors of x and v are
   /// at most ex + 4u|x| and ev + 4u|v|, those of a and half 4u.
-  double x[D][width] = {}, v[D][width] = {}, a[D][width] = {}, half[D][width] = {};
+  alignas(64) double x[D][width] = {};
+  double v[D][width] = {}, a[D][width] = {}, half[D][width] = {};
   double ex[D][width] = {}, ev[D][width] = {};
   double end[width] = {};
 
@@ -56,7 +58,8 @@ struct BoxLanes {
 struct MeetingLanes {
   static constexpr int width = lanes_width;
 
-  double x[width] = {}, v[width] = {}, a[width] = {}, half[width] = {};
+  alignas(64) double x[width] = {};
+  double v[width] = {}, a[width] = {}, half[width] = {};
   double x_low[width] = {}, v_low[width] = {}, a_low[width] = {}, half_low[width] = {};
   double ex[width] = {}, ev[width] = {};                          ///< as in BoxLanes
   double side[width] = {}, moment[width] = {}, room[width] = {};  ///< as in BoxLanes or EndLanes
@@ -66,7 +69,7 @@ struct MeetingLanes {
 
 /// Where contacts end that BoxLanes have found.
 struct EndLanes {
-  double from[lanes_width] = {};  ///< the boxes certainly touch then
+  alignas(64) double from[lanes_width] = {};  ///< the boxes certainly touch then
 
   // What settle_ends() finds, as in BoxLanes.
   double stays[lanes_width];   ///< they touch until `end`

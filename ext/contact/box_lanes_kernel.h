@@ -128,6 +128,7 @@ constexpr int register_width = 2;
 #endif
 using Some [[gnu::vector_size(8 * register_width), gnu::aligned(8), gnu::may_alias]] = double;
 
+// Clang takes what a reference to Some stands for to be aligned: lanes must be.
 inline Some& some(double* at) {
   return *reinterpret_cast<Some*>(at);
 }
