@@ -122,7 +122,7 @@ std::vector<Method> methods_for(const Workload& w, const std::shared_ptr<const S
   if (w.h > 3 || w.count > 100000) return methods;
   methods.push_back({"steps of 1", [&] { return by_stepping(w, 1); }, Method::misses_pairs});
   methods.push_back({"steps of 0.1", [&] { return by_stepping(w, 0.1); }, Method::misses_pairs});
-  if (!quick)
+  if (!quick && !w.name.starts_with("M-"))
     methods.push_back({"steps of 0.01", [&] { return by_stepping(w, 0.01); }, Method::misses_pairs});
   return methods;
 }
