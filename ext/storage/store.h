@@ -26,7 +26,8 @@ class LeafView;
 
 class Store final : public ObjectStore, public std::enable_shared_from_this<Store> {
  public:
-  Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format, bool is_new);
+  Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format, bool is_new,
+        const CacheLimits& limits = {});
 
   const Declaration& declaration() const override { return declaration_; }
   const NodeFormat& format() const { return format_; }
@@ -137,6 +138,7 @@ class Store final : public ObjectStore, public std::enable_shared_from_this<Stor
   QualifiedName name_;
   Declaration declaration_;
   NodeFormat format_;
+  CacheLimits limits_;
   std::unique_ptr<ShadowRows> rows_;
   NodeCache cache_;
   std::unique_ptr<TprTree> tree_;

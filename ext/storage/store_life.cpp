@@ -38,13 +38,15 @@ std::shared_ptr<ObjectStore> ObjectStore::open(sqlite3* db, const std::string& s
 }
 
 // SQLite makes a table inside a write transaction and does not call begin() for it.
-Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format, bool is_new)
+Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format, bool is_new,
+             const CacheLimits& limits)
     : db_(db),
       name_(std::move(name)),
       declaration_(std::move(declaration)),
       format_(format),
+      limits_(limits),
       rows_(std::make_unique<ShadowRows>(db, name_, static_cast<int>(declaration_.auxiliaries.size()))),
-      cache_(format_, name_),
+      cache_(format_, name_, limits),
       tree_(make_tpr_tree(cache_, declaration_.horizon)),
       loose_(std::make_shared<LooseObjects>(static_cast<std::size_t>(format_.at.size))),
       in_transaction_(is_new),

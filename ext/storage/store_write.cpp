@@ -6,12 +6,6 @@
 #include "storage/store_call.h"
 
 namespace foresee {
-namespace {
-
-constexpr std::size_t most_loose = 128 << 20;  // bytes of objects that wait to be bulk loaded
-
-}  // namespace
-
 // What every change begins with. Writing early here, not after the change, keeps the change all or nothing.
 void Store::start_change(std::span<const double> record) {
   if (!record.empty())
@@ -22,7 +16,7 @@ void Store::start_change(std::span<const double> record) {
     believe_only_this_stamp();
     stamp_before_ = believed_stamp_;
   }
-  if (loose_->memory() > most_loose || cache_.is_full()) flush();
+  if (loose_->memory() > limits_.loose || cache_.is_full()) flush();
   if (stamped_) return;
   const OwnStatements own(*this);
   std::int64_t stamp;
