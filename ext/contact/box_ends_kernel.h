@@ -44,7 +44,7 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
       chosen = sooner ? number : chosen;
       chosen_axis = sooner ? j : chosen_axis;
       chosen_side = sooner ? side : chosen_side;
-      all += magnitude(j, end);
+      all += magnitude(j, end) + lanes.ex[j][l] + end * lanes.ev[j][l];
     }
 
     const double before = least(greatest(moment * (1 - near), from), end);

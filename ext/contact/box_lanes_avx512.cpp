@@ -1,4 +1,4 @@
-// The kernel for AVX-512: all eight lanes at a time. Compiled with -mavx512f; called where the CPU has it.
+// The kernel for AVX-512: eight lanes at a time. Compiled with -mavx512f; called where the CPU has it.
 #include "contact/box_ends_kernel.h"
 
 #if defined(__x86_64__)

@@ -79,7 +79,7 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
       size = later ? size_of(x) + lanes.half[j][l] : size;
       lost = later ? lanes.ex[j][l] : lost, lost_slope = later ? lanes.ev[j][l] : lost_slope;
       inside_now = least(inside_now, -c - error(j, 0, size_of(x) + lanes.half[j][l]));
-      all += magnitude(j, end);
+      all += magnitude(j, end) + lanes.ex[j][l] + end * lanes.ev[j][l];
     }
 
     const double before = least(moment * (1 - near), end), after = least(moment * (1 + near), end);
@@ -104,8 +104,8 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
       apart_after = greatest(apart_after, apart);
     }
 
-    // Nothing is certain where numbers are so large that something may overflow, or NaN: least() passes on a
-    // second argument that is NaN.
+    // Nothing is certain where numbers or error bounds are so large that something may overflow, or NaN:
+    // least() passes on a second argument that is NaN.
     const double fits = huge - all, end_inside = end * (1 - 0x1p-50);
     const double meets = least(end_inside < after ? -1 : inside_after, fits);
     lanes.touches_now[l] = least(inside_now, fits);
@@ -226,7 +226,7 @@ inline void on_axis(const double (&axis)[lanes_width], const double (&columns)[D
 /// `From` is BoxLanes or EndLanes.
 template <int D, int Degree, class From>
 void take_crossings(const RowLanes<D>& rows, const From& from, MeetingLanes& __restrict meetings) {
-  double x[2][lanes_width], v[2][lanes_width], a[2][lanes_width], half[2][lanes_width];
+  alignas(64) double x[2][lanes_width], v[2][lanes_width], a[2][lanes_width], half[2][lanes_width];
   for (int side = 0; side < 2; ++side) {
     const typename RowLanes<D>::Side& body = side == 0 ? rows.a : rows.b;
     on_axis(from.axis, body.x, x[side]);

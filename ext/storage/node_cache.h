@@ -27,7 +27,7 @@ struct CacheLimits {
   std::size_t loose = 128 << 20;   ///< bytes of objects that wait to be bulk loaded (in a Store)
   std::size_t memory = 128 << 20;  ///< bytes of nodes that are kept, or of changes that wait, roughly
   /// … of nodes that wait while one call puts many. What waits can be taken back, so that whoever interrupts
-  /// a question loses nothing: it is room for as many new objects as may be loose.
+  /// a question loses nothing: room for as many new objects as may be loose, not for a large old tree beside.
   std::size_t waiting = 128 << 20;
 };
 

@@ -61,6 +61,7 @@ void NodeCache::cancel_call() noexcept {
 /// After all else: if its leaf changed as a whole too, that was later.
 void NodeCache::take_back_record() noexcept {
   const NodeNumber leaf = std::exchange(record_before_.leaf, 0);
+  if (leaf == 0) return;
   const auto found = slots_.find(leaf);
   if (found == slots_.end()) return;
   NodeState& state = found->second.state;

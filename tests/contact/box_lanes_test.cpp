@@ -38,6 +38,8 @@ class LaneOfPair {
            relative_.underflow <= usual_underflow;
   }
 
+  bool touches() const { return ask(exact_touches); }
+
   void check(Certain& certain) const {
     BoxLanes<D, 2> lanes;
     const auto raw = raw_sizes_of<double, D>(setup_, row_a_.data(), row_b_.data());
@@ -172,6 +174,30 @@ TEST(BoxLanes, UndeclaredTimesChangeNothing) {
     }
   }
   EXPECT_GT(hits, 500);
+}
+
+/// Two huge accelerations that nearly cancel, of different ages: error bounds overflow where the course does
+/// not, and nothing may be certain.
+TEST(BoxLanes, AreNotCertainWhereErrorBoundsOverflow) {
+  std::mt19937_64 random(8);
+  std::uniform_real_distribution<double> mantissa(1, 1.7), age(1, 1.2), exponent(280, 308);
+  int hits = 0, misses = 0;
+  for (int i = 0; i < 3000; ++i) {
+    Case c;
+    c.question = {.horizon = {0, i % 2 == 0 ? 0 : 0.5}};
+    for (Object* o : {&c.a, &c.b}) {
+      *o = object(2, Shape::box);
+      o->t = -age(random);
+      o->a[0] = mantissa(random) * 1e308;
+      o->half[0] = std::pow(10, exponent(random)), o->half[1] = 1;
+    }
+    if (i % 3 == 0) c.b.a[0] = c.a.a[0], c.b.t = std::nextafter(c.a.t, 0), c.a.half[0] = c.b.half[0] = 0;
+    const bool touches = LaneOfPair<2>(c).touches();
+    EXPECT_EQ(contact(c.a, c.b, c.question).has_value(), touches) << c;
+    touches ? ++hits : ++misses;
+  }
+  EXPECT_GT(hits, 100);
+  EXPECT_GT(misses, 300);
 }
 
 struct Answers {

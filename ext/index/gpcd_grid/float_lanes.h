@@ -3,7 +3,7 @@
 //
 //   FloatLanes<2> lanes;
 //   round_outward(beams, count, frame, columns, lanes);   // contain the beams' boxes
-//   find_stripes(lanes, count, partition);                // lanes.first[7], lanes.along_y[7], …
+//   find_stripes(lanes, count, partition);                // lanes.first[7], lanes.more_y[7], …
 //
 // Guarantee: two boxes that meet have float boxes that meet, and share a stripe unless one of them is a
 // giant. With `columns.travel` there is room for the test of time too (scan_kernel.h). All instruction sets

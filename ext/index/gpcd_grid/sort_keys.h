@@ -1,6 +1,6 @@
 // Boxes in the order of their lower ends along x: how a stripe is sorted before it is scanned.
 //
-//   std::span<const Key> sorted = along_x(stripes.entries(7), partition.axis[0], memory, interrupt);
+//   std::span<const Key> sorted = along_x(stripes.entries(7), partition.x, memory, interrupt);
 //
 // A counting sort into buckets of equal width, about as many as there are keys, then an insertion sort over
 // what is nearly in order. All of it stays in the caches, as a stripe is small. Where nearly all keys fall
