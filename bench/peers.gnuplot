@@ -10,9 +10,8 @@ labels = "foresee, exact contact|foresee at rest (h = 0)|Boost R-tree, plain dou
 part(text, i) = (s = text, sum [k = 2:i] (s = s[strstrt(s, "|") + 1:], 0), e = strstrt(s, "|"), e ? s[1:e - 1] : s)
 colour(i) = word("#d62728 #999999 #1f77b4 #2ca02c", i)
 
-# Growth: a row of the file belongs to a panel by the first letter of its workload.
-of(letter, method) = strcol(1)[1:1] eq letter && strcol(2) eq method
-number(name) = real(name[3:])
+# Growth: a row of the file belongs to a panel by the first letter of its workload, and what stands behind it is x.
+rows_of(letter, method) = sprintf("< awk -F, '$2 == \"%s\" && $1 ~ /^%s-/ { sub(/^.-/, \"\"); print }' %s", method, letter, growth)
 set style data linespoints
 set logscale xy
 set format y "10^{%T}"
@@ -24,7 +23,7 @@ do for [panel = 1:3] {
   set xlabel part("objects (S)|horizon, 100,000 objects in uniform motion (L)|per cent of the objects 100 times larger (G)", panel)
   set format x panel == 1 ? "10^{%T}" : "%g"
   if (panel == 1) { do for [k = 1:4] { set label k part(labels, k) at screen 0.2 * k, 0.9 center tc rgb colour(k) } } else { unset label }
-  plot for [m = 1:4] growth using (of(letter, part(methods, m)) ? number(strcol(1)) : NaN):7 lc rgb colour(m) pt 7 ps 0.5 notitle
+  plot for [m = 1:4] rows_of(letter, part(methods, m)) using 1:7 lc rgb colour(m) pt 7 ps 0.5 notitle
 }
 unset multiplot
 unset output
@@ -34,13 +33,18 @@ unset label
 set format x "%g"
 set format y "%g"
 set xlabel ""
-set terminal svg size 900, 420 font "sans,11" background "white"
+set terminal svg size 1000, 420 font "sans,11" background "white"
 set output folder . "/peers.svg"
 unset logscale x
 set ylabel "times foresee's time, same run"
 set style data linespoints
 set xtics rotate by -25
-set key top left
+set key outside right top
 methods = "boost rtree|cgal boxes|brute force|steps of 1|steps of 0.1"
 set yrange [0.3:*]
-plot for [m = 1:5] peers using (strcol(2) eq part(methods, m) ? $8 : NaN):xtic(1) with points pt 7 ps 0.8 title part(methods, m)
+# Workloads stand side by side in the order of the file.
+ratios_of(method) = sprintf("< awk -F, 'NR > 1 { if (!($1 in place)) place[$1] = ++count; if ($2 == \"%s\") print place[$1] \",\" $1 \",\" $8 }' %s", method, peers)
+set xrange [0.5:*]
+set offsets 0, 0.5, 0, 0
+plot ratios_of("foresee") using 1:3:xtic(2) with lines lc rgb "#d62728" title "foresee, exact contact", \
+  for [m = 1:5] ratios_of(part(methods, m)) using 1:3 with points pt 7 ps 0.8 title part(methods, m)
