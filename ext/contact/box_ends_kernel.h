@@ -58,8 +58,8 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
       const FaceGap f = face(j, side);
       const double last = f.gap + stretch * (f.slope + stretch * f.bend);
       const double lowest = least(least(f.gap, f.gap + 0.5 * stretch * f.slope), last) - lost;
-      // Between `before` and `after` an axis moves by less than 2^-38 of its magnitudes.
-      const double moves = 0x1p-37 * size + lost;
+      // Between `before` and `after` an axis moves by less than 2^-32 of its magnitudes.
+      const double moves = 0x1p-31 * size + lost;
       const double place = lanes.x[j][l] + after * (lanes.v[j][l] + after * lanes.a[j][l]);
       const double outside = side * place - lanes.half[j][l] - lost;
       const bool leaves = chosen == number;

@@ -16,7 +16,7 @@ namespace foresee {
 namespace {
 
 constexpr double huge = 0x1p1000, never = __builtin_inf(), underflow = 0x1p-900;
-constexpr double near = 0x1p-40;  // how far from the guess signs are looked at, relatively
+constexpr double near = 0x1p-34;  // how far from the guess signs are looked at, relatively
 
 inline double size_of(double x) {
   return __builtin_fabs(x);
@@ -40,6 +40,11 @@ double first_root(double c, double w, double k) {
     const double time = (leaving ? w + root : 2 * c) / (leaving ? -2 * k : root - w);
     return discriminant >= 0 && time >= 0 ? time : never;
   }
+}
+
+/// Lower bound of c + w s + k s^2 where it bends upwards: what it is at its lowest point.
+inline double lowest(double c, double w, double k) {
+  return k > 0 ? c - w * (w / (4 * k)) : -never;
 }
 
 /// Bound on the error of a place, from what the course itself is off by and the magnitudes behind it.
@@ -86,7 +91,8 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
     const double reach = before * (size_of(slope) + before * size_of(bend));
     const double lost_before = error_bound(lost + before * lost_slope, size + reach);
     const double at_before = gap + before * (slope + before * bend);
-    const double apart_before = least(least(gap, gap + 0.5 * before * slope), at_before) - lost_before;
+    const double between = greatest(gap + 0.5 * before * slope, lowest(gap, slope, bend));
+    const double apart_before = least(least(gap, between), at_before) - lost_before;
 
     double inside_after = never, apart_after = -never;
 #pragma GCC unroll 3
@@ -94,12 +100,13 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
       const double half = lanes.half[j][l], v = lanes.v[j][l], a = lanes.a[j][l];
       const double size_after = magnitude(j, after);
       const double error_after = error(j, after, size_after);
-      // Between `before` and `after` an axis moves by less than 2^-38 of its magnitudes.
-      const double moves = axis == j ? 0 : 0x1p-37 * size_after + error_after;
+      // Between `before` and `after` an axis moves by less than 2^-32 of its magnitudes.
+      const double moves = axis == j ? 0 : 0x1p-31 * size_after + error_after;
       inside_after = least(inside_after, half - size_of(place(j, after)) - error_after - moves);
       const double here = place(j, before), side = here < 0 ? -1 : 1;
       const double first = side * here - half, last = side * place(j, end) - half;
-      const double middle = first + 0.5 * (end - before) * (side * (v + 2 * before * a));
+      const double speed = side * (v + 2 * before * a);
+      const double middle = greatest(first + 0.5 * (end - before) * speed, lowest(first, speed, side * a));
       const double apart = least(least(first, middle), last) - error(j, end, magnitude(j, end));
       apart_after = greatest(apart_after, apart);
     }
