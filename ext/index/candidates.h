@@ -28,6 +28,9 @@ class Candidates {
   /// empty.
   virtual bool next(std::vector<Pair>& out) = 0;
 
+  /// Whether it is certain that all pairs of the last batch touch when the horizon begins: none needs a look.
+  virtual bool touching() const { return false; }
+
   /// What has been built to find them, for people: sizes and counts; "" where there is nothing to tell.
   virtual std::string describe() const { return {}; }
 };

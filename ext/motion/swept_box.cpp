@@ -47,7 +47,36 @@ Ends swept_axis(double x, double v, double a, const Life& life, double size) {
   return grown(lower, upper, pad + size + (first - first) + (last - last));
 }
 
+/// Half extents of a box within an object's shape.
+template <int D>
+Vec<D> inner_half_extents_of(const Bodies& bodies, std::size_t i) {
+  constexpr double below_root[] = {1, 1, 0.7071, 0.5773};  // of 1/axes
+  const Vec<D> half = half_extents_of<D>(bodies, i);
+  if (bodies.layout.shape == Shape::ball) return half * below_root[D];
+  if (bodies.layout.shape != Shape::cylinder) return half;
+  Vec<D> inner = half * below_root[2];
+  inner[D - 1] = half[D - 1];
+  return inner;
+}
+
 }  // namespace
+
+template <int D>
+Box<D> core_box(const Bodies& bodies, std::size_t i, double now) {
+  const Motion<D> motion = motion_of<D>(bodies, i);
+  const Life life = life_of(motion.t, motion.until, {now, 0});
+  if (life.none) return Box<D>::empty();
+  const Vec<D> half = inner_half_extents_of<D>(bodies, i);
+  Box<D> box;
+  for (int axis = 0; axis < D; ++axis) {
+    const Ends centre = swept_axis(motion.x[axis], motion.v[axis], motion.a[axis], life, 0);
+    const double lower = centre.upper - half[axis], upper = centre.lower + half[axis];
+    box.lower[axis] = lower + 4 * u * std::abs(lower);
+    box.upper[axis] = upper - 4 * u * std::abs(upper);
+    if (!std::isfinite(box.upper[axis] - box.lower[axis])) return Box<D>::empty();
+  }
+  return box.is_empty() ? Box<D>::empty() : box;
+}
 
 template <int D>
 Box<D> swept_box(const Bodies& bodies, std::size_t i, const Horizon& horizon, const Vec<D>& margin) {
@@ -78,8 +107,11 @@ std::vector<Box<D>> swept_boxes(const Bodies& bodies, const Horizon& horizon, co
   return boxes;
 }
 
+template Box<1> core_box<1>(const Bodies&, std::size_t, double);
 template Box<1> swept_box<1>(const Bodies&, std::size_t, const Horizon&, const Vec<1>&);
+template Box<2> core_box<2>(const Bodies&, std::size_t, double);
 template Box<2> swept_box<2>(const Bodies&, std::size_t, const Horizon&, const Vec<2>&);
+template Box<3> core_box<3>(const Bodies&, std::size_t, double);
 template Box<3> swept_box<3>(const Bodies&, std::size_t, const Horizon&, const Vec<3>&);
 template std::vector<Box<1>> swept_boxes<1>(const Bodies&, const Horizon&, const Vec<1>&, Interrupt&);
 template std::vector<Box<2>> swept_boxes<2>(const Bodies&, const Horizon&, const Vec<2>&, Interrupt&);

@@ -33,6 +33,11 @@ struct Box {
 template <int D>
 Box<D> swept_box(const Bodies& bodies, std::size_t i, const Horizon& horizon, const Vec<D>& margin);
 
+/// A box that lies within the shape of object i at the moment `now`: what is in it touches the object. Empty
+/// where the object does not exist then, and where no double vouches for one.
+template <int D>
+Box<D> core_box(const Bodies& bodies, std::size_t i, double now);
+
 /// The swept boxes of all bodies, in row order.
 template <int D>
 std::vector<Box<D>> swept_boxes(const Bodies& bodies, const Horizon& horizon, const Vec<D>& margin,

@@ -20,16 +20,21 @@ void ContactStage::in_slices(std::size_t count, Work work) {
   }
 }
 
-void ContactStage::ask(std::vector<Pair>& candidates, const TimeSlab& slab, Hits& hits) {
+void ContactStage::ask(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
+                       Hits& hits) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const bool all_times = slab.from == -inf && slab.before == inf && question_.asks_about_all_times();
   const bool times_matter = !all_times || question_.wants.contact || question_.order != JoinOrder::any;
-  keep_asked_pairs(candidates);
   hits.clear();
   // Where some are left out or not reached, only the others need an end.
   hits.with_ends = all_times && question_.order == JoinOrder::any && question_.wants.ends;
-  in_slices(candidates.size(), [&](std::size_t begin, std::size_t count) {
-    const auto pairs = std::span(candidates).subspan(begin, count);
+  if (candidates.touching() && !hits.with_ends) {
+    if (asks_about_begin(slab)) take_touching(batch, hits);
+    return;
+  }
+  keep_asked_pairs(batch);
+  in_slices(batch.size(), [&](std::size_t begin, std::size_t count) {
+    const auto pairs = std::span(batch).subspan(begin, count);
     if (times_matter)
       contact_->first_contacts(pairs, hits.with_ends ? TimesWanted::both : TimesWanted::begins, hits.pairs,
                                hits.times);
@@ -38,6 +43,20 @@ void ContactStage::ask(std::vector<Pair>& candidates, const TimeSlab& slab, Hits
   });
   hits.times.resize(hits.pairs.size());
   if (!all_times) keep_asked_times(slab, hits);
+}
+
+/// Whether those that touch when the slab begins are rows of it: others belong to an earlier slab.
+bool ContactStage::asks_about_begin(const TimeSlab& slab) const {
+  const double now = question_.now;
+  return slab.horizon.now == now && slab.holds(now) && question_.asked_t.holds(now) &&
+         question_.asked_dt.holds(0);
+}
+
+void ContactStage::take_touching(std::vector<Pair>& batch, Hits& hits) const {
+  const double now = question_.now;
+  keep_asked_pairs(batch);
+  hits.pairs.swap(batch);
+  hits.times.assign(hits.pairs.size(), {now, now, 0, 0});
 }
 
 namespace {
@@ -53,16 +72,16 @@ void order_by_id(const std::vector<std::int64_t>& ids, std::vector<Pair>& pairs)
 
 }  // namespace
 
-void ContactStage::keep_asked_pairs(std::vector<Pair>& candidates) const {
+void ContactStage::keep_asked_pairs(std::vector<Pair>& batch) const {
   const Scene& a = *question_.a;
   const Scene& b = question_.b ? *question_.b : a;
-  if (question_.b == question_.a) std::erase_if(candidates, [](Pair pair) { return pair.a == pair.b; });
+  if (question_.b == question_.a) std::erase_if(batch, [](Pair pair) { return pair.a == pair.b; });
   if (!question_.only_a && !question_.only_b) {
-    if (!question_.b) order_by_id(a.ids, candidates);
+    if (!question_.b) order_by_id(a.ids, batch);
     return;
   }
   // Within one scene the id asked for may stand in the other column of a pair: then it is another question's.
-  std::erase_if(candidates, [&](Pair pair) {
+  std::erase_if(batch, [&](Pair pair) {
     return (!question_.b && a.ids[pair.a] >= b.ids[pair.b]) ||
            (question_.only_a && a.ids[pair.a] != *question_.only_a) ||
            (question_.only_b && b.ids[pair.b] != *question_.only_b);
@@ -109,6 +128,46 @@ void ContactStage::write(Hits& hits, std::vector<JoinRow>& rows) {
     row.a = a.ids[hits.pairs[i].a], row.b = b.ids[hits.pairs[i].b], row.contact = hits.times[i];
     if (question_.wants.approach) row.approach = approaches_[i];
   }
+}
+
+void ContactStage::answer(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
+                          std::vector<JoinRow>& rows) {
+  const bool all_pairs = !question_.only_a && !question_.only_b && question_.b != question_.a;
+  const bool no_more_wanted = !question_.wants.ends && !question_.wants.approach;
+  if (candidates.touching() && all_pairs && no_more_wanted) {
+    if (asks_about_begin(slab)) write_touching(batch, rows);
+    return;
+  }
+  ask(candidates, batch, slab, hits_);
+  write(hits_, rows);
+}
+
+namespace {
+
+/// Rows of pairs that all have the same times; within one scene the smaller id first. Which that is cannot be
+/// foretold, so there is no branch, and in words that compilers do not turn into one.
+template <bool within>
+void write_rows(std::span<const Pair> pairs, const std::int64_t* ids_a, const std::int64_t* ids_b,
+                const ContactTimes& times, JoinRow* rows) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const std::int64_t a = ids_a[pairs[i].a], b = ids_b[pairs[i].b];
+    const std::int64_t exchanged = within ? (a ^ b) & -static_cast<std::int64_t>(b < a) : 0;
+    rows[i].a = a ^ exchanged, rows[i].b = b ^ exchanged;
+    rows[i].contact = times;
+  }
+}
+
+}  // namespace
+
+void ContactStage::write_touching(std::span<const Pair> batch, std::vector<JoinRow>& rows) const {
+  const ContactTimes times{question_.now, question_.now, 0, 0};
+  const std::int64_t* ids = question_.a->ids.data();
+  const std::size_t before = rows.size();
+  rows.resize(before + batch.size());
+  if (question_.b)
+    write_rows<false>(batch, ids, question_.b->ids.data(), times, rows.data() + before);
+  else
+    write_rows<true>(batch, ids, ids, times, rows.data() + before);
 }
 
 }  // namespace foresee

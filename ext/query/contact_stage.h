@@ -1,8 +1,11 @@
 // The exact stage of a join: which candidates of a slab are rows of the answer, and what stands in them?
 //
 //   ContactStage stage(question, interrupt);
-//   stage.ask(candidates, slab, hits);                   // contact, and all that the question leaves out
+//   stage.answer(candidates, batch, slab, rows);         // at once, or where hits are sorted in between:
+//   stage.ask(candidates, batch, slab, hits);            // contact, and all that the question leaves out
 //   stage.write(hits, rows);                             // ids, times, closest approach
+//
+// Of a batch that touches for certain when the slab begins nothing is asked.
 //
 // Keeps scratch space: used by one thread at a time; several may share a question.
 #pragma once
@@ -27,23 +30,32 @@ class ContactStage {
 
   Contact::Reach reach() const { return contact_->reach(); }
 
-  /// Puts the hits that `slab` holds into `hits`, in the order of the candidates, which are lost. Ends may be
-  /// left for write(). Times are computed where they are read or decide.
-  void ask(std::vector<Pair>& candidates, const TimeSlab& slab, Hits& hits);
+  /// Puts those of the last batch that are hits and that `slab` holds into `hits`, in order; the batch is
+  /// lost. Ends may be left for write(). Times are computed where they are read or decide, and where it is
+  /// not certain what they are.
+  void ask(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab, Hits& hits);
 
   /// Appends a row for each hit.
   void write(Hits& hits, std::vector<JoinRow>& rows);
 
+  /// Both.
+  void answer(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
+              std::vector<JoinRow>& rows);
+
  private:
   template <class Work>
   void in_slices(std::size_t count, Work work);
-  void keep_asked_pairs(std::vector<Pair>& candidates) const;
+  bool asks_about_begin(const TimeSlab& slab) const;
+  void take_touching(std::vector<Pair>& batch, Hits& hits) const;
+  void write_touching(std::span<const Pair> batch, std::vector<JoinRow>& rows) const;
+  void keep_asked_pairs(std::vector<Pair>& batch) const;
   void keep_asked_times(const TimeSlab& slab, Hits& hits) const;
   void add_ends(Hits& hits);
 
   const JoinQuestion& question_;
   Interrupt& interrupt_;
   std::unique_ptr<Contact> contact_;
+  Hits hits_;
   std::vector<Pair> without_ends_;
   std::vector<ClosestApproach> approaches_;
 };

@@ -96,9 +96,13 @@ class Explanation {
     const double begin = thread_seconds();
     for (std::size_t i = 0; i < pairs.size(); i += slice) {
       interrupt_.check();
+      const auto some = std::span(pairs).subspan(i, std::min(slice, pairs.size() - i));
+      if (candidates_->touching()) {
+        exact_count_.after += some.size(), touching_ += some.size();
+        continue;
+      }
       hits_.clear(), times_.clear();
-      contact_->first_contacts(std::span(pairs).subspan(i, std::min(slice, pairs.size() - i)),
-                               TimesWanted::begins, hits_, times_);
+      contact_->first_contacts(some, TimesWanted::begins, hits_, times_);
       exact_count_.after += hits_.size();
       for (const ContactTimes& times : times_) touching_ += times.dt == 0;
     }

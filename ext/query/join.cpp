@@ -84,8 +84,12 @@ struct Join::Progress {
   bool advance_alone() {
     pairs.clear();
     if (!candidates->next(pairs)) return false;
-    stage.ask(pairs, *slab, hits);
-    sorts ? sorted.add(hits) : stage.write(hits, rows);
+    if (!sorts) {
+      stage.answer(*candidates, pairs, *slab, rows);
+      return true;
+    }
+    stage.ask(*candidates, pairs, *slab, hits);
+    sorted.add(hits);
     return true;
   }
 

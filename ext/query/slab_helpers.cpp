@@ -16,7 +16,8 @@ namespace foresee {
 namespace {
 
 constexpr std::size_t parts_ahead_per_thread = 16;
-constexpr std::size_t batches_ahead = 8;  // of a part; a batch is at most some thousand rows
+constexpr std::size_t batches_ahead = 8;   // of a part; a batch is at most some thousand rows
+constexpr std::size_t rows_enough = 4096;  // for a batch: handing one over costs some microseconds
 constexpr std::chrono::milliseconds between_checks{1};
 
 struct Part {
@@ -80,8 +81,9 @@ struct SlabHelpers::Shared {
     const std::unique_ptr<Candidates> part = candidates->part(i, stop);
     std::vector<Pair> pairs;
     SlabBatch batch;
-    while (answer_some(*part, stage, pairs, batch)) {
-      if (batch.hits.pairs.empty()) continue;
+    for (bool more = true; more;) {
+      more = answer_some(*part, stage, pairs, batch);
+      if (more ? !is_full(batch) : is_empty(batch)) continue;
       std::unique_lock lock(mutex);
       changed.wait(lock, [&] { return stop.stopped() || has_room(i); });
       stop.check();
@@ -89,13 +91,19 @@ struct SlabHelpers::Shared {
     }
   }
 
-  /// False behind the end of the part.
+  bool is_empty(const SlabBatch& batch) const {
+    return sorts ? batch.hits.pairs.empty() : batch.rows.empty();
+  }
+  bool is_full(const SlabBatch& batch) const {
+    return sorts ? !batch.hits.pairs.empty() : batch.rows.size() >= rows_enough;
+  }
+
+  /// Adds to the batch's rows, or fills it with hits; false behind the end of the part.
   bool answer_some(Candidates& part, ContactStage& stage, std::vector<Pair>& pairs, SlabBatch& batch) const {
     pairs.clear();
+    batch.hits.clear();
     if (!part.next(pairs)) return false;
-    stage.ask(pairs, slab, batch.hits);
-    batch.rows.clear();
-    if (!sorts) stage.write(batch.hits, batch.rows);
+    sorts ? stage.ask(part, pairs, slab, batch.hits) : stage.answer(part, pairs, slab, batch.rows);
     return true;
   }
 
@@ -107,6 +115,7 @@ struct SlabHelpers::Shared {
     if (!spares.empty()) {
       spare = std::move(spares.back());
       spares.pop_back();
+      spare.rows.clear();
     }
     return spare;
   }
@@ -146,10 +155,9 @@ struct SlabHelpers::Shared {
     const bool more = answer_some(*own.part, own.stage, own.pairs, own.batch);
     if (!more) own.part.reset();
     const std::lock_guard lock(mutex);
-    if (!more)
-      parts[own.number].done = true;
-    else if (!own.batch.hits.pairs.empty())
+    if (more ? is_full(own.batch) : !is_empty(own.batch))
       own.batch = hand_over(own.number, std::move(own.batch));
+    if (!more) parts[own.number].done = true;
   }
 
   const JoinQuestion& question;

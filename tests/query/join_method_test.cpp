@@ -138,6 +138,34 @@ TEST(JoinOfManyObjects, GridAndGpcdAgreeWithScan) {
   }
 }
 
+/// The only columns of a question that wants no others.
+std::vector<double> begins_of(JoinQuestion question, JoinMethod method) {
+  question.method = method, question.wants = {.ends = false, .approach = false};
+  std::vector<double> numbers;
+  for (const JoinRow& row : rows_of(question))
+    numbers.insert(numbers.end(),
+                   {static_cast<double>(row.a), static_cast<double>(row.b), row.contact.t, row.contact.dt});
+  return numbers;
+}
+
+TEST(JoinOfManyObjects, WhoseBeginsAloneAreWantedHasTheSameRows) {
+  std::uint64_t seed = 20;
+  for (const Layout& layout : all_layouts()) {
+    const RandomScene scene =
+        random_scene({.layout = layout, .kind = SceneKind::one_giant, .count = 150, .seed = ++seed});
+    JoinQuestion question = question_about(scene);
+    for (int kind = 0; kind < 6; ++kind) {
+      if (kind == 1) question.asked_dt = after_now;
+      if (kind == 2) question.asked_dt = {0, 0};
+      if (kind == 3) question.asked_dt = {}, question.only_a = scene.ids[scene.size() / 2];
+      if (kind == 4) question.only_a.reset(), question.b = question.a;
+      if (kind == 5) question.b = scene_of(scene, "others");
+      EXPECT_EQ(begins_of(question, JoinMethod::grid), begins_of(question, JoinMethod::scan))
+          << name_of(layout) << ", question " << kind;
+    }
+  }
+}
+
 TEST(JoinOfManyObjects, ChoosesAMethodWithoutChangingTheRows) {
   for (std::size_t count : {2u, 40u, 60u, 100u, 1000u}) {
     const RandomScene scene = random_scene(

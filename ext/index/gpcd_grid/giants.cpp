@@ -1,12 +1,54 @@
 #include "index/gpcd_grid/giants.h"
 
+#include <cmath>
+#include <limits>
+
 namespace foresee::gpcd {
+namespace {
 
 template <int D>
-Giants<D>::Giants(const Partition<D>& partition, const Stripes<D>& stripes, Interrupt& interrupt) {
+FloatBox<D> empty_box() {
+  constexpr float inf = std::numeric_limits<float>::infinity();
+  FloatBox<D> box;
+  std::fill_n(box.lower, D, inf), std::fill_n(box.upper, D, -inf);
+  return box;
+}
+
+/// Many times what the scan's arithmetic can lose (scan_kernel.h) stays outside.
+template <int D>
+FloatBox<D> inward(const Box<D>& box, const Frame<D>& frame) {
+  constexpr double too_large = 0x1p59;
+  FloatBox<D> out;
+  for (int axis = 0; axis < D; ++axis) {
+    const double scale = frame.scale[axis], origin = frame.scaled_origin[axis];
+    const double lower = box.lower[axis] * scale - origin, upper = box.upper[axis] * scale - origin;
+    const double size = std::max(std::abs(lower), std::abs(upper)), room = size * 0x1p-18 + 0x1p-40;
+    if (!(size < too_large && lower + room < upper - room)) return empty_box<D>();
+    out.lower[axis] = static_cast<float>(lower + room), out.upper[axis] = static_cast<float>(upper - room);
+  }
+  return out;
+}
+
+/// Whether boxes of the usual size fit into a core.
+template <int D>
+bool has_room(const FloatBox<D>& core, const Partition<D>& partition) {
+  constexpr float usual = 0.25f;  // about twice the mean extent
+  for (int axis = 0; axis < D; ++axis)
+    if (!(core.extent(axis) > partition.largest_inside[axis] * usual)) return false;
+  return true;
+}
+
+}  // namespace
+
+template <int D>
+Giants<D>::Giants(const BeamSource<D>& source, const Frame<D>& frame, bool cores,
+                  const Partition<D>& partition, const Stripes<D>& stripes, Interrupt& interrupt) {
   for (std::uint32_t id : stripes.giants()) {
     const FloatBox<D> box = stripes.rows().box(id);
-    Place place{key_of(box.lower[0], id), {0, 0}, {0, 0}};
+    Place place{key_of(box.lower[0], id), {0, 0}, {0, 0}, empty_box<D>()};
+    if (cores) place.core = inward(source.core(id), frame);
+    if (!has_room(place.core, partition)) place.core = empty_box<D>();
+    any_core_ |= !place.core.is_empty();
     if constexpr (D > 1) place.y = stripe_range(partition, box, 1);
     if constexpr (D > 2) place.z = stripe_range(partition, box, 2);
     waiting_.push_back(place);
@@ -35,10 +77,21 @@ std::span<const Key> Giants<D>::crossing(const int (&stripe)[D]) {
   const int y = D > 1 ? stripe[D > 1 ? 1 : 0] : 0;
   if (y != row_) advance(y);
   crossing_.clear();
-  for (const Place& giant : active_)
-    if (D < 3 || (giant.z.first <= stripe[D - 1] && stripe[D - 1] <= giant.z.last))
-      crossing_.push_back(giant.key);
+  for (int axis = 0; axis < D; ++axis) cores_.lower[axis].clear(), cores_.upper[axis].clear();
+  for (const Place& giant : active_) {
+    if (D == 3 && (stripe[D - 1] < giant.z.first || giant.z.last < stripe[D - 1])) continue;
+    crossing_.push_back(giant.key);
+    if (any_core_) add_core(giant.core);
+  }
   return crossing_;
+}
+
+template <int D>
+void Giants<D>::add_core(const FloatBox<D>& core) {
+  for (int axis = 0; axis < D; ++axis) {
+    cores_.lower[axis].push_back(core.lower[axis]);
+    cores_.upper[axis].push_back(core.upper[axis]);
+  }
 }
 
 template class Giants<1>;

@@ -16,6 +16,7 @@ class GridWithSpace final : public Candidates {
         visit_(grid_, space_->visit, interrupt) {}
 
   bool next(std::vector<Pair>& out) override { return visit_.next(out); }
+  bool touching() const override { return visit_.touching(); }
   std::string describe() const override { return visit_.describe(); }
 
  private:
@@ -53,6 +54,7 @@ class DividedGrid final : public DividedCandidates {
          Interrupt& interrupt)
         : memory_(visits), visit_(grid, first, last, *memory_, interrupt) {}
     bool next(std::vector<Pair>& out) override { return visit_.next(out); }
+    bool touching() const override { return visit_.touching(); }
 
    private:
     GridSpace::Visits::Taken memory_;

@@ -9,7 +9,7 @@ constexpr std::size_t sample_max = 512;
 /// At most every sixteenth box, so that small scenes do not pay for statistics.
 constexpr std::size_t sample_share = 16;
 constexpr std::size_t sample_enough = 64;
-constexpr std::size_t pairs_per_batch = 1024;
+constexpr std::size_t pairs_per_batch = 512;
 constexpr std::size_t steps_per_batch = 1 << 17;  // about a millisecond
 
 /// Non-empty beams of both sides, one from each of some hundred equal parts, not at equal distances.
@@ -48,12 +48,13 @@ Grid<D>::Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, 
   const Columns columns = columns_of(a, b, frame);
   const std::vector<FloatBox<D>> boxes = boxes_of(std::span<const Beam<D>>(sample), frame, columns);
   partition_ = choose_partition(std::span<const FloatBox<D>>(boxes), a.count() + (b ? b->count() : 0));
+  const bool cores = a.all_begin() && (!b || b->all_begin());
   for (int axis = 1; axis < D; ++axis)
     stripe_height_[axis] = 1 / static_cast<double>(partition_.axis[axis].per_unit) / frame.scale[axis];
   for (const BeamSource<D>* source : {&a, b})
     if (source)
-      sides_.push_back(std::make_unique<Side>(*source, frame, columns, partition_, space.sides[sides_.size()],
-                                              helpers, interrupt));
+      sides_.push_back(std::make_unique<Side>(*source, frame, columns, cores, partition_,
+                                              space.sides[sides_.size()], helpers, interrupt));
 }
 
 template <int D>
@@ -80,6 +81,9 @@ bool GridVisit<D>::next(std::vector<Pair>& out) {
       more = open_next();
       continue;
     }
+    const bool touching = scans_[scan_].keep == Keep::covered;
+    if (written > 0 && touching != touching_) break;
+    touching_ = touching;
     written += run(scans_[scan_], batch_ + written, pairs_per_batch + lanes_max - written, steps);
     if (scans_[scan_].done()) ++scan_;
   }
@@ -126,19 +130,30 @@ void GridVisit<D>::open_stripe(std::size_t number) {
     sides_[i].inside.sort_and_gather(entered.stripes.entries(number), entered.rows, partition, stripe,
                                      interrupt_);
     sides_[i].crossing.gather(sides_[i].giants.crossing(stripe), entered.rows, partition, stripe, interrupt_);
+    sides_[i].crossing.take(sides_[i].giants.cores());
   }
   for (std::size_t i = 0; i < sides_.size(); ++i)
     sides_[i].crossing.clip_to(sides_[sides_.size() - 1 - i].inside.view());
   const LaneView<D>&inside = sides_[0].inside.view(), &crossing = sides_[0].crossing.view();
   if (sides_.size() == 1) {
     scans_.push_back(scan_within(inside));
-    scans_.push_back(scan_between(crossing, inside, false));
+    scan_giants(crossing, inside, false);
   } else {
     const LaneView<D>&other_inside = sides_[1].inside.view(), &other_crossing = sides_[1].crossing.view();
     scans_.push_back(scan_between(inside, other_inside, false));
-    scans_.push_back(scan_between(crossing, other_inside, false));
-    scans_.push_back(scan_between(other_crossing, inside, true));
+    scan_giants(crossing, other_inside, false);
+    scan_giants(other_crossing, inside, true);
   }
+}
+
+template <int D>
+void GridVisit<D>::scan_giants(const LaneView<D>& crossing, const LaneView<D>& inside, bool swap) {
+  if (!crossing.core_lower[0]) {
+    scans_.push_back(scan_between(crossing, inside, swap));
+    return;
+  }
+  for (Keep keep : {Keep::covered, Keep::others})
+    scans_.push_back(scan_between(crossing, inside, swap, keep));
 }
 
 template <int D>

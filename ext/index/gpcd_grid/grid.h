@@ -5,9 +5,9 @@
 //   step 2  cell size: cell_size.h          step 4, 5a  share a stripe and overlap: lanes.h, scan.h
 //
 // A Grid is what has been entered. A GridVisit goes through a range of its stripes, one after another: at
-// each, what lies in it is gathered into lanes, and up to three scans follow, its boxes among themselves (or
-// of the two sides), and the giants that cross it against its boxes. Giants meet one another before the first
-// stripe. Several threads may each visit stripes of their own.
+// each, what lies in it is gathered into lanes, and some scans follow, its boxes among themselves (or of the
+// two sides), and the giants that cross it against its boxes: what they cover, then the others. Giants meet
+// one another before the first stripe. Several threads may each visit stripes of their own.
 #pragma once
 
 #include <memory>
@@ -26,11 +26,11 @@ class Grid {
  public:
   /// The objects of one side of the join.
   struct Side {
-    Side(const BeamSource<D>& source, const Frame<D>& frame, Columns columns, const Partition<D>& partition,
-         GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
+    Side(const BeamSource<D>& source, const Frame<D>& frame, Columns columns, bool cores,
+         const Partition<D>& partition, GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
         : rows(source.count(), columns, memory.rows),
           stripes(source, frame, partition, rows, memory, helpers, interrupt),
-          giants(partition, stripes, interrupt) {}
+          giants(source, frame, cores, partition, stripes, interrupt) {}
     FloatRows<D> rows;
     Stripes<D> stripes;
     Giants<D> giants;
@@ -67,6 +67,7 @@ class GridVisit final : public Candidates {
       : GridVisit(grid, 0, grid.partition().stripes(), memory, interrupt) {}
 
   bool next(std::vector<Pair>& out) override;
+  bool touching() const override { return touching_; }
   std::string describe() const override { return grid_.describe(); }
   /// Steps of the scan kernel so far.
   std::size_t steps_taken() const { return steps_taken_; }
@@ -83,12 +84,14 @@ class GridVisit final : public Candidates {
   bool open_next();
   void open_giants();
   void open_stripe(std::size_t number);
+  void scan_giants(const LaneView<D>& crossing, const LaneView<D>& inside, bool swap);
 
   Grid<D>& grid_;
   Interrupt& interrupt_;
   std::vector<Side> sides_;
   std::vector<Scan<D>> scans_;
   std::size_t scan_ = 0;
+  bool touching_ = false;  // the last batch
   bool giants_met_;
   std::size_t next_stripe_, last_stripe_;
   Pair* batch_;

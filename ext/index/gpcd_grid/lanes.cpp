@@ -1,5 +1,6 @@
 #include "index/gpcd_grid/lanes.h"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -19,7 +20,7 @@ void Lanes<D>::make_room(std::size_t count, Columns columns) {
   constexpr std::size_t line = 16;
   room_ = (count + lanes_max + line - 1) / line * line;
   const auto width = static_cast<std::size_t>(FloatRows<D>::width(columns));
-  floats_ = memory_.floats.room(room_ * width);
+  floats_ = memory_.floats.room(room_ * (width + (columns.travel ? 2 * D : 0)));
   classes_ = memory_.words.room(2 * room_);
   ids_ = classes_ + room_;
   view_.size = count;
@@ -32,6 +33,10 @@ void Lanes<D>::make_room(std::size_t count, Columns columns) {
   for (const float*& travel : view_.travel) travel = columns.travel ? next() : nullptr;
   view_.begin = columns.life ? next() : nullptr;
   view_.end = columns.life ? next() : nullptr;
+  for (int k = 0; k < D; ++k) {
+    view_.centre[k] = columns.travel ? next() : nullptr;
+    view_.extent[k] = columns.travel ? next() : nullptr;
+  }
   view_.from = view_.to = nullptr;
 }
 
@@ -73,17 +78,36 @@ void Lanes<D>::copy_rows(const FloatRows<D>& rows, Interrupt& interrupt) {
     for (int k = 0; k < width; ++k) floats_[i + static_cast<std::size_t>(k) * room_] = rows.row(ids_[i])[k];
 }
 
+/// What the test of time needs of each beam, once and not in every step.
+template <int D>
+void Lanes<D>::find_movers() {
+  const auto width = static_cast<std::size_t>(view_.begin ? 3 * D + 2 : 3 * D);
+  float* column = floats_ + width * room_;
+  for (int k = 0; k < D; ++k, column += 2 * room_) {
+    float *centre = column, *extent = column + room_;
+    const float *lower = view_.lower[k], *upper = view_.upper[k], *travel = view_.travel[k];
+    for (std::size_t i = 0; i < view_.size; ++i) {
+      const float middle = view_.begin ? (view_.begin[i] + view_.end[i]) * 0.5f : 0;
+      const float part = view_.begin ? (view_.end[i] - view_.begin[i]) * 0.5f : 1;
+      centre[i] = lower[i] + upper[i] - travel[i] * middle;
+      extent[i] = upper[i] - lower[i] - std::abs(travel[i]) * part;
+    }
+  }
+}
+
 template <int D>
 void Lanes<D>::gather(std::span<const Key> keys, const FloatRows<D>& rows, Interrupt& interrupt) {
   make_room(keys.size(), rows.columns());
   for (std::size_t i = 0; i < keys.size(); ++i) ids_[i] = id_of(keys[i]);
   std::fill_n(classes_, keys.size(), 0);
+  std::fill_n(classes_ + keys.size(), room_ - keys.size(), sentinel);
   if (rows.columns().life)
     copy_rows<3 * D + 2>(rows, interrupt);
   else if (rows.columns().travel)
     copy_rows<3 * D>(rows, interrupt);
   else
     copy_rows<2 * D>(rows, interrupt);
+  if (rows.columns().travel) find_movers();
   for (float* column : {floats_, floats_ + D * room_})  // lower and upper ends along x
     std::fill_n(column + keys.size(), room_ - keys.size(), std::numeric_limits<float>::infinity());
   float longest[4] = {};  // side by side, so that none waits for the last; a sentinel's length is NaN
@@ -105,6 +129,14 @@ void Lanes<D>::gather(std::span<const Key> keys, const FloatRows<D>& rows, const
                       const int (&stripe)[D], Interrupt& interrupt) {
   gather(keys, rows, interrupt);
   classify(partition, stripe);
+}
+
+template <int D>
+void Lanes<D>::take(const Cores<D>* cores) {
+  for (int axis = 0; axis < D; ++axis) {
+    view_.core_lower[axis] = cores ? cores->lower[axis].data() : nullptr;
+    view_.core_upper[axis] = cores ? cores->upper[axis].data() : nullptr;
+  }
 }
 
 template <int D>

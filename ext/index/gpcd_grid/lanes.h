@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <span>
 
+#include "index/gpcd_grid/giants.h"
 #include "index/gpcd_grid/scan.h"
 #include "index/gpcd_grid/stripes.h"
 
@@ -29,6 +30,9 @@ class Lanes {
   /// The same without a stripe: every pair counts.
   void gather(std::span<const Key> keys, const FloatRows<D>& rows, Interrupt& interrupt);
 
+  /// Tells of each box what it covers; null: nothing.
+  void take(const Cores<D>* cores);
+
   /// Leaves to each box only that part along x where it can meet those `inside` (clip.h).
   void clip_to(const LaneView<D>& inside);
 
@@ -39,6 +43,7 @@ class Lanes {
   template <int width>
   void copy_rows(const FloatRows<D>& rows, Interrupt& interrupt);
   void make_room(std::size_t count, Columns columns);
+  void find_movers();
   void classify(const Partition<D>& partition, const int (&stripe)[D]);
 
   GridSpace::Visit::Lanes& memory_;

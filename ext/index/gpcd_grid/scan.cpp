@@ -25,20 +25,22 @@ struct FourLanes {
   static Floats abs(Floats x) { return as_floats(as_mask(x) & 0x7fffffff); }
   static Floats max(Floats x, Floats y) { return chosen(x > y, x, y); }
   static Floats min(Floats x, Floats y) { return chosen(x < y, x, y); }
-  static Mask greater(Floats x, Floats y) { return x > y; }
-  static Mask share(const std::uint32_t* classes, std::uint32_t row) {
+  static Mask and_greater(Mask kept, Floats x, Floats y) { return kept & (x > y); }
+  static Mask but_greater(Mask kept, Floats x, Floats y) { return kept & ~(x > y); }
+  static Mask but(Mask kept, Mask others) { return kept & ~others; }
+  static Mask unshared(const std::uint32_t* classes, std::uint32_t row) {
     Mask lanes;
     __builtin_memcpy(&lanes, classes, sizeof lanes);
-    return (lanes & static_cast<std::int32_t>(row)) != 0;
+    return (lanes & static_cast<std::int32_t>(row)) == 0;
   }
-  static Pair* emit(Mask apart, std::uint32_t row, const std::uint32_t* ids, Pair* out) {
+  static Pair* emit(Mask kept, std::uint32_t row, const std::uint32_t* ids, Pair* out) {
 #if defined(__SSE__)
-    const auto bits = static_cast<unsigned>(_mm_movemask_ps(as_floats(apart)));
+    const auto bits = static_cast<unsigned>(_mm_movemask_ps(as_floats(kept)));
 #else
     unsigned bits = 0;
-    for (int l = 0; l < 4; ++l) bits |= static_cast<unsigned>(apart[l] & 1) << l;
+    for (int l = 0; l < 4; ++l) bits |= static_cast<unsigned>(kept[l] & 1) << l;
 #endif
-    return emit_bits(~bits & 0xf, row, ids, out);
+    return emit_bits(bits, row, ids, out);
   }
 
  private:

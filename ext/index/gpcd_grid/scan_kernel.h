@@ -10,8 +10,9 @@
 //
 //   |m_i| > r_i + |d_i|     or     |m_i d_j - m_j d_i| > r_i |d_j| + r_j |d_i|
 //
-// for some axes i, j: no division, no case for d = 0, and NaN keeps the pair. Where objects exist for a part
-// of the horizon, the segment is cut to the time that both do.
+// for some axes i, j: no division, no case for d = 0, and NaN keeps the pair. The first is also what the
+// swept boxes could tell, and more, so nobody asks them. Where objects exist for a part of the horizon, the
+// segment is cut to the time that both do.
 //
 // Nothing is lost to rounding. All terms are sums of at most three products of at most three factors, and a
 // pair that touches has |m_i| <= r_i + |d_i|: so each side is off by less than 2^-21 (r_i + |w_i|)(|d_j|) and
@@ -31,83 +32,89 @@ namespace {
 
 enum class Time { none, horizon, life };
 
-/// Beams side by side as the test of time sees them: twice the centre in the middle of the horizon, travel,
-/// and twice the half extents of what moves.
+/// What is compared, side by side: boxes where nothing moves, beams where something does.
 template <class V, int D, Time time>
 struct Beams {
   using F = typename V::Floats;
-  F lower[D], upper[D], centre[D], travel[D], size[D], begin, end;
+  F lower[D], upper[D], centre[D], travel[D], extent[D], begin, end;
 
   /// `load` gives the floats of one column.
   template <class Load>
   [[gnu::always_inline]] inline Beams(const LaneView<D>& view, Load load) {
-    for (int k = 0; k < D; ++k) lower[k] = load(view.lower[k]), upper[k] = load(view.upper[k]);
+    for (int k = 0; k < D; ++k) {
+      if constexpr (time == Time::none)
+        lower[k] = load(view.lower[k]), upper[k] = load(view.upper[k]);
+      else
+        centre[k] = load(view.centre[k]), travel[k] = load(view.travel[k]), extent[k] = load(view.extent[k]);
+    }
     if constexpr (time == Time::life) begin = load(view.begin), end = load(view.end);
-    if constexpr (time != Time::none)
-      for (int k = 0; k < D; ++k) {
-        travel[k] = load(view.travel[k]);
-        centre[k] = lower[k] + upper[k];
-        size[k] = upper[k] - lower[k];
-        if constexpr (time == Time::horizon) {
-          size[k] = size[k] - V::abs(travel[k]);
-        } else {
-          centre[k] = centre[k] - travel[k] * ((begin + end) * 0.5f);
-          size[k] = size[k] - V::abs(travel[k]) * ((end - begin) * 0.5f);
-        }
-      }
   }
 };
 
-/// Lanes whose boxes do not meet.
-template <class V, int D, Time time>
-[[gnu::always_inline]] inline typename V::Mask apart_in_space(const Beams<V, D, time>& a,
-                                                              const Beams<V, D, time>& b) {
-  typename V::Mask apart = V::greater(b.lower[0], a.upper[0]);
-  apart |= V::greater(a.lower[0], b.upper[0]);
-  for (int k = 1; k < D; ++k) {
-    apart |= V::greater(b.lower[k], a.upper[k]);
-    apart |= V::greater(a.lower[k], b.upper[k]);
+/// Of the lanes in `kept` those whose boxes meet.
+template <class V, int D>
+[[gnu::always_inline]] inline void keep_in_space(const Beams<V, D, Time::none>& a,
+                                                 const Beams<V, D, Time::none>& b, typename V::Mask& kept) {
+  for (int k = 0; k < D; ++k) {
+    kept = V::but_greater(kept, b.lower[k], a.upper[k]);
+    kept = V::but_greater(kept, a.lower[k], b.upper[k]);
   }
-  return apart;
 }
 
-/// Lanes that are never where the other is.
+/// Those that are at some time where the other is.
 template <class V, int D, Time time>
-[[gnu::always_inline]] inline typename V::Mask apart_in_time(const Beams<V, D, time>& a,
-                                                             const Beams<V, D, time>& b) {
+[[gnu::always_inline]] inline void keep_in_time(const Beams<V, D, time>& a, const Beams<V, D, time>& b,
+                                                typename V::Mask& kept) {
   using F = typename V::Floats;
   F middle[D], half[D], size[D], abs_half[D];
-  typename V::Mask apart = {};
   F at = {}, part = {};
   if constexpr (time == Time::life) {
     const F begin = V::max(a.begin, b.begin), end = V::min(a.end, b.end);
-    apart = V::greater(begin, end);
+    kept = V::but_greater(kept, begin, end);
     at = (begin + end) * 0.5f, part = (end - begin) * 0.5f;
   }
   for (int k = 0; k < D; ++k) {
     middle[k] = b.centre[k] - a.centre[k];
     half[k] = b.travel[k] - a.travel[k];
     if constexpr (time == Time::life) middle[k] = middle[k] + half[k] * at, half[k] = half[k] * part;
-    size[k] = a.size[k] + b.size[k];
+    size[k] = a.extent[k] + b.extent[k];
     abs_half[k] = V::abs(half[k]);
-    apart |= V::greater(V::abs(middle[k]), size[k] + abs_half[k]);
+    kept = V::but_greater(kept, V::abs(middle[k]), size[k] + abs_half[k]);
   }
   for (int i = 0; i < D; ++i)
     for (int j = i + 1; j < D; ++j)
-      apart |= V::greater(V::abs(middle[i] * half[j] - middle[j] * half[i]),
-                          size[i] * abs_half[j] + size[j] * abs_half[i]);
-  return apart;
+      kept = V::but_greater(kept, V::abs(middle[i] * half[j] - middle[j] * half[i]),
+                            size[i] * abs_half[j] + size[j] * abs_half[i]);
+}
+
+/// Those that lie in the core of row i when the horizon begins; none whose numbers are NaN. A core has lost
+/// 2^-18 of its coordinates on every side, far more than is lost here.
+template <class V, int D, Time time>
+[[gnu::always_inline]] inline void keep_covered(const LaneView<D>& rows, std::size_t i,
+                                                const Beams<V, D, time>& lanes, typename V::Mask& kept) {
+  for (int k = 0; k < D; ++k) {
+    const float core_lower = rows.core_lower[k][i], core_upper = rows.core_upper[k][i];
+    if constexpr (time == Time::none) {
+      kept = V::and_greater(kept, lanes.lower[k], V::all(core_lower));
+      kept = V::and_greater(kept, V::all(core_upper), lanes.upper[k]);
+    } else {  // all times two
+      const auto centre = lanes.centre[k] - lanes.travel[k];
+      kept = V::and_greater(kept, centre - lanes.extent[k], V::all(core_lower + core_lower));
+      kept = V::and_greater(kept, V::all(core_upper + core_upper), centre + lanes.extent[k]);
+    }
+  }
 }
 
 /// The first lane that can reach row i. Rows that are not clipped begin farther right, one after another.
 template <int D>
 std::size_t first_lane(Scan<D>& scan, std::size_t i) {
   const LaneView<D>& lanes = *scan.lanes;
-  const float* from = scan.rows->from;
+  const float* from = scan.keep == Keep::covered ? scan.rows->core_lower[0] : scan.rows->from;
   const double row_lower = from ? from[i] : scan.rows->lower[0][i];
-  const auto ends_before = [&](std::size_t lane) {
-    return static_cast<double>(lanes.lower[0][lane]) + lanes.longest < row_lower;
-  };
+  const auto reach = static_cast<float>(row_lower - lanes.longest);
+  // Rounded down; NaN where that is infinite: then every lane counts.
+  const float least = reach - (__builtin_fabsf(reach) * 0x1p-22f + 0x1p-126f);
+  const auto ends_before = [&](std::size_t lane) { return lanes.lower[0][lane] < least; };
   if (from) {
     std::size_t first = 0;
     for (std::size_t count = lanes.size; count > 0;) {
@@ -122,7 +129,7 @@ std::size_t first_lane(Scan<D>& scan, std::size_t i) {
   return scan.left;
 }
 
-template <class V, int D, Time time>
+template <class V, int D, Time time, Keep keep>
 std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
   const LaneView<D>&rows = *scan.rows, &lanes = *scan.lanes;
   const bool within = scan.rows == scan.lanes;
@@ -132,7 +139,9 @@ std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
   for (; scan.row < rows.size; ++scan.row, scan.begun = false) {
     const std::size_t i = scan.row;
     const Beams<V, D, time> row(rows, [i](const float* column) { return V::all(column[i]); });
-    const float upper = rows.to ? rows.to[i] : rows.upper[0][i];
+    const float upper = keep == Keep::covered ? rows.core_upper[0][i]
+                        : rows.to             ? rows.to[i]
+                                              : rows.upper[0][i];
     std::size_t lane = scan.begun ? scan.lane : within ? i + 1 : first_lane(scan, i);
     for (;; lane += V::width, work -= V::width) {
       if (work < lanes_max || out > full) {
@@ -141,15 +150,31 @@ std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
       }
       if (lanes.lower[0][lane] > upper) break;
       const Beams<V, D, time> beams(lanes, [lane](const float* column) { return V::load(column + lane); });
-      typename V::Mask apart = apart_in_space(row, beams);
-      if constexpr (D > 1) apart |= V::share(lanes.classes + lane, rows.classes[i]);
-      if constexpr (time != Time::none) apart |= apart_in_time(row, beams);
-      out = V::emit(apart, rows.ids[i], lanes.ids + lane, out);
+      typename V::Mask kept = V::unshared(lanes.classes + lane, rows.classes[i] | sentinel);
+      if constexpr (keep != Keep::covered) {
+        if constexpr (time == Time::none)
+          keep_in_space<V, D>(row, beams, kept);
+        else
+          keep_in_time<V, D, time>(row, beams, kept);
+      }
+      if constexpr (keep != Keep::all) {
+        typename V::Mask covered = kept;
+        keep_covered<V, D, time>(rows, i, beams, covered);
+        kept = keep == Keep::covered ? covered : V::but(kept, covered);
+      }
+      out = V::emit(kept, rows.ids[i], lanes.ids + lane, out);
     }
     work -= lanes_max;
   }
   steps = work / lanes_max;
   return static_cast<std::size_t>(out - begin);
+}
+
+template <class V, int D, Time time>
+std::size_t run_kept(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
+  if (scan.keep == Keep::covered) return run_rows<V, D, time, Keep::covered>(scan, out, room, steps);
+  if (scan.keep == Keep::others) return run_rows<V, D, time, Keep::others>(scan, out, room, steps);
+  return run_rows<V, D, time, Keep::all>(scan, out, room, steps);
 }
 
 /// run() of scan.h with the instructions of V.
@@ -158,11 +183,11 @@ std::size_t run_with(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
   if (room < lanes_max) return 0;
   std::size_t written;
   if (!scan.lanes->travel[0])
-    written = run_rows<V, D, Time::none>(scan, out, room, steps);
+    written = run_kept<V, D, Time::none>(scan, out, room, steps);
   else if (!scan.lanes->begin)
-    written = run_rows<V, D, Time::horizon>(scan, out, room, steps);
+    written = run_kept<V, D, Time::horizon>(scan, out, room, steps);
   else
-    written = run_rows<V, D, Time::life>(scan, out, room, steps);
+    written = run_rows<V, D, Time::life, Keep::all>(scan, out, room, steps);  // nothing is known to be there
   if (scan.swap)
     for (std::size_t i = 0; i < written; ++i) out[i] = {out[i].b, out[i].a};
   return written;
