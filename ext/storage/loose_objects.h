@@ -37,6 +37,11 @@ class LooseObjects {
   void forget_past() noexcept;
   void clear() noexcept;
 
+  /// All of them side by side, in the order of their arrival, where none has left a hole.
+  bool has_holes() const { return count_ != ids_.size(); }
+  std::span<const std::int64_t> all_ids() const { return ids_; }
+  std::span<const double> all_records() const { return records_; }
+
   /// Calls each(id, record) for every object in the order of their arrival.
   template <class Each>
   void for_each(Each each) const {

@@ -52,6 +52,10 @@ void Store::load_all_anew(Interrupt& interrupt) {
   std::vector<double> records;
   collect_objects(cache_, ids, records, interrupt);
   if (!cache_.waits()) expect_as_mapped(ids.size());
+  if (ids.empty() && !loose_->has_holes()) {
+    tree_->load(loose_->all_ids(), loose_->all_records(), interrupt);
+    return;
+  }
   ids.reserve(ids.size() + loose_->count());
   records.reserve(records.size() + loose_->count() * static_cast<std::size_t>(format_.at.size));
   loose_->for_each([&](std::int64_t id, std::span<const double> record) {
