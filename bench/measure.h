@@ -1,7 +1,13 @@
-// How long does it take? Processor time of this process, repeated, as a median.
+// How long does it take, and how much memory? Processor time of this process, repeated, as a median; the peak
+// of a child process.
 #pragma once
 
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cstdio>
 #include <ctime>
 #include <vector>
 
@@ -19,6 +25,21 @@ double seconds_of(Work&& work) {
   const double begin = cpu_seconds();
   work();
   return cpu_seconds() - begin;
+}
+
+/// The most memory, in bytes, of a process that only does `work`; this one should not have done much yet.
+template <class Work>
+double peak_of(Work&& work) {
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child == 0) {
+    work();
+    _exit(0);
+  }
+  int status = 0;
+  rusage usage{};
+  wait4(child, &status, 0, &usage);
+  return static_cast<double>(usage.ru_maxrss) * 1024;
 }
 
 inline double median(std::vector<double> values) {

@@ -13,15 +13,10 @@
 // Processor time, medians; a ratio is the rival's time over ours in the same repetition. Then the most memory
 // that asking once from a fresh process takes, beyond a process that only opens the file. Fails if the
 // answers differ.
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <functional>
 
+#include "files.h"
 #include "measure.h"
 #include "program.h"
 #include "query/join.h"
@@ -57,28 +52,15 @@ std::string number(double value) {
   return text;
 }
 
-/// One workload in two files, that go away with it.
-class Files {
- public:
-  Files(const Workload& w) : workload(w) {
-    remove();
+/// One workload in two files.
+struct Files : TwoFiles {
+  explicit Files(const Workload& w) : workload(w) {
     Database our_db(ours), rival_db(theirs);
     create_ours(our_db, w);
     load_ours(our_db, w);
     Rival(rival_db, w).load();
   }
-  ~Files() { remove(); }
-  Files(const Files&) = delete;
-  Files& operator=(const Files&) = delete;
-
   const Workload& workload;
-  const std::string ours = std::filesystem::temp_directory_path() / "foresee-bench-ours.db";
-  const std::string theirs = std::filesystem::temp_directory_path() / "foresee-bench-rival.db";
-
- private:
-  void remove() const {
-    for (const std::string& path : {ours, theirs}) std::filesystem::remove(path);
-  }
 };
 
 struct Question {
@@ -147,20 +129,6 @@ double core_seconds(const Workload& w, int repetitions) {
     if (i > 0) seconds.push_back(once);
   }
   return median(seconds);
-}
-
-/// The most memory, in bytes, of a process that only does `work`.
-double peak_of(const std::function<void()>& work) {
-  std::fflush(stdout);
-  const pid_t child = fork();
-  if (child == 0) {
-    work();
-    _exit(0);
-  }
-  int status = 0;
-  rusage usage{};
-  wait4(child, &status, 0, &usage);
-  return static_cast<double>(usage.ru_maxrss) * 1024;
 }
 
 /// In children of a process that has not loaded anything yet, so that their memory is theirs.

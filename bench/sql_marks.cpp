@@ -7,17 +7,18 @@
 //         Then how many they are, and the ten that meet first; the rival's whole join is what these compare
 //         to.
 //   load  S-1000000: as many prepared single-row INSERTs in one transaction, in memory and into a file.
-//         (--quick: 300,000.) Then what the file takes.
+//         (--quick: 300,000.) Then what the file takes, and the most memory of a process that loads it.
 //   update  S-100000 and S-1000000: 100,000 random objects move on by up to half a unit, prepared single-row
-//         UPDATEs in one transaction, into a file. (--quick: S-100000.)
+//         UPDATEs in one transaction, into a file. (--quick: S-100000.) Then the join of the table that has
+//         been updated, beside that of a fresh one of the same objects.
 //
 // Processor time, medians; a ratio is the rival's time over ours in the same repetition. Fails if the two
 // joins differ in a pair or a time.
 #include <cstdio>
-#include <filesystem>
 #include <random>
 #include <string>
 
+#include "files.h"
 #include "measure.h"
 #include "program.h"
 #include "sql_ours.h"
@@ -100,63 +101,102 @@ void print_sizes(const std::string& ours, const std::string& theirs, std::size_t
               per_object(theirs));
 }
 
+/// The objects of a table as they are now.
+Workload stored(Database& db, const Workload& w) {
+  Workload now = w;
+  now.rows.clear();
+  Statement all(db, "SELECT " + columns_of(w) + " FROM ships ORDER BY id");
+  while (all.step())
+    for (int k = 0; k < w.bodies().at.size; ++k) now.rows.push_back(all.number(k));
+  return now;
+}
+
+/// How much longer the join takes because a table has been updated.
+void compare_with_fresh(Database& updated, const Workload& w, int repetitions) {
+  Database fresh(":memory:");
+  create_ours(fresh, w);
+  load_ours(fresh, stored(updated, w));
+  const std::string sql = "SELECT a, b, t FROM predictive_join(3)";
+  Statement of_updated(updated, sql), of_fresh(fresh, sql);
+  const auto seconds_of_all = [](Statement& join) {
+    return seconds_of([&] {
+      while (join.step()) {
+      }
+    });
+  };
+  std::vector<double> ratios;
+  for (int i = 0; i <= 3 * repetitions; ++i) {
+    const double seconds = seconds_of_all(of_updated), as_fresh = seconds_of_all(of_fresh);
+    if (i > 0) ratios.push_back(as_fresh / seconds);
+  }
+  std::printf("  then the join of %s, fresh / updated %.2fx (mark: 0.87x)\n", w.name.c_str(), median(ratios));
+}
+
 void compare_updates(std::size_t count, int repetitions) {
   constexpr int updates = 100000;
   const Workload w = make_workload("S-" + std::to_string(count));
-  const std::filesystem::path folder = std::filesystem::temp_directory_path();
-  const std::string ours = folder / "foresee-bench-ours.db", theirs = folder / "foresee-bench-rival.db";
-  for (const std::string& path : {ours, theirs}) std::filesystem::remove(path);
-  {
-    Database our_db(ours), rival_db(theirs);
-    create_ours(our_db, w);
-    load_ours(our_db, w);
-    Rival rival(rival_db, w);
-    rival.load();
-    Statement move(our_db, "UPDATE ships SET x = ?, y = ? WHERE id = ?");
-    Statement object(rival_db, Rival::move_object_sql), box(rival_db, Rival::move_box_sql);
-    std::mt19937_64 random(7);
-    std::uniform_real_distribution<double> by(-0.5, 0.5);
-    const auto in_one_transaction = [&](Database& db, auto one) {
-      return seconds_of([&] {
-        db.run("BEGIN");
-        for (int i = 0; i < updates; ++i) one(random() % w.count, by(random), by(random));
-        db.run("COMMIT");
-      });
-    };
-    Comparison comparison;
-    for (int i = 0; i < repetitions; ++i) {
-      const double our_seconds = in_one_transaction(our_db, [&](std::size_t row, double dx, double dy) {
-        move.bind(1, w.bodies().row(row)[0] + dx);
-        move.bind(2, w.bodies().row(row)[1] + dy);
-        move.bind(3, static_cast<std::int64_t>(row + 1));
-        move.step();
-      });
-      comparison.add(our_seconds, in_one_transaction(rival_db, [&](std::size_t row, double dx, double dy) {
-                       rival.move(object, box, row, dx, dy);
-                     }));
-    }
-    comparison.print(("update " + w.name).c_str(), updates, 4);
+  const TwoFiles files;
+  Database our_db(files.ours), rival_db(files.theirs);
+  create_ours(our_db, w);
+  load_ours(our_db, w);
+  Rival rival(rival_db, w);
+  rival.load();
+  Statement move(our_db, "UPDATE ships SET x = ?, y = ? WHERE id = ?");
+  Statement object(rival_db, Rival::move_object_sql), box(rival_db, Rival::move_box_sql);
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> by(-0.5, 0.5);
+  const auto in_one_transaction = [&](Database& db, auto one) {
+    return seconds_of([&] {
+      db.run("BEGIN");
+      for (int i = 0; i < updates; ++i) one(random() % w.count, by(random), by(random));
+      db.run("COMMIT");
+    });
+  };
+  Comparison comparison;
+  for (int i = 0; i < repetitions; ++i) {
+    const double our_seconds = in_one_transaction(our_db, [&](std::size_t row, double dx, double dy) {
+      move.bind(1, w.bodies().row(row)[0] + dx);
+      move.bind(2, w.bodies().row(row)[1] + dy);
+      move.bind(3, static_cast<std::int64_t>(row + 1));
+      move.step();
+    });
+    comparison.add(our_seconds, in_one_transaction(rival_db, [&](std::size_t row, double dx, double dy) {
+                     rival.move(object, box, row, dx, dy);
+                   }));
   }
-  for (const std::string& path : {ours, theirs}) std::filesystem::remove(path);
+  comparison.print(("update " + w.name).c_str(), updates, 4);
+  compare_with_fresh(our_db, w, repetitions);
+}
+
+/// In children of a process that has not done much, so that their memory is theirs.
+void print_memory_of_load(const Workload& w) {
+  const double idle = peak_of([&] {
+    const TwoFiles files;
+    Database db(files.ours);
+    create_ours(db, w);
+  });
+  const double loading = peak_of([&] {
+    const TwoFiles files;
+    Database db(files.ours);
+    create_ours(db, w);
+    load_ours(db, w);
+  });
+  std::printf("%-24s foresee %7.1f MB at most, beyond an empty table\n",
+              ("load " + w.name + ", file").c_str(), (loading - idle) / 1e6);
 }
 
 void compare_loads(std::size_t count, int repetitions, bool into_file) {
   const Workload w = make_workload("S-" + std::to_string(count));
-  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  if (into_file) print_memory_of_load(w);
   Comparison comparison;
   for (int i = 0; i < repetitions; ++i) {
-    const std::string ours = into_file ? folder / "foresee-bench-ours.db" : ":memory:";
-    const std::string theirs = into_file ? folder / "foresee-bench-rival.db" : ":memory:";
-    for (const std::string& path : {ours, theirs})
-      if (into_file) std::filesystem::remove(path);
-    Database our_db(ours), rival_db(theirs);
+    const TwoFiles files;
+    Database our_db(into_file ? files.ours : ":memory:"), rival_db(into_file ? files.theirs : ":memory:");
     create_ours(our_db, w);
     Rival rival(rival_db, w);
     const double our_seconds = seconds_of([&] { load_ours(our_db, w); });
     comparison.add(our_seconds, seconds_of([&] { rival.load(); }));
-    if (into_file && i == 0) print_sizes(ours, theirs, w.count);
-    for (const std::string& path : {ours, theirs})
-      if (into_file) std::filesystem::remove(path);
+    if (into_file && i == 0) print_sizes(files.ours, files.theirs, w.count);
   }
   comparison.print(("load " + w.name + (into_file ? ", file" : ", memory")).c_str(), count, 6);
 }
@@ -164,12 +204,12 @@ void compare_loads(std::size_t count, int repetitions, bool into_file) {
 int main_of(const Options& options) {
   const bool quick = options.has("--quick"), joins = options.has("--joins"), loads = options.has("--loads"),
              updates = options.has("--updates"), all = !joins && !loads && !updates;
+  if (all || loads)
+    for (bool into_file : {true, false}) compare_loads(quick ? 300000 : 1000000, quick ? 1 : 3, into_file);
   if ((all || joins) && !compare_joins(100000, quick ? 5 : 15)) {
     std::fprintf(stderr, "the two joins differ\n");
     return 1;
   }
-  if (all || loads)
-    for (bool into_file : {false, true}) compare_loads(quick ? 300000 : 1000000, quick ? 1 : 3, into_file);
   if (all || updates) {
     compare_updates(100000, quick ? 1 : 5);
     if (!quick) compare_updates(1000000, 3);

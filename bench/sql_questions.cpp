@@ -12,9 +12,9 @@
 // holds other objects there than here. (--quick: without S-1000000.)
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <random>
 
+#include "files.h"
 #include "measure.h"
 #include "program.h"
 #include "sql_ours.h"
@@ -171,10 +171,8 @@ void measure_nearest(Tables& tables, const Workload& w, int repetitions) {
 
 /// From opening the file to the first row of a window.
 void compare_opening(const Workload& w, int repetitions) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path();
-  const std::string ours = folder / "foresee-bench-ours.db", theirs = folder / "foresee-bench-rival.db";
-  for (const std::string& path : {ours, theirs}) std::filesystem::remove(path);
-  { Tables tables(w, ours, theirs); }
+  const TwoFiles files;
+  { Tables tables(w, files.ours, files.theirs); }
   std::vector<double> our_times, rival_times, ratios;
   const auto first_row = [&](const std::string& path, bool is_ours) {
     return seconds_of([&] {
@@ -190,12 +188,11 @@ void compare_opening(const Workload& w, int repetitions) {
     });
   };
   for (int i = 0; i < repetitions; ++i) {
-    our_times.push_back(first_row(ours, true));
-    rival_times.push_back(first_row(theirs, false));
+    our_times.push_back(first_row(files.ours, true));
+    rival_times.push_back(first_row(files.theirs, false));
     ratios.push_back(rival_times.back() / our_times.back());
   }
   print(("first row, " + w.name).c_str(), median(our_times), median(rival_times), median(ratios), 0.5);
-  for (const std::string& path : {ours, theirs}) std::filesystem::remove(path);
 }
 
 int main_of(const Options& options) {
