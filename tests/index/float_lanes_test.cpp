@@ -7,6 +7,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstring>
 
+#include "index/gpcd_grid/sort_keys.h"
 #include "motion/beam.h"
 #include "motion/simd.h"
 #include "scenes.h"
@@ -96,6 +97,8 @@ TEST(FloatLanes, ContainTheBoxesAndMeetTheirStripes) {
           EXPECT_EQ(lanes.inside[l], !box.is_empty() && !giant);
           EXPECT_EQ(lanes.giant[l], !box.is_empty() && giant);
           if (!lanes.inside[l]) continue;
+          EXPECT_EQ(gpcd::Key{lanes.order[l]} << 32 | l,
+                    gpcd::key_of(box.lower[0], static_cast<std::uint32_t>(l)));
           EXPECT_EQ(static_cast<int>(lanes.first[l]), partition.axis[1].index(box.lower[1]));
           EXPECT_EQ(static_cast<int>(lanes.first[l] + lanes.more_y[l]),
                     partition.axis[1].index(box.upper[1]));
