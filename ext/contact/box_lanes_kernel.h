@@ -42,9 +42,10 @@ double first_root(double c, double w, double k) {
   }
 }
 
-/// Lower bound of c + w s + k s^2 where it bends upwards: what it is at its lowest point.
-inline double lowest(double c, double w, double k) {
-  return k > 0 ? c - w * (w / (4 * k)) : -never;
+/// What c + w s + k s^2 is at its lowest point; -inf if it bends downwards. Where that is above 0, w^2 / 4k
+/// is below c: its roundings are among those of magnitudes. Nothing overflows but towards -inf.
+inline double bottom(double c, double w, double k) {
+  return k > 0 ? c - w * (0.25 * (w / k)) : -never;
 }
 
 /// Bound on the error of a place, from what the course itself is off by and the magnitudes behind it.
@@ -91,7 +92,7 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
     const double reach = before * (size_of(slope) + before * size_of(bend));
     const double lost_before = error_bound(lost + before * lost_slope, size + reach);
     const double at_before = gap + before * (slope + before * bend);
-    const double between = greatest(gap + 0.5 * before * slope, lowest(gap, slope, bend));
+    const double between = greatest(gap + 0.5 * before * slope, bottom(gap, slope, bend));
     const double apart_before = least(least(gap, between), at_before) - lost_before;
 
     double inside_after = never, apart_after = -never;
@@ -106,7 +107,7 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
       const double here = place(j, before), side = here < 0 ? -1 : 1;
       const double first = side * here - half, last = side * place(j, end) - half;
       const double speed = side * (v + 2 * before * a);
-      const double middle = greatest(first + 0.5 * (end - before) * speed, lowest(first, speed, side * a));
+      const double middle = greatest(first + 0.5 * (end - before) * speed, bottom(first, speed, side * a));
       const double apart = least(least(first, middle), last) - error(j, end, magnitude(j, end));
       apart_after = greatest(apart_after, apart);
     }

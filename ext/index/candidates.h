@@ -24,7 +24,7 @@ class Candidates {
   virtual ~Candidates() = default;
 
   /// Appends the next candidates to `out`; false once there are none left (then nothing is appended).
-  /// A batch is a few thousand pairs, so that memory stays small and the first rows come early; it may be
+  /// A batch is some hundred pairs or a few thousand, so that memory stays small and the first rows come early; it may be
   /// empty.
   virtual bool next(std::vector<Pair>& out) = 0;
 

@@ -87,6 +87,17 @@ void beams(const Bodies& bodies, std::size_t first, std::size_t count, const Hor
   at.a == Offsets::absent ? find_beams<D, false>(out, count, grow) : find_beams<D, true>(out, count, grow);
 }
 
+bool all_exist_at_begin(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt) {
+  if (bodies.at.t == Offsets::absent) return horizon.now >= 0;
+  bool late = false;
+  for (std::size_t i = 0; i < bodies.count && !late; ++i) {
+    if (i % objects_per_check == 0) interrupt.check();
+    const double t = bodies.row(i)[bodies.at.t];
+    late = t > horizon.now && !(t - horizon.now > horizon.h);
+  }
+  return !late;
+}
+
 bool all_exist_throughout(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt) {
   const Offsets& at = bodies.at;
   if (at.t == Offsets::absent && at.until == Offsets::absent && horizon.now >= 0) return true;

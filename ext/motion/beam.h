@@ -59,6 +59,9 @@ template <int D>
 void beams(const Bodies& bodies, std::size_t first, std::size_t count, const Horizon& horizon,
            const Vec<D>& margin, BeamLanes<D>& out);
 
+/// Whether every body that exists during the horizon is there when it begins.
+bool all_exist_at_begin(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt);
+
 /// Whether every body that exists during the horizon does so at each of its moments.
 bool all_exist_throughout(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt);
 

@@ -2,6 +2,8 @@
 // every moment of [now, now + h] at which the object exists, turning points of accelerated motion included
 // (GPCD step 1).
 //
+// And where is it for certain, at one moment? core_box(), rounded inward.
+//
 // Bounds are rounded outward, so an index that compares swept boxes never loses a pair. An object that does
 // not exist during the horizon has the empty box (lower = +inf, upper = -inf), which meets nothing. Bounds
 // that no double holds are infinite. Cost: some tens of flops per axis.

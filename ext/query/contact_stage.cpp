@@ -25,7 +25,7 @@ void ContactStage::ask(const Candidates& candidates, std::vector<Pair>& batch, c
   constexpr double inf = std::numeric_limits<double>::infinity();
   const bool all_times = slab.from == -inf && slab.before == inf && question_.asks_about_all_times();
   const bool times_matter = !all_times || question_.wants.contact || question_.order != JoinOrder::any;
-  hits.clear();
+  const std::size_t before = hits.pairs.size();
   // Where some are left out or not reached, only the others need an end.
   hits.with_ends = all_times && question_.order == JoinOrder::any && question_.wants.ends;
   if (candidates.touching() && !hits.with_ends) {
@@ -42,7 +42,7 @@ void ContactStage::ask(const Candidates& candidates, std::vector<Pair>& batch, c
       contact_->decide(pairs, hits.pairs);
   });
   hits.times.resize(hits.pairs.size());
-  if (!all_times) keep_asked_times(slab, hits);
+  if (!all_times) keep_asked_times(slab, before, hits);
 }
 
 /// Whether those that touch when the slab begins are rows of it: others belong to an earlier slab.
@@ -55,8 +55,8 @@ bool ContactStage::asks_about_begin(const TimeSlab& slab) const {
 void ContactStage::take_touching(std::vector<Pair>& batch, Hits& hits) const {
   const double now = question_.now;
   keep_asked_pairs(batch);
-  hits.pairs.swap(batch);
-  hits.times.assign(hits.pairs.size(), {now, now, 0, 0});
+  hits.pairs.insert(hits.pairs.end(), batch.begin(), batch.end());
+  hits.times.resize(hits.pairs.size(), {now, now, 0, 0});
 }
 
 namespace {
@@ -88,9 +88,10 @@ void ContactStage::keep_asked_pairs(std::vector<Pair>& batch) const {
   });
 }
 
-void ContactStage::keep_asked_times(const TimeSlab& slab, Hits& hits) const {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < hits.pairs.size(); ++i) {
+/// From hit number `first` on.
+void ContactStage::keep_asked_times(const TimeSlab& slab, std::size_t first, Hits& hits) const {
+  std::size_t kept = first;
+  for (std::size_t i = first; i < hits.pairs.size(); ++i) {
     const ContactTimes& times = hits.times[i];
     if (!slab.holds(times.t) || !question_.asked_t.holds(times.t) || !question_.asked_dt.holds(times.dt))
       continue;
@@ -138,6 +139,7 @@ void ContactStage::answer(const Candidates& candidates, std::vector<Pair>& batch
     if (asks_about_begin(slab)) write_touching(batch, rows);
     return;
   }
+  hits_.clear();
   ask(candidates, batch, slab, hits_);
   write(hits_, rows);
 }

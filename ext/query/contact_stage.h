@@ -30,7 +30,7 @@ class ContactStage {
 
   Contact::Reach reach() const { return contact_->reach(); }
 
-  /// Puts those of the last batch that are hits and that `slab` holds into `hits`, in order; the batch is
+  /// Appends those of the last batch that are hits and that `slab` holds to `hits`, in order; the batch is
   /// lost. Ends may be left for write(). Times are computed where they are read or decide, and where it is
   /// not certain what they are.
   void ask(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab, Hits& hits);
@@ -49,7 +49,7 @@ class ContactStage {
   void take_touching(std::vector<Pair>& batch, Hits& hits) const;
   void write_touching(std::span<const Pair> batch, std::vector<JoinRow>& rows) const;
   void keep_asked_pairs(std::vector<Pair>& batch) const;
-  void keep_asked_times(const TimeSlab& slab, Hits& hits) const;
+  void keep_asked_times(const TimeSlab& slab, std::size_t first, Hits& hits) const;
   void add_ends(Hits& hits);
 
   const JoinQuestion& question_;

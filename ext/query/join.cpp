@@ -88,6 +88,7 @@ struct Join::Progress {
       stage.answer(*candidates, pairs, *slab, rows);
       return true;
     }
+    hits.clear();
     stage.ask(*candidates, pairs, *slab, hits);
     sorted.add(hits);
     return true;

@@ -16,7 +16,7 @@ namespace foresee {
 namespace {
 
 constexpr std::size_t parts_ahead_per_thread = 16;
-constexpr std::size_t batches_ahead = 8;   // of a part; a batch is at most some thousand rows
+constexpr std::size_t batches_ahead = 3;   // of a part
 constexpr std::size_t rows_enough = 4096;  // for a batch: handing one over costs some microseconds
 constexpr std::chrono::milliseconds between_checks{1};
 
@@ -83,7 +83,7 @@ struct SlabHelpers::Shared {
     SlabBatch batch;
     for (bool more = true; more;) {
       more = answer_some(*part, stage, pairs, batch);
-      if (more ? !is_full(batch) : is_empty(batch)) continue;
+      if (size_of(batch) < (more ? rows_enough : 1)) continue;
       std::unique_lock lock(mutex);
       changed.wait(lock, [&] { return stop.stopped() || has_room(i); });
       stop.check();
@@ -91,17 +91,13 @@ struct SlabHelpers::Shared {
     }
   }
 
-  bool is_empty(const SlabBatch& batch) const {
-    return sorts ? batch.hits.pairs.empty() : batch.rows.empty();
-  }
-  bool is_full(const SlabBatch& batch) const {
-    return sorts ? !batch.hits.pairs.empty() : batch.rows.size() >= rows_enough;
+  std::size_t size_of(const SlabBatch& batch) const {
+    return sorts ? batch.hits.pairs.size() : batch.rows.size();
   }
 
-  /// Adds to the batch's rows, or fills it with hits; false behind the end of the part.
+  /// Appends to the batch; false behind the end of the part.
   bool answer_some(Candidates& part, ContactStage& stage, std::vector<Pair>& pairs, SlabBatch& batch) const {
     pairs.clear();
-    batch.hits.clear();
     if (!part.next(pairs)) return false;
     sorts ? stage.ask(part, pairs, slab, batch.hits) : stage.answer(part, pairs, slab, batch.rows);
     return true;
@@ -115,7 +111,7 @@ struct SlabHelpers::Shared {
     if (!spares.empty()) {
       spare = std::move(spares.back());
       spares.pop_back();
-      spare.rows.clear();
+      spare.hits.clear(), spare.rows.clear();
     }
     return spare;
   }
@@ -155,7 +151,8 @@ struct SlabHelpers::Shared {
     const bool more = answer_some(*own.part, own.stage, own.pairs, own.batch);
     if (!more) own.part.reset();
     const std::lock_guard lock(mutex);
-    if (more ? is_full(own.batch) : !is_empty(own.batch))
+    // Whoever waits for this part is not made to wait for more.
+    if (size_of(own.batch) >= (more && own.number > read ? rows_enough : 1))
       own.batch = hand_over(own.number, std::move(own.batch));
     if (!more) parts[own.number].done = true;
   }

@@ -5,9 +5,10 @@
 //   while (helpers.next(batch)) …                        // in the order of one thread
 //
 // Helpers never call SQLite. Each takes the next part of the grid; a part that is not yet read waits once it
-// has some thousand rows, and nobody runs far ahead, so memory stays bounded. The caller reads what is there;
-// where there is nothing yet it takes a part too, and goes on with it between two batches. What a helper
-// throws, next() throws in its place among the batches; what the caller's own part throws, at once.
+// has some ten thousand rows, and nobody runs far ahead, so memory stays bounded. The caller reads what is
+// there; where there is nothing yet it takes a part too, and goes on with it between two batches. What a
+// helper throws, next() throws after the batches that it has handed over; what the caller's own part throws,
+// at once.
 #pragma once
 
 #include "query/contact_stage.h"

@@ -200,6 +200,42 @@ TEST(BoxLanes, AreNotCertainWhereErrorBoundsOverflow) {
   EXPECT_GT(misses, 300);
 }
 
+/// Two that come close, turn where they are nearest, and go apart: the moment at which they would touch has
+/// no root to guess, and a stretch around the turn is certified by its lowest point alone.
+TEST(BoxLanes, KnowTheLowestPointOfAParabola) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> number(0.1, 2), closeness(1, 54);
+  Certain certain;
+  for (int i = 0; i < 4000; ++i) {
+    Case c;
+    c.a = object(2, Shape::box), c.b = object(2, Shape::box);
+    const double turn = number(random), a = number(random), half = number(random);
+    const double beside = std::exp2(-closeness(random)) * (i % 2 ? 1 : -1);
+    c.question = {.horizon = {0, turn * (1 + number(random))}};
+    c.b.x[0] = (half + 0.5 * a * turn * turn) * (1 + beside), c.b.v[0] = -a * turn, c.b.a[0] = a;
+    c.b.half[0] = half, c.b.half[1] = 2;
+    if (i % 4 >= 2) c.b.x[1] = 3, c.b.v[1] = -4 / turn;  // meets in y first
+    LaneOfPair<2>(c).check(certain);
+  }
+  EXPECT_GT(certain.misses, 1500);
+  EXPECT_GT(certain.first, 500);
+}
+
+/// Also where four times the acceleration is no number.
+TEST(BoxLanes, KnowTheLowestPointOfTheLargestAccelerations) {
+  for (double a = 0x1p1020; std::isfinite(a); a *= 2)
+    for (int bits : {40, 100, 400}) {
+      const double h = std::exp2(-bits), k = 0.5 * a;
+      Case c;
+      c.a = object(1, Shape::box), c.b = object(1, Shape::box);
+      c.question = {.horizon = {0, h}};
+      c.b.x[0] = k * (0.3 * h) * (0.7 * h), c.b.v[0] = -k * h, c.b.a[0] = a;
+      const bool touches = LaneOfPair<1>(c).touches();
+      EXPECT_TRUE(touches) << c;
+      EXPECT_EQ(contact(c.a, c.b, c.question).has_value(), touches) << c;
+    }
+}
+
 struct Answers {
   std::vector<Pair> decided, hits;
   std::vector<ContactTimes> times;

@@ -25,6 +25,10 @@ std::vector<double> numbers_in_order(const JoinQuestion& question) {
   std::vector<JoinRow> all;
   for (auto rows = join.next(); !rows.empty(); rows = join.next())
     all.insert(all.end(), rows.begin(), rows.end());
+  for (JoinRow& row : all) {  // what is not wanted may be anything
+    if (!question.wants.ends) row.contact.t_end = row.contact.dt_end = 0;
+    if (!question.wants.approach) row.approach = {};
+  }
   return numbers_of(all);
 }
 
@@ -58,10 +62,16 @@ TEST(JoinHelpers, MeetManyGiantsFromAnyStripeOn) {
     for (int axis = 0; axis < 2; ++axis)
       scene.rows[i * size + static_cast<std::size_t>(at.half + axis)] *= 200;
   JoinQuestion question{.a = scene_of(scene), .now = scene.now, .h = scene.h};
-  const auto alone = numbers_in_order(question);
-  question.helpers = 2;
-  EXPECT_TRUE(plan_join(question, {}).with_helpers);
-  EXPECT_EQ(numbers_in_order(question), alone);
+  for (bool begins_alone : {false, true})
+    for (JoinOrder order : {JoinOrder::any, JoinOrder::by_t_and_ids}) {
+      question.order = order, question.helpers = 0;
+      question.wants = {.ends = !begins_alone, .approach = !begins_alone};
+      const auto alone = numbers_in_order(question);
+      EXPECT_GT(alone.size(), 100000u);
+      question.helpers = 2;
+      EXPECT_TRUE(plan_join(question, {}).with_helpers);
+      EXPECT_EQ(numbers_in_order(question), alone);
+    }
 }
 
 TEST(JoinHelpers, AreLeftAloneBySmallScenes) {

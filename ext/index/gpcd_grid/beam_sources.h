@@ -21,7 +21,7 @@ class BeamSource {
   /// Appends the beams of some rows.
   virtual void sample(std::span<const std::size_t> rows, std::vector<Beam<D>>& out) const = 0;
   /// Whether all that have a box are there when the horizon begins.
-  virtual bool all_begin() const = 0;
+  virtual bool all_begin(Interrupt& interrupt) const = 0;
   /// What row i covers then: all that lies in it touches the row.
   virtual Box<D> core(std::size_t i) const = 0;
 };
@@ -31,10 +31,8 @@ template <int D>
 class MovingSource final : public BeamSource<D> {
  public:
   MovingSource(const MovingBoxes<D>& boxes, Interrupt& interrupt) : boxes_(boxes) {
-    const bool lasts = boxes.horizon.h > 0;
-    all_begin_ = !lasts || all_exist_throughout(boxes.bodies, boxes.horizon, interrupt);
-    columns_.travel = lasts && boxes.bodies.layout.law != Law::rest;
-    columns_.life = columns_.travel && !all_begin_;
+    columns_.travel = boxes.horizon.h > 0 && boxes.bodies.layout.law != Law::rest;
+    columns_.life = columns_.travel && !all_exist_throughout(boxes.bodies, boxes.horizon, interrupt);
   }
   std::size_t count() const override { return boxes_.bodies.count; }
   Columns columns() const override { return columns_; }
@@ -53,13 +51,14 @@ class MovingSource final : public BeamSource<D> {
       for (std::size_t l = 0; l < count; ++l) out.push_back(beam_at(lanes, l));
     }
   }
-  bool all_begin() const override { return all_begin_; }
+  bool all_begin(Interrupt& interrupt) const override {
+    return all_exist_at_begin(boxes_.bodies, boxes_.horizon, interrupt);
+  }
   Box<D> core(std::size_t i) const override { return core_box<D>(boxes_.bodies, i, boxes_.horizon.now); }
 
  private:
   const MovingBoxes<D>& boxes_;
   Columns columns_;
-  bool all_begin_;
 };
 
 template <int D>
@@ -74,7 +73,7 @@ class RestingSource final : public BeamSource<D> {
   void sample(std::span<const std::size_t> rows, std::vector<Beam<D>>& out) const override {
     for (std::size_t i : rows) out.push_back(beam(i));
   }
-  bool all_begin() const override { return true; }
+  bool all_begin(Interrupt&) const override { return true; }
   Box<D> core(std::size_t i) const override { return boxes_[i]; }
 
  private:

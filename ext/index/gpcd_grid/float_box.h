@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace foresee {
@@ -25,6 +26,12 @@ struct FloatBox {
   float lower[D];
   float upper[D];
 
+  static FloatBox empty() {
+    constexpr float inf = std::numeric_limits<float>::infinity();
+    FloatBox box;
+    std::fill_n(box.lower, D, inf), std::fill_n(box.upper, D, -inf);
+    return box;
+  }
   bool is_empty() const { return !(lower[0] <= upper[0]); }
   float extent(int axis) const { return upper[axis] - lower[axis]; }
 };

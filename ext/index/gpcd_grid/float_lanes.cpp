@@ -40,9 +40,23 @@ std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>> beams, const Frame<D>
   return boxes;
 }
 
+template <int D>
+FloatBox<D> round_inward(const Box<D>& box, const Frame<D>& frame) {
+  FloatBox<D> out;
+  for (int axis = 0; axis < D; ++axis) {
+    const double scale = frame.scale[axis], origin = frame.scaled_origin[axis];
+    const double lower = box.lower[axis] * scale - origin, upper = box.upper[axis] * scale - origin;
+    const double size = greatest(size_of(lower), size_of(upper)), room = size * 0x1p-18 + 0x1p-40;
+    if (!(size < too_large && lower + room < upper - room)) return FloatBox<D>::empty();
+    out.lower[axis] = static_cast<float>(lower + room), out.upper[axis] = static_cast<float>(upper - room);
+  }
+  return out;
+}
+
 #define FORESEE_FLOATS_OF_AXES(D)                                                                          \
   template void round_outward(const BeamLanes<D>&, std::size_t, const Frame<D>&, Columns, FloatLanes<D>&); \
   template std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>>, const Frame<D>&, Columns);          \
+  template FloatBox<D> round_inward(const Box<D>&, const Frame<D>&);                                       \
   template void find_stripes(FloatLanes<D>&, std::size_t, const Partition<D>&)
 FORESEE_FLOATS_OF_AXES(1);
 FORESEE_FLOATS_OF_AXES(2);

@@ -15,6 +15,11 @@
 #include "index/gpcd_grid/cell_size.h"
 #include "motion/beam_lanes.h"
 
+namespace foresee {
+template <int D>
+struct Box;
+}
+
 namespace foresee::gpcd {
 
 template <int D>
@@ -50,6 +55,11 @@ void round_outward(const BeamLanes<D>& beams, std::size_t count, const Frame<D>&
 /// The same for a few beams.
 template <int D>
 std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>> beams, const Frame<D>& frame, Columns columns);
+
+/// A float box that lies within `box` by 2^-18 of its coordinates; empty if none does, or if the test of time
+/// could not compute with it.
+template <int D>
+FloatBox<D> round_inward(const Box<D>& box, const Frame<D>& frame);
 
 /// Requires: partition.stripes() < 2^32.
 template <int D>

@@ -1,33 +1,7 @@
 #include "index/gpcd_grid/giants.h"
 
-#include <cmath>
-#include <limits>
-
 namespace foresee::gpcd {
 namespace {
-
-template <int D>
-FloatBox<D> empty_box() {
-  constexpr float inf = std::numeric_limits<float>::infinity();
-  FloatBox<D> box;
-  std::fill_n(box.lower, D, inf), std::fill_n(box.upper, D, -inf);
-  return box;
-}
-
-/// Many times what the scan's arithmetic can lose (scan_kernel.h) stays outside.
-template <int D>
-FloatBox<D> inward(const Box<D>& box, const Frame<D>& frame) {
-  constexpr double too_large = 0x1p59;
-  FloatBox<D> out;
-  for (int axis = 0; axis < D; ++axis) {
-    const double scale = frame.scale[axis], origin = frame.scaled_origin[axis];
-    const double lower = box.lower[axis] * scale - origin, upper = box.upper[axis] * scale - origin;
-    const double size = std::max(std::abs(lower), std::abs(upper)), room = size * 0x1p-18 + 0x1p-40;
-    if (!(size < too_large && lower + room < upper - room)) return empty_box<D>();
-    out.lower[axis] = static_cast<float>(lower + room), out.upper[axis] = static_cast<float>(upper - room);
-  }
-  return out;
-}
 
 /// Whether boxes of the usual size fit into a core.
 template <int D>
@@ -41,14 +15,10 @@ bool has_room(const FloatBox<D>& core, const Partition<D>& partition) {
 }  // namespace
 
 template <int D>
-Giants<D>::Giants(const BeamSource<D>& source, const Frame<D>& frame, bool cores,
-                  const Partition<D>& partition, const Stripes<D>& stripes, Interrupt& interrupt) {
+Giants<D>::Giants(const Partition<D>& partition, const Stripes<D>& stripes, Interrupt& interrupt) {
   for (std::uint32_t id : stripes.giants()) {
     const FloatBox<D> box = stripes.rows().box(id);
-    Place place{key_of(box.lower[0], id), {0, 0}, {0, 0}, empty_box<D>()};
-    if (cores) place.core = inward(source.core(id), frame);
-    if (!has_room(place.core, partition)) place.core = empty_box<D>();
-    any_core_ |= !place.core.is_empty();
+    Place place{key_of(box.lower[0], id), {0, 0}, {0, 0}, FloatBox<D>::empty()};
     if constexpr (D > 1) place.y = stripe_range(partition, box, 1);
     if constexpr (D > 2) place.z = stripe_range(partition, box, 2);
     waiting_.push_back(place);
@@ -58,6 +28,17 @@ Giants<D>::Giants(const BeamSource<D>& source, const Frame<D>& frame, bool cores
   std::sort(waiting_.begin(), waiting_.end(), [](const Place& a, const Place& b) {
     return a.y.first != b.y.first ? a.y.first > b.y.first : a.key > b.key;
   });
+}
+
+template <int D>
+void Giants<D>::find_cores(const BeamSource<D>& source, const Frame<D>& frame,
+                           const Partition<D>& partition) {
+  for (Place& place : waiting_) {
+    const FloatBox<D> core = round_inward(source.core(id_of(place.key)), frame);
+    if (!has_room(core, partition)) continue;
+    place.core = core;
+    any_core_ = true;
+  }
 }
 
 template <int D>

@@ -26,9 +26,10 @@ struct Cores {
 template <int D>
 class Giants {
  public:
-  /// Without `cores` nothing is known to touch.
-  Giants(const BeamSource<D>& source, const Frame<D>& frame, bool cores, const Partition<D>& partition,
-         const Stripes<D>& stripes, Interrupt& interrupt);
+  Giants(const Partition<D>& partition, const Stripes<D>& stripes, Interrupt& interrupt);
+
+  /// Before stripes are visited. Requires: all that the giants meet are there when the horizon begins.
+  void find_cores(const BeamSource<D>& source, const Frame<D>& frame, const Partition<D>& partition);
 
   /// All giants, sorted along x.
   std::span<const Key> all() const { return sorted_; }

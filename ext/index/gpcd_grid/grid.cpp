@@ -9,7 +9,7 @@ constexpr std::size_t sample_max = 512;
 /// At most every sixteenth box, so that small scenes do not pay for statistics.
 constexpr std::size_t sample_share = 16;
 constexpr std::size_t sample_enough = 64;
-constexpr std::size_t pairs_per_batch = 512;
+constexpr std::size_t pairs_per_batch = 512;      // what becomes of them fits the first cache
 constexpr std::size_t steps_per_batch = 1 << 17;  // about a millisecond
 
 /// Non-empty beams of both sides, one from each of some hundred equal parts, not at equal distances.
@@ -48,13 +48,15 @@ Grid<D>::Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, 
   const Columns columns = columns_of(a, b, frame);
   const std::vector<FloatBox<D>> boxes = boxes_of(std::span<const Beam<D>>(sample), frame, columns);
   partition_ = choose_partition(std::span<const FloatBox<D>>(boxes), a.count() + (b ? b->count() : 0));
-  const bool cores = a.all_begin() && (!b || b->all_begin());
   for (int axis = 1; axis < D; ++axis)
     stripe_height_[axis] = 1 / static_cast<double>(partition_.axis[axis].per_unit) / frame.scale[axis];
   for (const BeamSource<D>* source : {&a, b})
     if (source)
-      sides_.push_back(std::make_unique<Side>(*source, frame, columns, cores, partition_,
-                                              space.sides[sides_.size()], helpers, interrupt));
+      sides_.push_back(std::make_unique<Side>(*source, frame, columns, partition_, space.sides[sides_.size()],
+                                              helpers, interrupt));
+  if (giant_count() == 0 || !a.all_begin(interrupt) || (b && !b->all_begin(interrupt))) return;
+  sides_[0]->giants.find_cores(a, frame, partition_);
+  if (b) sides_[1]->giants.find_cores(*b, frame, partition_);
 }
 
 template <int D>
@@ -148,7 +150,8 @@ void GridVisit<D>::open_stripe(std::size_t number) {
 
 template <int D>
 void GridVisit<D>::scan_giants(const LaneView<D>& crossing, const LaneView<D>& inside, bool swap) {
-  if (!crossing.core_lower[0]) {
+  constexpr std::size_t worth_two_batches = 64;
+  if (!crossing.core_lower[0] || crossing.size * inside.size < worth_two_batches) {
     scans_.push_back(scan_between(crossing, inside, swap));
     return;
   }

@@ -26,11 +26,11 @@ class Grid {
  public:
   /// The objects of one side of the join.
   struct Side {
-    Side(const BeamSource<D>& source, const Frame<D>& frame, Columns columns, bool cores,
-         const Partition<D>& partition, GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
+    Side(const BeamSource<D>& source, const Frame<D>& frame, Columns columns, const Partition<D>& partition,
+         GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
         : rows(source.count(), columns, memory.rows),
           stripes(source, frame, partition, rows, memory, helpers, interrupt),
-          giants(source, frame, cores, partition, stripes, interrupt) {}
+          giants(partition, stripes, interrupt) {}
     FloatRows<D> rows;
     Stripes<D> stripes;
     Giants<D> giants;

@@ -21,6 +21,7 @@ void Lanes<D>::make_room(std::size_t count, Columns columns) {
   room_ = (count + lanes_max + line - 1) / line * line;
   const auto width = static_cast<std::size_t>(FloatRows<D>::width(columns));
   floats_ = memory_.floats.room(room_ * (width + (columns.travel ? 2 * D : 0)));
+  movers_ = floats_ + room_ * width;
   classes_ = memory_.words.room(2 * room_);
   ids_ = classes_ + room_;
   view_.size = count;
@@ -81,8 +82,7 @@ void Lanes<D>::copy_rows(const FloatRows<D>& rows, Interrupt& interrupt) {
 /// What the test of time needs of each beam, once and not in every step.
 template <int D>
 void Lanes<D>::find_movers() {
-  const auto width = static_cast<std::size_t>(view_.begin ? 3 * D + 2 : 3 * D);
-  float* column = floats_ + width * room_;
+  float* column = movers_;
   for (int k = 0; k < D; ++k, column += 2 * room_) {
     float *centre = column, *extent = column + room_;
     const float *lower = view_.lower[k], *upper = view_.upper[k], *travel = view_.travel[k];

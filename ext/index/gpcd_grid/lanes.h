@@ -49,6 +49,7 @@ class Lanes {
   GridSpace::Visit::Lanes& memory_;
   LaneView<D> view_;
   float* floats_ = nullptr;
+  float* movers_ = nullptr;  // behind the columns that are copied
   std::uint32_t* classes_ = nullptr;
   std::uint32_t* ids_ = nullptr;
   std::size_t room_ = 0;  // lanes in a column

@@ -11,8 +11,8 @@
 //   |m_i| > r_i + |d_i|     or     |m_i d_j - m_j d_i| > r_i |d_j| + r_j |d_i|
 //
 // for some axes i, j: no division, no case for d = 0, and NaN keeps the pair. The first is also what the
-// swept boxes could tell, and more, so nobody asks them. Where objects exist for a part of the horizon, the
-// segment is cut to the time that both do.
+// swept boxes could tell, and more (but for NaN), so nobody asks them. Where objects exist for a part of the
+// horizon, the segment is cut to the time that both do.
 //
 // Nothing is lost to rounding. All terms are sums of at most three products of at most three factors, and a
 // pair that touches has |m_i| <= r_i + |d_i|: so each side is off by less than 2^-21 (r_i + |w_i|)(|d_j|) and
@@ -87,8 +87,10 @@ template <class V, int D, Time time>
                             size[i] * abs_half[j] + size[j] * abs_half[i]);
 }
 
-/// Those that lie in the core of row i when the horizon begins; none whose numbers are NaN. A core has lost
-/// 2^-18 of its coordinates on every side, far more than is lost here.
+/// Those that lie in the core of row i when the horizon begins; none whose numbers are NaN. What is lost
+/// here, some 2^-22 of coordinate, extent and travel, is a part of the room that the lane has on its own side
+/// (2^-20 of extent and travel; float_lanes_kernel.h) and the core on its (2^-18 of the coordinates). So what
+/// counts as covered is: it touches, and its box begins before the core ends.
 template <class V, int D, Time time>
 [[gnu::always_inline]] inline void keep_covered(const LaneView<D>& rows, std::size_t i,
                                                 const Beams<V, D, time>& lanes, typename V::Mask& kept) {
@@ -187,7 +189,7 @@ std::size_t run_with(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
   else if (!scan.lanes->begin)
     written = run_kept<V, D, Time::horizon>(scan, out, room, steps);
   else
-    written = run_rows<V, D, Time::life, Keep::all>(scan, out, room, steps);  // nothing is known to be there
+    written = run_kept<V, D, Time::life>(scan, out, room, steps);
   if (scan.swap)
     for (std::size_t i = 0; i < written; ++i) out[i] = {out[i].b, out[i].a};
   return written;
