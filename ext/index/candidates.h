@@ -24,8 +24,8 @@ class Candidates {
   virtual ~Candidates() = default;
 
   /// Appends the next candidates to `out`; false once there are none left (then nothing is appended).
-  /// A batch is some hundred pairs or a few thousand, so that memory stays small and the first rows come early; it may be
-  /// empty.
+  /// A batch is some hundred pairs or a few thousand, so that memory stays small and the first rows come
+  /// early; it may be empty.
   virtual bool next(std::vector<Pair>& out) = 0;
 
   /// Whether it is certain that all pairs of the last batch touch when the horizon begins: none needs a look.
