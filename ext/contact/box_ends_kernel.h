@@ -75,10 +75,13 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
 }
 
 template <int D, int Degree>
-constexpr BoxKernel<D, Degree> kernel_here{
-    settle_here<D, Degree>,  settle_rows_here<D, Degree>, take_crossings<D, Degree, BoxLanes<D, Degree>>,
-    find_crossings<Way::in>, settle_ends_here<D, Degree>, take_crossings<D, Degree, EndLanes>,
-    find_crossings<Way::out>};
+constexpr BoxKernel<D, Degree> kernel_here{settle_here<D, Degree>,
+                                           settle_rows_here<D, Degree>,
+                                           take_crossings<D, Degree, BoxLanes<D, Degree>>,
+                                           find_crossings<Way::in, Degree>,
+                                           settle_ends_here<D, Degree>,
+                                           take_crossings<D, Degree, EndLanes>,
+                                           find_crossings<Way::out, Degree>};
 
 }  // namespace
 }  // namespace foresee

@@ -42,10 +42,24 @@ double first_root(double c, double w, double k) {
   }
 }
 
+/// x + v s + a s^2; of degree 1 without the last.
+template <int Degree>
+double place_at(double x, double v, double a, double s) {
+  if constexpr (Degree < 2) return x + s * v;
+  return x + s * (v + s * a);
+}
+
 /// What c + w s + k s^2 is at its lowest point; -inf if it bends downwards. Where that is above 0, w^2 / 4k
 /// is below c: its roundings are among those of magnitudes. Nothing overflows but towards -inf.
 inline double bottom(double c, double w, double k) {
   return k > 0 ? c - w * (0.25 * (w / k)) : -never;
+}
+
+/// What it does not fall below from 0 to `length`, where it is `last`. A line is lowest at an end.
+template <int Degree>
+double floor_of(double c, double w, double k, double length, double last) {
+  if constexpr (Degree < 2) return least(c, last);
+  return least(least(c, greatest(c + 0.5 * length * w, bottom(c, w, k))), last);
 }
 
 /// Bound on the error of a place, from what the course itself is off by and the magnitudes behind it.
@@ -58,14 +72,14 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
   for (int l = 0; l < lanes.width; ++l) {
     const double end = lanes.end[l];
     const auto magnitude = [&lanes, l](int j, double s) {
-      return size_of(lanes.x[j][l]) + lanes.half[j][l] +
-             s * (size_of(lanes.v[j][l]) + s * size_of(lanes.a[j][l]));
+      return place_at<Degree>(size_of(lanes.x[j][l]) + lanes.half[j][l], size_of(lanes.v[j][l]),
+                              size_of(lanes.a[j][l]), s);
     };
     const auto error = [&lanes, l](int j, double s, double size) {
       return error_bound(lanes.ex[j][l] + s * lanes.ev[j][l], size);
     };
     const auto place = [&lanes, l](int j, double s) {
-      return lanes.x[j][l] + s * (lanes.v[j][l] + s * lanes.a[j][l]);
+      return place_at<Degree>(lanes.x[j][l], lanes.v[j][l], lanes.a[j][l], s);
     };
 
     // The guess: the latest axis to be entered, and its quadratic.
@@ -89,11 +103,10 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
     }
 
     const double before = least(moment * (1 - near), end), after = least(moment * (1 + near), end);
-    const double reach = before * (size_of(slope) + before * size_of(bend));
-    const double lost_before = error_bound(lost + before * lost_slope, size + reach);
-    const double at_before = gap + before * (slope + before * bend);
-    const double between = greatest(gap + 0.5 * before * slope, bottom(gap, slope, bend));
-    const double apart_before = least(least(gap, between), at_before) - lost_before;
+    const double reach = place_at<Degree>(size, size_of(slope), size_of(bend), before);
+    const double lost_before = error_bound(lost + before * lost_slope, reach);
+    const double at_before = place_at<Degree>(gap, slope, bend, before);
+    const double apart_before = floor_of<Degree>(gap, slope, bend, before, at_before) - lost_before;
 
     double inside_after = never, apart_after = -never;
 #pragma GCC unroll 3
@@ -106,9 +119,9 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
       inside_after = least(inside_after, half - size_of(place(j, after)) - error_after - moves);
       const double here = place(j, before), side = here < 0 ? -1 : 1;
       const double first = side * here - half, last = side * place(j, end) - half;
-      const double speed = side * (v + 2 * before * a);
-      const double middle = greatest(first + 0.5 * (end - before) * speed, bottom(first, speed, side * a));
-      const double apart = least(least(first, middle), last) - error(j, end, magnitude(j, end));
+      const double speed = side * (Degree < 2 ? v : v + 2 * before * a);
+      const double lowest = floor_of<Degree>(first, speed, side * a, end - before, last);
+      const double apart = lowest - error(j, end, magnitude(j, end));
       apart_after = greatest(apart_after, apart);
     }
 
@@ -258,20 +271,22 @@ void take_crossings(const RowLanes<D>& rows, const From& from, MeetingLanes& __r
     }
 }
 
-template <Way way>
+template <Way way, int Degree>
 void find_crossings(MeetingLanes& lanes, double now) {
+  constexpr bool bent = Degree > 1;
   for (int l = 0; l < lanes.width; ++l) {
-    const double tau = lanes.moment[l], side = lanes.side[l], half_turn = tau * lanes.a[l];
+    const double tau = lanes.moment[l], side = lanes.side[l], half_turn = bent ? tau * lanes.a[l] : 0;
     const double speed = size_of(lanes.v[l]) + size_of(half_turn);
     const double error =
         error_bound(lanes.ex[l] + tau * lanes.ev[l], size_of(lanes.x[l]) + lanes.half[l] + tau * speed);
     const DoubleDouble t{tau, 0}, x{lanes.x[l], lanes.x_low[l]}, v{lanes.v[l], lanes.v_low[l]},
         a{lanes.a[l], lanes.a_low[l]}, half{lanes.half[l], lanes.half_low[l]};
-    const DoubleDouble place = x + t * (v + t * a);
+    const DoubleDouble place = x + t * (bent ? v + t * a : v);
     const DoubleDouble value = DoubleDouble{side * place.high, side * place.low} - half;
     // DoubleDouble loses at most 2^-97 of what the bound for doubles counts in 2^-53.
     const Crossed crossed{value, error * 0x1p-44 + underflow, side * (lanes.v[l] + 2 * half_turn),
-                          lanes.ev[l] + 0x1p-49 * speed + underflow, 2 * size_of(lanes.a[l]) + underflow};
+                          lanes.ev[l] + 0x1p-49 * speed + underflow,
+                          (bent ? 2 * size_of(lanes.a[l]) : 0) + underflow};
     const Instant meeting = root_of<way>(crossed, now, tau, lanes.room[l]);
     lanes.dt[l] = meeting.dt, lanes.t[l] = meeting.t;
   }

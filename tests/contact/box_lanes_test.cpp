@@ -18,7 +18,7 @@ struct Certain {
   int misses = 0, now = 0, meets = 0, first = 0, leaves = 0, stays = 0;
 };
 
-template <int D>
+template <int D, int Degree = 2>
 class LaneOfPair {
  public:
   explicit LaneOfPair(const Case& c)
@@ -31,7 +31,7 @@ class LaneOfPair {
                c.question.within,
                0},
         moments_(moments_of(setup_, row_a_.data(), row_b_.data())),
-        relative_(relative_of<D, 2>(setup_, row_a_.data(), row_b_.data())) {}
+        relative_(relative_of<D, Degree>(setup_, row_a_.data(), row_b_.data())) {}
 
   bool from_now() const {
     return !moments_.none && moments_.begin_exact && moments_.dt_begin == 0 &&
@@ -41,11 +41,11 @@ class LaneOfPair {
   bool touches() const { return ask(exact_touches); }
 
   void check(Certain& certain) const {
-    BoxLanes<D, 2> lanes;
+    BoxLanes<D, Degree> lanes;
     const auto raw = raw_sizes_of<double, D>(setup_, row_a_.data(), row_b_.data());
     for (int l = 0; l < lanes.width; ++l)
       put_course(lanes, l, relative_, BoxBox<D>::sizes(raw, setup_).half, moments_.dt_end * (1 + 0x1p-52));
-    box_kernel<D, 2>().settle(lanes);
+    box_kernel<D, Degree>().settle(lanes);
     check_simd(lanes);
     const bool touches = ask(exact_touches);
     certain.misses += lanes.misses[3] > 0;
@@ -80,10 +80,10 @@ class LaneOfPair {
     return question(formula, exact_moments_of(setup_, row_a_.data(), row_b_.data()));
   }
 
-  void check_end(const BoxLanes<D, 2>& lanes, double dt_end, Certain& certain) const {
+  void check_end(const BoxLanes<D, Degree>& lanes, double dt_end, Certain& certain) const {
     EndLanes ends;
     std::fill_n(ends.from, lanes_width, lanes.touches_now[3] > 0 ? 0 : lanes.after[3]);
-    box_kernel<D, 2>().settle_ends(lanes, ends);
+    box_kernel<D, Degree>().settle_ends(lanes, ends);
     certain.leaves += ends.leaves[3] > 0;
     certain.stays += ends.stays[3] > 0;
     if (ends.leaves[3] > 0) {
@@ -96,18 +96,18 @@ class LaneOfPair {
     for (const Simd simd : available_simd()) {
       EndLanes others = ends;
       use_simd(simd);
-      box_kernel<D, 2>().settle_ends(lanes, others);
+      box_kernel<D, Degree>().settle_ends(lanes, others);
       EXPECT_EQ(std::memcmp(&ends, &others, sizeof ends), 0) << name_of(simd) << ": " << case_;
     }
     use_simd(usual);
   }
 
-  void check_simd(const BoxLanes<D, 2>& lanes) const {
+  void check_simd(const BoxLanes<D, Degree>& lanes) const {
     const Simd usual = simd_in_use();
     for (const Simd simd : available_simd()) {
-      BoxLanes<D, 2> others = lanes;
+      BoxLanes<D, Degree> others = lanes;
       use_simd(simd);
-      box_kernel<D, 2>().settle(others);
+      box_kernel<D, Degree>().settle(others);
       EXPECT_EQ(std::memcmp(&lanes, &others, sizeof lanes), 0) << name_of(simd) << ": " << case_;
     }
     use_simd(usual);
@@ -120,15 +120,24 @@ class LaneOfPair {
   Relative<D> relative_;
 };
 
-template <int D>
+Object without_acceleration(Object o) {
+  o.layout.law = std::min(o.layout.law, Law::uniform);
+  return o;
+}
+
+template <int D, int Degree>
 void check_families(std::uint64_t seed) {
   Certain certain;
   for (const auto& families : {ordinary_families(), extreme_families()})
     for (const Family& family : families) {
       Generator generate(family, ++seed);
       for (int i = 0; i < 60; ++i) {
-        const Case c = make_case(generate, family, Shapes::boxes, D);
-        const LaneOfPair<D> lane(c);
+        Case c = make_case(generate, family, Shapes::boxes, D);
+        if (Degree < 2) {
+          c.a = without_acceleration(c.a), c.b = without_acceleration(c.b);
+          generate.aim(c.a, c.b, c.question.horizon);
+        }
+        const LaneOfPair<D, Degree> lane(c);
         if (lane.from_now()) lane.check(certain);
       }
     }
@@ -142,13 +151,19 @@ void check_families(std::uint64_t seed) {
 }
 
 TEST(BoxLanes, AreRightWhereCertainInOneDimension) {
-  check_families<1>(1000);
+  check_families<1, 2>(1000);
 }
 TEST(BoxLanes, AreRightWhereCertainInTwoDimensions) {
-  check_families<2>(2000);
+  check_families<2, 2>(2000);
 }
 TEST(BoxLanes, AreRightWhereCertainInThreeDimensions) {
-  check_families<3>(3000);
+  check_families<3, 2>(3000);
+}
+
+TEST(BoxLanes, AreRightWhereCertainOfStraightCourses) {
+  check_families<1, 1>(5000);
+  check_families<2, 1>(6000);
+  check_families<3, 1>(7000);
 }
 
 /// The object as one of a table that declares neither t nor until.
