@@ -5,6 +5,7 @@
 
 #include "index/gpcd_grid/float_box.h"
 #include "index/gpcd_grid/gpcd_grid.h"
+#include "index/gpcd_grid/object_rows.h"
 #include "motion/beam.h"
 
 namespace foresee::gpcd {
@@ -24,6 +25,7 @@ class BeamSource {
   virtual bool all_begin(Interrupt& interrupt) const = 0;
   /// What row i covers then: all that lies in it touches the row.
   virtual Box<D> core(std::size_t i) const = 0;
+  virtual ObjectRows objects() const { return {}; }
 };
 
 /// A horizon of no length, or bodies that only rest, need no test of time.
@@ -55,6 +57,10 @@ class MovingSource final : public BeamSource<D> {
     return all_exist_at_begin(boxes_.bodies, boxes_.horizon, interrupt);
   }
   Box<D> core(std::size_t i) const override { return core_box<D>(boxes_.bodies, i, boxes_.horizon.now); }
+  ObjectRows objects() const override {
+    return {reinterpret_cast<const char*>(boxes_.bodies.rows),
+            static_cast<std::size_t>(boxes_.bodies.at.size) * sizeof(double)};
+  }
 
  private:
   const MovingBoxes<D>& boxes_;

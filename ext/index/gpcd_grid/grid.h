@@ -28,7 +28,7 @@ class Grid {
   struct Side {
     Side(const BeamSource<D>& source, const Frame<D>& frame, Columns columns, const Partition<D>& partition,
          GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
-        : rows(source.count(), columns, memory.rows),
+        : rows(source.count(), columns, source.objects(), memory.rows),
           stripes(source, frame, partition, rows, memory, helpers, interrupt),
           giants(partition, stripes, interrupt) {}
     FloatRows<D> rows;

@@ -98,6 +98,7 @@ void Lanes<D>::find_movers() {
 template <int D>
 void Lanes<D>::gather(std::span<const Key> keys, const FloatRows<D>& rows, Interrupt& interrupt) {
   make_room(keys.size(), rows.columns());
+  view_.objects = rows.objects();
   for (std::size_t i = 0; i < keys.size(); ++i) ids_[i] = id_of(keys[i]);
   std::fill_n(classes_, keys.size(), 0);
   std::fill_n(classes_ + keys.size(), room_ - keys.size(), sentinel);

@@ -11,6 +11,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "index/gpcd_grid/object_rows.h"
 #include "motion/pair.h"
 
 namespace foresee::gpcd {
@@ -31,6 +32,7 @@ struct LaneView {
   const float *from = nullptr, *to = nullptr;    ///< of rows: which lanes count (clip.h); null: lower, upper
   const float *core_lower[D] = {}, *core_upper[D] = {};  ///< of rows (giants.h); null where none has a core
   const std::uint32_t *classes = nullptr, *ids = nullptr;
+  ObjectRows objects;
   std::size_t size = 0;
   double longest = 0;  ///< no box is longer along x; rounded up
 };

@@ -131,16 +131,29 @@ std::size_t first_lane(Scan<D>& scan, std::size_t i) {
   return scan.left;
 }
 
+/// Asks for the object behind a later row.
+template <int D>
+[[gnu::always_inline]] inline void fetch_ahead(const LaneView<D>& rows, std::size_t i) {
+  constexpr std::size_t ahead = 256;  // the lanes of a row lie before it, the pairs of a batch too
+  if (!rows.objects.first || i + ahead >= rows.size) return;
+  const char* const object = rows.objects.first + rows.ids[i + ahead] * rows.objects.bytes;
+  __builtin_prefetch(object);
+  __builtin_prefetch(object + rows.objects.bytes - 1);
+}
+
 template <class V, int D, Time time, Keep keep>
 std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
-  const LaneView<D>&rows = *scan.rows, &lanes = *scan.lanes;
+  const LaneView<D>& rows = *scan.rows;
+  const LaneView<D> lanes = *scan.lanes;  // a copy: what is written to `out` cannot change its pointers
   const bool within = scan.rows == scan.lanes;
   std::size_t work = steps * lanes_max;
   Pair* const begin = out;
   Pair* const full = out + room - lanes_max;
   for (; scan.row < rows.size; ++scan.row, scan.begun = false) {
     const std::size_t i = scan.row;
+    const std::uint32_t id = rows.ids[i], unshared = rows.classes[i] | sentinel;
     const Beams<V, D, time> row(rows, [i](const float* column) { return V::all(column[i]); });
+    fetch_ahead(rows, i);
     const float upper = keep == Keep::covered ? rows.core_upper[0][i]
                         : rows.to             ? rows.to[i]
                                               : rows.upper[0][i];
@@ -152,7 +165,7 @@ std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
       }
       if (lanes.lower[0][lane] > upper) break;
       const Beams<V, D, time> beams(lanes, [lane](const float* column) { return V::load(column + lane); });
-      typename V::Mask kept = V::unshared(lanes.classes + lane, rows.classes[i] | sentinel);
+      typename V::Mask kept = V::unshared(lanes.classes + lane, unshared);
       if constexpr (keep != Keep::covered) {
         if constexpr (time == Time::none)
           keep_in_space<V, D>(row, beams, kept);
@@ -164,7 +177,7 @@ std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
         keep_covered<V, D, time>(rows, i, beams, covered);
         kept = keep == Keep::covered ? covered : V::but(kept, covered);
       }
-      out = V::emit(kept, rows.ids[i], lanes.ids + lane, out);
+      out = V::emit(kept, id, lanes.ids + lane, out);
     }
     work -= lanes_max;
   }
