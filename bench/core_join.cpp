@@ -5,9 +5,10 @@
 //
 // Prints nanoseconds of processor time an object (medians) and ratios to ours of the same repetition.
 // A short run follows another of the same method, so that caches hold what it needs and not what the method
-// before has left. "foresee" is the library call of query/join.h with method 'auto': it plans, and cuts long
-// horizons into slabs; "one grid" is the grid over the whole horizon, stage by stage; "at rest" is ours with
-// h = 0. On large scenes ours by the clock follows, alone and with helper threads. The program fails if
+// before has left. Behind a run of seconds, during which the machine may have changed, ours is run again, and
+// the ratio is to that. "foresee" is the library call of query/join.h with method 'auto': it plans, and cuts
+// long horizons into slabs; "one grid" is the grid over the whole horizon, stage by stage; "at rest" is ours
+// with h = 0. On large scenes ours by the clock follows, alone and with helper threads. The program fails if
 // methods differ in a pair; time stepping, which misses pairs, must not have more of them.
 #include <chrono>
 #include <cstdio>
@@ -168,6 +169,20 @@ double seconds_of_join(Method& method) {
   return seconds_of([&] { method.answer = method.join(); });
 }
 
+constexpr double short_run = 0.05, long_run = 2;  // seconds
+
+std::size_t most_runs(const Method& method) {
+  constexpr std::size_t enough = 3, unlimited = -1;
+  return method.kind == Method::misses_pairs ? 1 : method.warm_up > long_run ? enough : unlimited;
+}
+
+/// The median of some runs.
+double seconds_now(Method& method) {
+  std::vector<double> seconds;
+  for (int i = 0; i < 5; ++i) seconds.push_back(seconds_of_join(method));
+  return median(seconds);
+}
+
 /// False if two methods disagree.
 bool compare(const Workload& w, int repetitions, bool quick, std::FILE* csv) {
   Stages stages;
@@ -175,20 +190,18 @@ bool compare(const Workload& w, int repetitions, bool quick, std::FILE* csv) {
   std::vector<Method> methods = methods_for(w, scene, stages, quick);
   for (int repetition = 0; repetition <= repetitions; ++repetition) {  // the first only warms up
     for (Method& method : methods) {
-      const bool slow = method.kind == Method::misses_pairs || w.h > 3;
-      if (slow && repetition > 1 && &method != &methods[0]) continue;
-      constexpr double short_run = 0.05;
+      if (method.seconds.size() >= most_runs(method)) continue;
       if (repetition > 0 && method.warm_up < short_run) seconds_of_join(method);
       const double seconds = seconds_of_join(method);
       const Answer& ours = methods[0].answer;
       if (method.kind == Method::same_pairs && !method.answer.same_as(ours)) return false;
       if (method.kind == Method::misses_pairs && method.answer.pairs > ours.pairs) return false;
-      if (repetition == 0) {
-        method.warm_up = seconds;
-        continue;
-      }
+      if (repetition == 0) method.warm_up = seconds;
+      const bool warms_up = repetition == 0 && (seconds < long_run || method.kind == Method::misses_pairs);
+      if (warms_up) continue;
       method.seconds.push_back(seconds);
-      method.ratios.push_back(seconds / methods[0].seconds.back());
+      method.ratios.push_back(seconds /
+                              (seconds < long_run ? methods[0].seconds.back() : seconds_now(methods[0])));
     }
   }
   print(w, methods, stages, csv);
