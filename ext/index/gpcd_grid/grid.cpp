@@ -10,6 +10,7 @@ constexpr std::size_t sample_max = 512;
 constexpr std::size_t sample_share = 16;
 constexpr std::size_t sample_enough = 64;
 constexpr std::size_t pairs_per_batch = 512;      // what becomes of them fits the first cache
+constexpr std::size_t rows_per_batch = 128;       // of pairs that touch: nothing else becomes of them
 constexpr std::size_t steps_per_batch = 1 << 17;  // about a millisecond
 
 /// Non-empty beams of both sides, one from each of some hundred equal parts, not at equal distances.
@@ -76,9 +77,9 @@ GridVisit<D>::GridVisit(Grid<D>& grid, std::size_t first, std::size_t last, Grid
 template <int D>
 bool GridVisit<D>::next(std::vector<Pair>& out) {
   interrupt_.check();
-  std::size_t written = 0, steps = steps_per_batch;
+  std::size_t written = 0, steps = steps_per_batch, enough = pairs_per_batch;
   bool more = true;
-  while (steps > 0 && written < pairs_per_batch && more) {
+  while (steps > 0 && written < enough && more) {
     if (scan_ == scans_.size()) {
       more = open_next();
       continue;
@@ -86,7 +87,8 @@ bool GridVisit<D>::next(std::vector<Pair>& out) {
     const bool touching = scans_[scan_].keep == Keep::covered;
     if (written > 0 && touching != touching_) break;
     touching_ = touching;
-    written += run(scans_[scan_], batch_ + written, pairs_per_batch + lanes_max - written, steps);
+    enough = touching ? rows_per_batch : pairs_per_batch;
+    written += run(scans_[scan_], batch_ + written, enough + lanes_max - written, steps);
     if (scans_[scan_].done()) ++scan_;
   }
   steps_taken_ += steps_per_batch - steps;
