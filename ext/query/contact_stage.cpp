@@ -45,7 +45,7 @@ void ContactStage::ask(const Candidates& candidates, std::vector<Pair>& batch, c
   if (!all_times) keep_asked_times(slab, before, hits);
 }
 
-/// Whether those that touch when the slab begins are rows of it: others belong to an earlier slab.
+/// Later slabs leave them to an earlier one.
 bool ContactStage::asks_about_begin(const TimeSlab& slab) const {
   const double now = question_.now;
   return slab.horizon.now == now && slab.holds(now) && question_.asked_t.holds(now) &&
@@ -131,11 +131,15 @@ void ContactStage::write(Hits& hits, std::vector<JoinRow>& rows) {
   }
 }
 
-void ContactStage::answer(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
-                          std::vector<JoinRow>& rows) {
+bool ContactStage::would_only_write(const Candidates& candidates) const {
   const bool all_pairs = !question_.only_a && !question_.only_b && question_.b != question_.a;
   const bool no_more_wanted = !question_.wants.ends && !question_.wants.approach;
-  if (candidates.touching() && all_pairs && no_more_wanted) {
+  return candidates.touching() && all_pairs && no_more_wanted;
+}
+
+void ContactStage::answer(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
+                          std::vector<JoinRow>& rows) {
+  if (would_only_write(candidates)) {
     if (asks_about_begin(slab)) write_touching(batch, rows);
     return;
   }
@@ -161,15 +165,15 @@ void write_rows(std::span<const Pair> pairs, const std::int64_t* ids_a, const st
 
 }  // namespace
 
-void ContactStage::write_touching(std::span<const Pair> batch, std::vector<JoinRow>& rows) const {
+void ContactStage::write_touching(std::span<const Pair> pairs, std::vector<JoinRow>& rows) const {
   const ContactTimes times{question_.now, question_.now, 0, 0};
   const std::int64_t* ids = question_.a->ids.data();
   const std::size_t before = rows.size();
-  rows.resize(before + batch.size());
+  rows.resize(before + pairs.size());
   if (question_.b)
-    write_rows<false>(batch, ids, question_.b->ids.data(), times, rows.data() + before);
+    write_rows<false>(pairs, ids, question_.b->ids.data(), times, rows.data() + before);
   else
-    write_rows<true>(batch, ids, ids, times, rows.data() + before);
+    write_rows<true>(pairs, ids, ids, times, rows.data() + before);
 }
 
 }  // namespace foresee

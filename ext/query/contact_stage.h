@@ -42,12 +42,17 @@ class ContactStage {
   void answer(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
               std::vector<JoinRow>& rows);
 
+  /// Whether answer() would do no more with the last batch than write_touching().
+  bool would_only_write(const Candidates& candidates) const;
+  /// Whether pairs that touch when the slab begins are rows of it.
+  bool asks_about_begin(const TimeSlab& slab) const;
+  /// Appends their rows.
+  void write_touching(std::span<const Pair> pairs, std::vector<JoinRow>& rows) const;
+
  private:
   template <class Work>
   void in_slices(std::size_t count, Work work);
-  bool asks_about_begin(const TimeSlab& slab) const;
   void take_touching(std::vector<Pair>& batch, Hits& hits) const;
-  void write_touching(std::span<const Pair> batch, std::vector<JoinRow>& rows) const;
   void keep_asked_pairs(std::vector<Pair>& batch) const;
   void keep_asked_times(const TimeSlab& slab, std::size_t first, Hits& hits) const;
   void add_ends(Hits& hits);

@@ -95,9 +95,26 @@ struct Join::Progress {
   }
 
   bool advance_helpers() {
+    if (written < batch.touching.size()) {
+      write_some();
+      return true;
+    }
+    written = 0;
     if (!helpers->next(batch)) return false;
-    sorts ? sorted.add(batch.hits) : rows.swap(batch.rows);
+    if (sorts)
+      sorted.add(batch.hits);
+    else if (batch.touching.empty())
+      rows.swap(batch.rows);
     return true;
+  }
+
+  /// Few at a time: rows stay in the first cache until they are read.
+  void write_some() {
+    constexpr std::size_t some = 128;
+    const auto rest = std::span<const Pair>(batch.touching).subspan(written);
+    const auto next = rest.first(std::min(some, rest.size()));
+    stage.write_touching(next, rows);
+    written += next.size();
   }
 
   JoinQuestion question;
@@ -109,6 +126,7 @@ struct Join::Progress {
   std::unique_ptr<Candidates> candidates;  // of the slab, until it has no more, or
   std::unique_ptr<SlabHelpers> helpers;
   SlabBatch batch;
+  std::size_t written = 0;  // of the batch's pairs that touch
   bool sorts = false;
   SortedHits sorted;
   std::vector<Pair> pairs;

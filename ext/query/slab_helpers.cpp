@@ -16,8 +16,8 @@ namespace foresee {
 namespace {
 
 constexpr std::size_t parts_ahead_per_thread = 16;
-constexpr std::size_t batches_ahead = 3;   // of a part
-constexpr std::size_t rows_enough = 4096;  // for a batch: handing one over costs some microseconds
+constexpr std::size_t batches_ahead = 3;       // of a part
+constexpr std::size_t bytes_enough = 1 << 18;  // for a batch: handing one over costs some microseconds
 constexpr std::chrono::milliseconds between_checks{1};
 
 struct Part {
@@ -79,41 +79,46 @@ struct SlabHelpers::Shared {
 
   void answer(std::size_t i, ContactStage& stage) {
     const std::unique_ptr<Candidates> part = candidates->part(i, stop);
-    std::vector<Pair> pairs;
-    SlabBatch batch;
-    for (bool more = true; more;) {
-      more = answer_some(*part, stage, pairs, batch);
-      if (size_of(batch) < (more ? rows_enough : 1)) continue;
+    const auto give = [this, i](SlabBatch& batch) {
       std::unique_lock lock(mutex);
       changed.wait(lock, [&] { return stop.stopped() || has_room(i); });
       stop.check();
-      batch = hand_over(i, std::move(batch));
-    }
+      hand_over(i, batch);
+    };
+    std::vector<Pair> pairs;
+    SlabBatch batch;
+    while (answer_some(*part, stage, pairs, batch, give))
+      if (batch.bytes() >= bytes_enough) give(batch);
+    if (!batch.empty()) give(batch);
   }
 
-  std::size_t size_of(const SlabBatch& batch) const {
-    return sorts ? batch.hits.pairs.size() : batch.rows.size();
-  }
-
-  /// Appends to the batch; false behind the end of the part.
-  bool answer_some(Candidates& part, ContactStage& stage, std::vector<Pair>& pairs, SlabBatch& batch) const {
+  /// Appends to the batch, which is given first if it has pairs of the other kind; false behind the end of
+  /// the part.
+  template <class Give>
+  bool answer_some(Candidates& part, ContactStage& stage, std::vector<Pair>& pairs, SlabBatch& batch,
+                   Give give) const {
     pairs.clear();
     if (!part.next(pairs)) return false;
-    sorts ? stage.ask(part, pairs, slab, batch.hits) : stage.answer(part, pairs, slab, batch.rows);
+    const bool only_write = !sorts && stage.would_only_write(part);
+    if (only_write ? !batch.rows.empty() : !batch.touching.empty()) give(batch);
+    if (sorts)
+      stage.ask(part, pairs, slab, batch.hits);
+    else if (!only_write)
+      stage.answer(part, pairs, slab, batch.rows);
+    else if (stage.asks_about_begin(slab))
+      batch.touching.insert(batch.touching.end(), pairs.begin(), pairs.end());
     return true;
   }
 
-  /// Answers a batch that has been read, for its memory. With the mutex held.
-  SlabBatch hand_over(std::size_t i, SlabBatch batch) {
+  /// Leaves in place of the batch one that has been read, for its memory. With the mutex held.
+  void hand_over(std::size_t i, SlabBatch& batch) {
     parts[i].batches.push_back(std::move(batch));
     changed.notify_all();
-    SlabBatch spare;
-    if (!spares.empty()) {
-      spare = std::move(spares.back());
-      spares.pop_back();
-      spare.hits.clear(), spare.rows.clear();
-    }
-    return spare;
+    batch = {};
+    if (spares.empty()) return;
+    batch = std::move(spares.back());
+    spares.pop_back();
+    batch.clear();
   }
 
   /// What the caller does: false once there are no batches left.
@@ -148,13 +153,17 @@ struct SlabHelpers::Shared {
   /// Some of the caller's own part.
   void work() {
     if (!own.part) own.part = candidates->part(own.number, interrupt);
-    const bool more = answer_some(*own.part, own.stage, own.pairs, own.batch);
+    const auto give = [this](SlabBatch& batch) {
+      const std::lock_guard lock(mutex);
+      hand_over(own.number, batch);
+    };
+    const bool more = answer_some(*own.part, own.stage, own.pairs, own.batch, give);
     if (!more) own.part.reset();
-    const std::lock_guard lock(mutex);
     // Whoever waits for this part is not made to wait for more.
-    if (size_of(own.batch) >= (more && own.number > read ? rows_enough : 1))
-      own.batch = hand_over(own.number, std::move(own.batch));
-    if (!more) parts[own.number].done = true;
+    if (own.batch.bytes() >= (more && own.number > read ? bytes_enough : 1)) give(own.batch);
+    if (more) return;
+    const std::lock_guard lock(mutex);
+    parts[own.number].done = true;
   }
 
   const JoinQuestion& question;

@@ -5,7 +5,7 @@
 //   while (helpers.next(batch)) …                        // in the order of one thread
 //
 // Helpers never call SQLite. Each takes the next part of the grid; a part that is not yet read waits once it
-// has some ten thousand rows, and nobody runs far ahead, so memory stays bounded. The caller reads what is
+// has some hundred kilobytes, and nobody runs far ahead, so memory stays bounded. The caller reads what is
 // there; where there is nothing yet it takes a part too, and goes on with it between two batches. What a
 // helper throws, next() throws after the batches that it has handed over; what the caller's own part throws,
 // at once.
@@ -15,9 +15,19 @@
 
 namespace foresee {
 
+/// One of the three. Pairs that touch are handed over as they are: their rows would be nine times as large,
+/// and to carry them from one processor to another takes longer than to write them.
 struct SlabBatch {
-  Hits hits;
-  std::vector<JoinRow> rows;  ///< of the hits, where they need no sorting
+  Hits hits;                   ///< that need sorting
+  std::vector<JoinRow> rows;   ///< of hits that do not
+  std::vector<Pair> touching;  ///< ContactStage::write_touching() is left to the caller
+
+  bool empty() const { return bytes() == 0; }
+  std::size_t bytes() const {
+    return hits.pairs.size() * (sizeof(Pair) + sizeof(ContactTimes)) + rows.size() * sizeof(JoinRow) +
+           touching.size() * sizeof(Pair);
+  }
+  void clear() { hits.clear(), rows.clear(), touching.clear(); }
 };
 
 class SlabHelpers {

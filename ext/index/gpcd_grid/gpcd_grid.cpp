@@ -32,13 +32,12 @@ class DividedGrid final : public DividedCandidates {
               std::shared_ptr<GridSpace> space, Interrupt& interrupt)
       : space_(space ? std::move(space) : std::make_shared<GridSpace>()),
         grid_(a, b, *space_, helpers, interrupt) {
-    constexpr std::size_t entries_per_part = 8192;
-    std::size_t entries = 0;
-    for (std::size_t stripe = 0; stripe < grid_.partition().stripes(); ++stripe) {
-      if (ends_.empty() || entries >= entries_per_part) ends_.push_back(stripe), entries = 0;
-      for (std::size_t i = 0; i < grid_.side_count(); ++i)
-        entries += grid_.side(i).stripes.entries(stripe).size();
-      ends_.back() = stripe + 1;
+    constexpr std::size_t work_per_part = 8192;
+    std::size_t stripe = 0, work = 0;
+    for (std::size_t of_stripe : grid_.work_by_stripe(interrupt)) {
+      if (ends_.empty() || work >= work_per_part) ends_.push_back(stripe), work = 0;
+      work += of_stripe;
+      ends_.back() = ++stripe;
     }
   }
 

@@ -39,6 +39,17 @@ Columns columns_of(const BeamSource<D>& a, const BeamSource<D>* b, const Frame<D
   return {travel, travel && (first.life || second.life)};
 }
 
+/// The numbers along y and z of a stripe.
+template <int D>
+void find_numbers(const Partition<D>& partition, std::size_t number, int (&stripe)[D]) {
+  stripe[0] = 0;
+  if constexpr (D == 2) stripe[1] = static_cast<int>(number);
+  if constexpr (D == 3) {
+    const auto across = static_cast<std::size_t>(partition.axis[2].count);
+    stripe[1] = static_cast<int>(number / across), stripe[2] = static_cast<int>(number % across);
+  }
+}
+
 }  // namespace
 
 template <int D>
@@ -123,12 +134,8 @@ void GridVisit<D>::open_giants() {
 template <int D>
 void GridVisit<D>::open_stripe(std::size_t number) {
   const Partition<D>& partition = grid_.partition();
-  int stripe[D] = {};
-  if constexpr (D == 2) stripe[1] = static_cast<int>(number);
-  if constexpr (D == 3) {
-    const auto across = static_cast<std::size_t>(partition.axis[2].count);
-    stripe[1] = static_cast<int>(number / across), stripe[2] = static_cast<int>(number % across);
-  }
+  int stripe[D];
+  find_numbers(partition, number, stripe);
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     auto& entered = grid_.side(i);
     sides_[i].inside.sort_and_gather(entered.stripes.entries(number), entered.rows, partition, stripe,
@@ -166,6 +173,25 @@ std::size_t Grid<D>::entry_count() const {
   std::size_t sum = 0;
   for (const auto& side : sides_) sum += side->stripes.entry_count();
   return sum;
+}
+
+template <int D>
+std::vector<std::size_t> Grid<D>::work_by_stripe(Interrupt& interrupt) const {
+  constexpr std::size_t stripes_per_check = 64;
+  std::vector<Giants<D>> giants;
+  for (const auto& side : sides_) giants.push_back(side->giants);
+  std::vector<std::size_t> work(partition_.stripes());
+  for (std::size_t number = 0; number < work.size(); ++number) {
+    if (number % stripes_per_check == 0) interrupt.check();
+    int stripe[D];
+    find_numbers(partition_, number, stripe);
+    for (std::size_t i = 0; i < sides_.size(); ++i) {
+      const std::size_t boxes = sides_[i]->stripes.entries(number).size();
+      const std::size_t crossing = giants[sides_.size() - 1 - i].crossing(stripe).size();
+      work[number] += boxes + crossing * boxes / lanes_max;
+    }
+  }
+  return work;
 }
 
 template <int D>
