@@ -151,7 +151,8 @@ inline double least_bend(double c2, double c3, double c4, double length) {
   const double slack = 16 * unit_roundoff * (std::abs(c2) + length * (std::abs(c3) + length * std::abs(c4)));
   const double at_end = c2 + length * (c3 + length * c4);
   double least = std::min(c2, at_end);
-  if (c3 < 0 && -c3 < 2 * c4 * length) least = std::min(least, c2 - c3 * c3 / (4 * c4));
+  // Its lowest point. A square of c3 could vanish where this does not.
+  if (c3 < 0 && -c3 < 2 * c4 * length) least = std::min(least, c2 - c3 * (0.25 * (c3 / c4)));
   return least - slack;
 }
 

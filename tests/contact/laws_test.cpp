@@ -166,7 +166,7 @@ TEST(Laws, ExchangingAxesChangesNothing) {
 }
 
 TEST(Laws, ScalingLengthsChangesNoTime) {
-  for (double scale : {0x1p-7, 0x1p30, 0x1p-100, 0x1p100})
+  for (double scale : {0x1p-7, 0x1p30, 0x1p-100, 0x1p100, 0x1p-478, 0x1p478})
     check_law(
         [scale](Case& c) {
           bool exact = multiply(c.question.within, scale);
@@ -180,7 +180,7 @@ TEST(Laws, ScalingLengthsChangesNoTime) {
 }
 
 TEST(Laws, ScalingTimeScalesContact) {
-  for (double scale : {0x1p-3, 0x1p10, 0x1p-60, 0x1p60})
+  for (double scale : {0x1p-3, 0x1p10, 0x1p-60, 0x1p60, 0x1p-200, 0x1p200})
     check_law(
         [scale](Case& c) {
           bool exact = multiply(c.question.horizon.now, scale) && multiply(c.question.horizon.h, scale);

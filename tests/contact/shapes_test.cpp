@@ -52,6 +52,31 @@ TEST(BallBall, AcceleratedGrazeAtTheTurningPoint) {
   expect_span(contact(thrown, at(Shape::ball, {0, 0, 17}, {0, 0, 0}, 0.5), asked(100)), 4, 4);
 }
 
+/// No contact gets lost where squares of the coefficients of their distance are no numbers.
+TEST(BallBall, MeetAtAnyScale) {
+  const auto pair = [](double length, double time) {
+    const double v = length / time, a = v / time;
+    Object one =
+        at(Shape::ball, {32 * length, 20 * length, -28 * length}, {10 * v, 2 * v, -10 * v}, 16 * length);
+    Object other = at(Shape::ball, {40 * length, 20 * length, 0}, {6 * v, -4 * v, -6 * v}, 12 * length);
+    one.a[0] = -a, one.a[1] = -a, one.a[2] = a;
+    other.a[0] = 2 * a, other.a[1] = a, other.a[2] = -2 * a;
+    return contact(one, other, asked(8 * time));
+  };
+  const auto usual = pair(1, 1);
+  ASSERT_TRUE(usual);
+  for (int bits = -480; bits <= 480; bits += 20) {
+    const auto other = pair(std::exp2(bits), 1);
+    ASSERT_TRUE(other) << bits;
+    EXPECT_EQ(other->dt, usual->dt) << bits;
+  }
+  for (int bits = -240; bits <= 300; bits += 20) {
+    const auto other = pair(1, std::exp2(bits));
+    ASSERT_TRUE(other) << bits;
+    EXPECT_EQ(other->dt, std::exp2(bits) * usual->dt) << bits;
+  }
+}
+
 TEST(BallBall, PointsMeetWithinADistance) {
   const Object a = at(Shape::point, {0, 3}, {1, 0}), b = at(Shape::point, {10, 0}, {0, 0});
   expect_span(contact(a, b, asked(100, 5)), 6, 14);
