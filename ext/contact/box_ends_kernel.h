@@ -19,16 +19,16 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
   for (int l = 0; l < lanes_width; ++l) {
     const double from = ends.from[l], end = lanes.end[l];
     const auto magnitude = [&lanes, l](int j, double s) {
-      return size_of(lanes.x[j][l]) + lanes.half[j][l] +
-             s * (size_of(lanes.v[j][l]) + s * size_of(lanes.a[j][l]));
+      return place_at<Degree>(size_of(lanes.x[j][l]) + lanes.half[j][l], size_of(lanes.v[j][l]),
+                              size_of(lanes.a[j][l]), s);
     };
     const auto error = [&lanes, l](int j, double s, double size) {
       return error_bound(lanes.ex[j][l] + s * lanes.ev[j][l], size);
     };
     const auto face = [&lanes, l, from](int j, double side) {
-      const double turn = from * lanes.a[j][l], place = lanes.x[j][l] + from * (lanes.v[j][l] + turn);
-      return FaceGap{lanes.half[j][l] - side * place, -side * (lanes.v[j][l] + 2 * turn),
-                     -side * lanes.a[j][l]};
+      const double bend = Degree < 2 ? 0 : lanes.a[j][l], turn = Degree < 2 ? 0 : from * bend;
+      const double place = place_at<Degree>(lanes.x[j][l], lanes.v[j][l], bend, from);
+      return FaceGap{lanes.half[j][l] - side * place, -side * (lanes.v[j][l] + 2 * turn), -side * bend};
     };
 
     // Faces are numbered: 2 j in front on axis j, 2 j + 1 behind.
@@ -56,11 +56,11 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
       const double side = number % 2 == 0 ? 1 : -1;
       const double size = magnitude(j, after), lost = error(j, after, size);
       const FaceGap f = face(j, side);
-      const double last = f.gap + stretch * (f.slope + stretch * f.bend);
+      const double last = place_at<Degree>(f.gap, f.slope, f.bend, stretch);
       const double lowest = least(least(f.gap, f.gap + 0.5 * stretch * f.slope), last) - lost;
       // Between `before` and `after` an axis moves by less than 2^-32 of its magnitudes.
       const double moves = 0x1p-31 * size + lost;
-      const double place = lanes.x[j][l] + after * (lanes.v[j][l] + after * lanes.a[j][l]);
+      const double place = place_at<Degree>(lanes.x[j][l], lanes.v[j][l], lanes.a[j][l], after);
       const double outside = side * place - lanes.half[j][l] - lost;
       const bool leaves = chosen == number;
       inside_before = least(inside_before, least(lowest, last - lost - (leaves ? 0 : moves)));

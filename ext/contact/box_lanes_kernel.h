@@ -45,8 +45,10 @@ double first_root(double c, double w, double k) {
 /// x + v s + a s^2; of degree 1 without the last.
 template <int Degree>
 double place_at(double x, double v, double a, double s) {
-  if constexpr (Degree < 2) return x + s * v;
-  return x + s * (v + s * a);
+  if constexpr (Degree < 2)
+    return x + s * v;
+  else
+    return x + s * (v + s * a);
 }
 
 /// What c + w s + k s^2 is at its lowest point; -inf if it bends downwards. Where that is above 0, w^2 / 4k
@@ -58,8 +60,10 @@ inline double bottom(double c, double w, double k) {
 /// What it does not fall below from 0 to `length`, where it is `last`. A line is lowest at an end.
 template <int Degree>
 double floor_of(double c, double w, double k, double length, double last) {
-  if constexpr (Degree < 2) return least(c, last);
-  return least(least(c, greatest(c + 0.5 * length * w, bottom(c, w, k))), last);
+  if constexpr (Degree < 2)
+    return least(c, last);
+  else
+    return least(least(c, greatest(c + 0.5 * length * w, bottom(c, w, k))), last);
 }
 
 /// Bound on the error of a place, from what the course itself is off by and the magnitudes behind it.
@@ -273,20 +277,23 @@ void take_crossings(const RowLanes<D>& rows, const From& from, MeetingLanes& __r
 
 template <Way way, int Degree>
 void find_crossings(MeetingLanes& lanes, double now) {
-  constexpr bool bent = Degree > 1;
   for (int l = 0; l < lanes.width; ++l) {
-    const double tau = lanes.moment[l], side = lanes.side[l], half_turn = bent ? tau * lanes.a[l] : 0;
+    const double tau = lanes.moment[l], side = lanes.side[l];
+    const DoubleDouble t{tau, 0}, x{lanes.x[l], lanes.x_low[l]}, half{lanes.half[l], lanes.half_low[l]};
+    DoubleDouble chord{lanes.v[l], lanes.v_low[l]};
+    double half_turn = 0, bend = 0;
+    if constexpr (Degree > 1) {
+      chord = chord + t * DoubleDouble{lanes.a[l], lanes.a_low[l]};
+      half_turn = tau * lanes.a[l], bend = 2 * size_of(lanes.a[l]);
+    }
     const double speed = size_of(lanes.v[l]) + size_of(half_turn);
     const double error =
         error_bound(lanes.ex[l] + tau * lanes.ev[l], size_of(lanes.x[l]) + lanes.half[l] + tau * speed);
-    const DoubleDouble t{tau, 0}, x{lanes.x[l], lanes.x_low[l]}, v{lanes.v[l], lanes.v_low[l]},
-        a{lanes.a[l], lanes.a_low[l]}, half{lanes.half[l], lanes.half_low[l]};
-    const DoubleDouble place = x + t * (bent ? v + t * a : v);
+    const DoubleDouble place = x + t * chord;
     const DoubleDouble value = DoubleDouble{side * place.high, side * place.low} - half;
     // DoubleDouble loses at most 2^-97 of what the bound for doubles counts in 2^-53.
     const Crossed crossed{value, error * 0x1p-44 + underflow, side * (lanes.v[l] + 2 * half_turn),
-                          lanes.ev[l] + 0x1p-49 * speed + underflow,
-                          (bent ? 2 * size_of(lanes.a[l]) : 0) + underflow};
+                          lanes.ev[l] + 0x1p-49 * speed + underflow, bend + underflow};
     const Instant meeting = root_of<way>(crossed, now, tau, lanes.room[l]);
     lanes.dt[l] = meeting.dt, lanes.t[l] = meeting.t;
   }

@@ -34,7 +34,7 @@ enum class Way : std::uint8_t { in, out };
 /// A primitive's polynomial at a moment: value in DoubleDouble, slope and bend in double. Inside: p <= 0.
 struct Crossed {
   DoubleDouble value;
-  double value_error;
+  double value_error;  ///< also of what underflow loses: at least 2^-988
   double slope, slope_error;
   double bend;  ///< bound on |p''| / 2 near the moment
 };
@@ -42,13 +42,14 @@ struct Crossed {
 /// The root of a polynomial known to be crossed in the given way within `width` of `base`, or unknown.
 template <Way way>
 [[gnu::always_inline]] inline Instant root_of(const Crossed& p, double now, double base, double width) {
-  const double steep = way == Way::in ? -p.slope : p.slope, flat = 1 / steep;
-  const double step = (way == Way::in ? p.value.high : -p.value.high) * flat, far = __builtin_fabs(step);
-  const double reach = width > 2 * far ? width : 2 * far;
+  const double steep = way == Way::in ? -p.slope : p.slope, inverse = 1 / steep;
+  const double step = (way == Way::in ? p.value.high : -p.value.high) * inverse;
+  const double far = __builtin_fabs(step), reach = width > 2 * far ? width : 2 * far;
   const double lost = p.value_error + __builtin_fabs(p.value.low) + p.bend * step * step;
-  const double radius = 2 * (lost * flat) + 2 * far * (p.slope_error * flat + 4 * unit_roundoff) + 0x1p-1060;
-  // Monotone, and at least half as steep as at the base, wherever the root can be. `flat` is no good for
-  // what is steeper than this.
+  const double radius =
+      2 * (lost * inverse) + 2 * far * (p.slope_error * inverse + 8 * unit_roundoff) + 0x1p-1060;
+  // Monotone, and at least half as steep as at the base, wherever the root can be. Of what is steeper than
+  // 2^1000 the inverse may have lost its digits.
   const bool alone = (steep - p.slope_error - 2 * p.bend * reach > 0.5 * steep) & (steep < 0x1p1000);
   return rounded_instant(now, base, step, alone ? radius : __builtin_nan(""));
 }

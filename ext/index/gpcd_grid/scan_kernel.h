@@ -131,14 +131,15 @@ std::size_t first_lane(Scan<D>& scan, std::size_t i) {
   return scan.left;
 }
 
-/// Asks for the object behind a later row.
+/// Asks for the object behind a later row, early enough for memory, late enough for stripes of some hundred.
 template <int D>
-[[gnu::always_inline]] inline void fetch_ahead(const LaneView<D>& rows, std::size_t i) {
-  constexpr std::size_t ahead = 256;  // the lanes of a row lie before it, the pairs of a batch too
-  if (!rows.objects.first || i + ahead >= rows.size) return;
-  const char* const object = rows.objects.first + rows.ids[i + ahead] * rows.objects.bytes;
-  __builtin_prefetch(object);
-  __builtin_prefetch(object + rows.objects.bytes - 1);
+[[gnu::always_inline]] inline void ask_for_object(const LaneView<D>& rows, std::size_t i) {
+  constexpr std::size_t ahead = 128, line = 64;
+  const ObjectRows& objects = rows.objects;
+  if (!objects.first || i + ahead >= rows.size) return;
+  const char* const object = objects.first + rows.ids[i + ahead] * objects.bytes;
+  for (std::size_t place = 0; place < objects.bytes; place += line) __builtin_prefetch(object + place);
+  __builtin_prefetch(object + objects.bytes - 1);
 }
 
 template <class V, int D, Time time, Keep keep>
@@ -151,9 +152,9 @@ std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
   Pair* const full = out + room - lanes_max;
   for (; scan.row < rows.size; ++scan.row, scan.begun = false) {
     const std::size_t i = scan.row;
-    const std::uint32_t id = rows.ids[i], unshared = rows.classes[i] | sentinel;
+    const std::uint32_t id = rows.ids[i], classes = rows.classes[i] | sentinel;
     const Beams<V, D, time> row(rows, [i](const float* column) { return V::all(column[i]); });
-    fetch_ahead(rows, i);
+    ask_for_object(rows, i);
     const float upper = keep == Keep::covered ? rows.core_upper[0][i]
                         : rows.to             ? rows.to[i]
                                               : rows.upper[0][i];
@@ -165,7 +166,7 @@ std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
       }
       if (lanes.lower[0][lane] > upper) break;
       const Beams<V, D, time> beams(lanes, [lane](const float* column) { return V::load(column + lane); });
-      typename V::Mask kept = V::unshared(lanes.classes + lane, unshared);
+      typename V::Mask kept = V::unshared(lanes.classes + lane, classes);
       if constexpr (keep != Keep::covered) {
         if constexpr (time == Time::none)
           keep_in_space<V, D>(row, beams, kept);
