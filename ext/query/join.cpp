@@ -95,11 +95,10 @@ struct Join::Progress {
   }
 
   bool advance_helpers() {
-    if (written < batch.touching.size()) {
+    if (!batch.touching.empty()) {
       write_some();
       return true;
     }
-    written = 0;
     if (!helpers->next(batch)) return false;
     if (sorts)
       sorted.add(batch.hits);
@@ -115,6 +114,7 @@ struct Join::Progress {
     const auto next = rest.first(std::min(some, rest.size()));
     stage.write_touching(next, rows);
     written += next.size();
+    if (next.size() == rest.size()) batch.touching.clear(), written = 0;
   }
 
   JoinQuestion question;

@@ -74,6 +74,25 @@ TEST(JoinHelpers, MeetManyGiantsFromAnyStripeOn) {
     }
 }
 
+/// Where a giant covers all others, the last that a slab hands over are pairs that touch: they are written
+/// once, also where other slabs follow.
+TEST(JoinHelpers, WriteWhatTouchesOnceInSeveralSlabs) {
+  constexpr std::size_t count = 15000;
+  auto scene = random_scene(
+      {.layout = {.axes = 2, .law = Law::uniform, .shape = Shape::box}, .count = count, .seed = 23});
+  const Offsets at = row_offsets(scene.layout);
+  double* const giant = scene.rows.data() + count / 2 * static_cast<std::size_t>(at.size);
+  giant[at.half] = giant[at.half + 1] = 1e5;
+  JoinQuestion question{.a = scene_of(scene), .now = scene.now, .h = 40};
+  question.wants = {.ends = false, .approach = false};
+  EXPECT_GT(plan_join(question, {}).slabs, 1u);
+  const auto alone = numbers_in_order(question);
+  EXPECT_GT(alone.size(), 9 * 2 * count);
+  question.helpers = 2;
+  EXPECT_TRUE(plan_join(question, {}).with_helpers);
+  EXPECT_EQ(numbers_in_order(question), alone);
+}
+
 TEST(JoinHelpers, AreLeftAloneBySmallScenes) {
   JoinQuestion question = question_of(SceneKind::uniform, discs, 1000);
   question.helpers = 8;
