@@ -45,7 +45,6 @@ void ContactStage::ask(const Candidates& candidates, std::vector<Pair>& batch, c
   if (!all_times) keep_asked_times(slab, before, hits);
 }
 
-/// Later slabs leave them to an earlier one.
 bool ContactStage::asks_about_begin(const TimeSlab& slab) const {
   const double now = question_.now;
   return slab.horizon.now == now && slab.holds(now) && question_.asked_t.holds(now) &&

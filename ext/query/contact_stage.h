@@ -44,7 +44,7 @@ class ContactStage {
 
   /// Whether answer() would do no more with the last batch than write_touching().
   bool would_only_write(const Candidates& candidates) const;
-  /// Whether pairs that touch when the slab begins are rows of it.
+  /// Whether pairs that touch when the slab begins are rows of it, and not of an earlier one.
   bool asks_about_begin(const TimeSlab& slab) const;
   /// Appends their rows.
   void write_touching(std::span<const Pair> pairs, std::vector<JoinRow>& rows) const;

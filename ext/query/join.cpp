@@ -86,6 +86,7 @@ struct Join::Progress {
     if (!candidates->next(pairs)) return false;
     if (!sorts) {
       stage.answer(*candidates, pairs, *slab, rows);
+      given = rows;
       return true;
     }
     hits.clear();
@@ -94,27 +95,13 @@ struct Join::Progress {
     return true;
   }
 
+  /// Some rows of a batch, or the next one.
   bool advance_helpers() {
-    if (!batch.touching.empty()) {
-      write_some();
-      return true;
-    }
+    given = batch.next(stage);
+    if (!given.empty()) return true;
     if (!helpers->next(batch)) return false;
-    if (sorts)
-      sorted.add(batch.hits);
-    else if (batch.touching.empty())
-      rows.swap(batch.rows);
+    if (sorts) sorted.add(batch.hits);
     return true;
-  }
-
-  /// Few at a time: rows stay in the first cache until they are read.
-  void write_some() {
-    constexpr std::size_t some = 128;
-    const auto rest = std::span<const Pair>(batch.touching).subspan(written);
-    const auto next = rest.first(std::min(some, rest.size()));
-    stage.write_touching(next, rows);
-    written += next.size();
-    if (next.size() == rest.size()) batch.touching.clear(), written = 0;
   }
 
   JoinQuestion question;
@@ -126,12 +113,12 @@ struct Join::Progress {
   std::unique_ptr<Candidates> candidates;  // of the slab, until it has no more, or
   std::unique_ptr<SlabHelpers> helpers;
   SlabBatch batch;
-  std::size_t written = 0;  // of the batch's pairs that touch
   bool sorts = false;
   SortedHits sorted;
   std::vector<Pair> pairs;
   Hits hits;
   std::vector<JoinRow> rows;
+  std::span<const JoinRow> given;  // the rows of one next()
 };
 
 Join::Join(JoinQuestion question, Interrupt& interrupt)
@@ -142,19 +129,20 @@ Join::~Join() = default;
 std::span<const JoinRow> Join::next() {
   const FloatEnvironment environment;
   Progress& p = *progress_;
-  p.rows.clear();
-  while (p.rows.empty()) {
+  p.rows.clear(), p.given = {};
+  while (p.given.empty()) {
     p.interrupt.check();
     if (p.sorted.any()) {
       p.sorted.take(p.hits);
       p.stage.write(p.hits, p.rows);
+      p.given = p.rows;
     } else if (p.candidates || p.helpers) {
       p.advance();
     } else if (!p.open_slab()) {
       break;
     }
   }
-  return p.rows;
+  return p.given;
 }
 
 }  // namespace foresee

@@ -16,12 +16,14 @@ namespace foresee {
 namespace {
 
 constexpr std::size_t parts_ahead_per_thread = 16;
-constexpr std::size_t batches_ahead = 3;       // of a part
-constexpr std::size_t bytes_enough = 1 << 18;  // for a batch: handing one over costs some microseconds
+constexpr std::size_t bytes_enough = 1 << 18;   // for a batch: handing one over costs some microseconds
+constexpr std::size_t bytes_at_once = 1 << 12;  // where it is waited for
+constexpr std::size_t bytes_ahead = 3 * bytes_enough;  // of a part
 constexpr std::chrono::milliseconds between_checks{1};
 
 struct Part {
   std::deque<SlabBatch> batches;
+  std::size_t bytes = 0;  // of those
   std::exception_ptr failure;
   bool done = false;
 };
@@ -67,7 +69,7 @@ struct SlabHelpers::Shared {
   /// With the mutex held.
   bool none_left() const { return taken >= parts.size(); }
   bool may_take() const { return !none_left() && taken < read + ahead; }
-  bool has_room(std::size_t i) const { return parts[i].batches.size() < batches_ahead; }
+  bool has_room(std::size_t i) const { return parts[i].bytes < bytes_ahead; }
 
   bool take_part(std::size_t& part) {
     std::unique_lock lock(mutex);
@@ -79,39 +81,34 @@ struct SlabHelpers::Shared {
 
   void answer(std::size_t i, ContactStage& stage) {
     const std::unique_ptr<Candidates> part = candidates->part(i, stop);
-    const auto give = [this, i](SlabBatch& batch) {
+    std::vector<Pair> pairs;
+    SlabBatch batch;
+    for (bool more = true; more;) {
+      more = answer_some(*part, stage, pairs, batch);
+      if (batch.bytes() < (more ? bytes_enough : 1)) continue;
       std::unique_lock lock(mutex);
       changed.wait(lock, [&] { return stop.stopped() || has_room(i); });
       stop.check();
       hand_over(i, batch);
-    };
-    std::vector<Pair> pairs;
-    SlabBatch batch;
-    while (answer_some(*part, stage, pairs, batch, give))
-      if (batch.bytes() >= bytes_enough) give(batch);
-    if (!batch.empty()) give(batch);
+    }
   }
 
-  /// Appends to the batch, which is given first if it has pairs of the other kind; false behind the end of
-  /// the part.
-  template <class Give>
-  bool answer_some(Candidates& part, ContactStage& stage, std::vector<Pair>& pairs, SlabBatch& batch,
-                   Give give) const {
+  /// Appends to the batch; false behind the end of the part.
+  bool answer_some(Candidates& part, ContactStage& stage, std::vector<Pair>& pairs, SlabBatch& batch) const {
     pairs.clear();
     if (!part.next(pairs)) return false;
-    const bool only_write = !sorts && stage.would_only_write(part);
-    if (only_write ? !batch.rows.empty() : !batch.touching.empty()) give(batch);
     if (sorts)
       stage.ask(part, pairs, slab, batch.hits);
-    else if (!only_write)
-      stage.answer(part, pairs, slab, batch.rows);
+    else if (!stage.would_only_write(part))
+      batch.add_rows([&](std::vector<JoinRow>& rows) { stage.answer(part, pairs, slab, rows); });
     else if (stage.asks_about_begin(slab))
-      batch.touching.insert(batch.touching.end(), pairs.begin(), pairs.end());
+      batch.add_touching(pairs);
     return true;
   }
 
   /// Leaves in place of the batch one that has been read, for its memory. With the mutex held.
   void hand_over(std::size_t i, SlabBatch& batch) {
+    parts[i].bytes += batch.bytes();
     parts[i].batches.push_back(std::move(batch));
     changed.notify_all();
     batch = {};
@@ -130,6 +127,7 @@ struct SlabHelpers::Shared {
         spares.push_back(std::move(batch));
         batch = std::move(part.batches.front());
         part.batches.pop_front();
+        part.bytes -= batch.bytes();
         changed.notify_all();
         return true;
       }
@@ -153,17 +151,13 @@ struct SlabHelpers::Shared {
   /// Some of the caller's own part.
   void work() {
     if (!own.part) own.part = candidates->part(own.number, interrupt);
-    const auto give = [this](SlabBatch& batch) {
-      const std::lock_guard lock(mutex);
-      hand_over(own.number, batch);
-    };
-    const bool more = answer_some(*own.part, own.stage, own.pairs, own.batch, give);
+    const bool more = answer_some(*own.part, own.stage, own.pairs, own.batch);
     if (!more) own.part.reset();
-    // Whoever waits for this part is not made to wait for more.
-    if (own.batch.bytes() >= (more && own.number > read ? bytes_enough : 1)) give(own.batch);
-    if (more) return;
     const std::lock_guard lock(mutex);
-    parts[own.number].done = true;
+    // Whoever waits for this part is not made to wait for more.
+    const std::size_t enough = own.number > read ? bytes_enough : bytes_at_once;
+    if (own.batch.bytes() >= (more ? enough : 1)) hand_over(own.number, own.batch);
+    if (!more) parts[own.number].done = true;
   }
 
   const JoinQuestion& question;

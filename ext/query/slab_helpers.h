@@ -11,29 +11,14 @@
 // at once.
 #pragma once
 
-#include "query/contact_stage.h"
+#include "query/slab_batch.h"
 
 namespace foresee {
-
-/// One of the three. Pairs that touch are handed over as they are: their rows would be nine times as large,
-/// and to carry them from one processor to another takes longer than to write them.
-struct SlabBatch {
-  Hits hits;                   ///< that need sorting
-  std::vector<JoinRow> rows;   ///< of hits that do not
-  std::vector<Pair> touching;  ///< ContactStage::write_touching() is left to the caller
-
-  bool empty() const { return bytes() == 0; }
-  std::size_t bytes() const {
-    return hits.pairs.size() * (sizeof(Pair) + sizeof(ContactTimes)) + rows.size() * sizeof(JoinRow) +
-           touching.size() * sizeof(Pair);
-  }
-  void clear() { hits.clear(), rows.clear(), touching.clear(); }
-};
 
 class SlabHelpers {
  public:
   /// Enters the slab's objects into a grid with question.helpers threads beside this one, then starts them.
-  /// All must outlive this. `sorts`: batches have hits only.
+  /// All must outlive this. `sorts`: batches have hits, otherwise rows.
   SlabHelpers(const JoinQuestion& question, const TimeSlab& slab, bool sorts, const Contact::Reach& reach,
               Interrupt& interrupt);
   /// Stops the helpers, which takes them a millisecond.

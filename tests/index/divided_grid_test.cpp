@@ -3,7 +3,9 @@
 
 #include <thread>
 
+#include "index/gpcd_grid/beam_sources.h"
 #include "index/gpcd_grid/gpcd_grid.h"
+#include "index/gpcd_grid/grid.h"
 #include "index/pairs.h"
 #include "index/together.h"
 
@@ -47,6 +49,45 @@ TEST(DividedGrid, HasTheCandidatesOfTheGridInItsOrder) {
     expect_same<2>(kind, 30000);
     expect_same<3>(kind, 20000);
   }
+}
+
+/// Counted at once, and stripe by stripe as a visit meets them.
+template <int D>
+void expect_crossings_counted() {
+  const RandomScene scene = random_scene(
+      {.layout = {.axes = D, .law = Law::uniform, .shape = Shape::box}, .count = 3000, .seed = 5});
+  std::vector<double> rows = scene.rows;
+  const Offsets at = row_offsets(scene.layout);
+  for (std::size_t i = 0; i < 3000; i += 50)
+    for (int axis = 0; axis < D; ++axis)
+      rows[i * static_cast<std::size_t>(at.size) + static_cast<std::size_t>(at.half + axis)] *=
+          axis == static_cast<int>(i) % D ? 300 : 10;
+  const MovingBoxes<D> boxes{Bodies(scene.layout, rows.data(), 3000), scene.horizon(), Vec<D>::Zero()};
+  GridSpace space;
+  gpcd::Grid<D> grid(gpcd::MovingSource<D>(boxes, never), nullptr, space, 0, never);
+  const gpcd::Partition<D>& partition = grid.partition();
+  const std::vector<std::size_t> counts = grid.side(0).giants.crossing_counts(partition);
+  ASSERT_EQ(counts.size(), partition.stripes());
+  gpcd::Giants<D> giants = grid.side(0).giants;
+  EXPECT_GE(grid.giant_count(), 30u);
+  std::size_t all = 0, number = 0;
+  const int rows_of_stripes = D > 1 ? partition.axis[D > 1].count : 1;
+  const int across = D > 2 ? partition.axis[D - 1].count : 1;
+  for (int y = 0; y < rows_of_stripes; ++y)
+    for (int z = 0; z < across; ++z, ++number) {
+      int stripe[D] = {};
+      if (D > 1) stripe[D > 1] = y;
+      if (D > 2) stripe[D - 1] = z;
+      EXPECT_EQ(counts[number], giants.crossing(stripe).size()) << number;
+      all += counts[number];
+    }
+  EXPECT_GE(all, grid.giant_count());
+}
+
+TEST(DividedGrid, CountsTheGiantsThatCrossEachStripe) {
+  expect_crossings_counted<1>();
+  expect_crossings_counted<2>();
+  expect_crossings_counted<3>();
 }
 
 TEST(DividedGrid, OfNobodyHasNoCandidates) {

@@ -53,25 +53,40 @@ TEST(JoinHelpers, GiveTheSameRowsInTheSameOrder) {
     }
 }
 
-TEST(JoinHelpers, MeetManyGiantsFromAnyStripeOn) {
+/// Boxes, one of 300 of them far larger.
+std::shared_ptr<const Scene> giants_among(int axes, std::size_t count, JoinQuestion& question) {
   auto scene = random_scene(
-      {.layout = {.axes = 2, .law = Law::uniform, .shape = Shape::box}, .count = 30000, .seed = 22});
+      {.layout = {.axes = axes, .law = Law::uniform, .shape = Shape::box}, .count = count, .seed = 22});
   const Offsets at = row_offsets(scene.layout);
   const auto size = static_cast<std::size_t>(at.size);
   for (std::size_t i = 0; i < scene.size(); i += 300)
-    for (int axis = 0; axis < 2; ++axis)
-      scene.rows[i * size + static_cast<std::size_t>(at.half + axis)] *= 200;
-  JoinQuestion question{.a = scene_of(scene), .now = scene.now, .h = scene.h};
-  for (bool begins_alone : {false, true})
-    for (JoinOrder order : {JoinOrder::any, JoinOrder::by_t_and_ids}) {
-      question.order = order, question.helpers = 0;
-      question.wants = {.ends = !begins_alone, .approach = !begins_alone};
-      const auto alone = numbers_in_order(question);
-      EXPECT_GT(alone.size(), 100000u);
-      question.helpers = 2;
-      EXPECT_TRUE(plan_join(question, {}).with_helpers);
-      EXPECT_EQ(numbers_in_order(question), alone);
-    }
+    for (int axis = 0; axis < axes; ++axis)
+      scene.rows[i * size + static_cast<std::size_t>(at.half + axis)] *= axes == 2 ? 200 : 60;
+  question.now = scene.now, question.h = scene.h;
+  return scene_of(scene);
+}
+
+void expect_same_with_helpers(JoinQuestion question, bool begins_alone) {
+  for (JoinOrder order : {JoinOrder::any, JoinOrder::by_t_and_ids}) {
+    question.order = order, question.helpers = 0;
+    question.wants = {.ends = !begins_alone, .approach = !begins_alone};
+    const auto alone = numbers_in_order(question);
+    EXPECT_GT(alone.size(), 100000u);
+    question.helpers = 2;
+    EXPECT_TRUE(plan_join(question, {}).with_helpers);
+    EXPECT_EQ(numbers_in_order(question), alone);
+  }
+}
+
+TEST(JoinHelpers, MeetManyGiantsFromAnyStripeOn) {
+  JoinQuestion question;
+  question.a = giants_among(2, 20000, question);
+  expect_same_with_helpers(question, false);
+  expect_same_with_helpers(question, true);
+  question.b = question.a;
+  expect_same_with_helpers(question, true);
+  question.a = giants_among(3, 12000, question), question.b = giants_among(3, 9000, question);
+  expect_same_with_helpers(question, true);
 }
 
 /// Where a giant covers all others, the last that a slab hands over are pairs that touch: they are written
@@ -99,14 +114,21 @@ TEST(JoinHelpers, AreLeftAloneBySmallScenes) {
   EXPECT_FALSE(plan_join(question, {}).with_helpers);
 }
 
-TEST(JoinHelpers, EndWithAJoinThatIsNotReadToItsEnd) {
-  JoinQuestion question = question_of(SceneKind::one_spot, discs, 20000);  // 200 million pairs
-  question.helpers = 2;
+void end_early(const JoinQuestion& question) {
   NeverInterrupt never;
   for (int batches : {0, 1, 20}) {
     Join join(question, never);
     for (int i = 0; i < batches; ++i) EXPECT_FALSE(join.next().empty());
   }
+}
+
+TEST(JoinHelpers, EndWithAJoinThatIsNotReadToItsEnd) {
+  JoinQuestion question = question_of(SceneKind::one_spot, discs, 20000);  // 200 million pairs
+  question.helpers = 2;
+  end_early(question);
+  question.a = giants_among(2, 60000, question);
+  question.wants = {.ends = false, .approach = false};
+  end_early(question);
 }
 
 /// Asks to stop at one of the first checks.

@@ -41,6 +41,30 @@ void Giants<D>::find_cores(const BeamSource<D>& source, const Frame<D>& frame,
   }
 }
 
+/// Each adds 1 where it begins and takes it off behind its end, along both axes; sums from the first stripe
+/// on are then the counts.
+template <int D>
+std::vector<std::size_t> Giants<D>::crossing_counts(const Partition<D>& partition) const {
+  const auto parts = [&partition](int axis) {
+    return D > axis ? static_cast<std::size_t>(partition.axis[std::min(axis, D - 1)].count) : 1;
+  };
+  const std::size_t rows = parts(1), across = parts(2);
+  std::vector<std::size_t> counts(rows * across);
+  const auto add = [&](int y, int z, std::size_t change) {
+    const auto row = static_cast<std::size_t>(y), place = static_cast<std::size_t>(z);
+    if (row < rows && place < across) counts[row * across + place] += change;
+  };
+  constexpr std::size_t less = -1;  // counts wrap around, and back
+  for (const Place& giant : waiting_) {
+    add(giant.y.first, giant.z.first, 1), add(giant.y.last + 1, giant.z.last + 1, 1);
+    add(giant.y.last + 1, giant.z.first, less), add(giant.y.first, giant.z.last + 1, less);
+  }
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    if (i % across > 0) counts[i] += counts[i - 1];
+  for (std::size_t i = across; i < counts.size(); ++i) counts[i] += counts[i - across];
+  return counts;
+}
+
 template <int D>
 void Giants<D>::advance(int row) {
   row_ = row;

@@ -31,6 +31,8 @@ class Giants {
   /// Before stripes are visited. Requires: all that the giants meet are there when the horizon begins.
   void find_cores(const BeamSource<D>& source, const Frame<D>& frame, const Partition<D>& partition);
 
+  /// How many cross each stripe, by its number. Requires: none has been visited.
+  std::vector<std::size_t> crossing_counts(const Partition<D>& partition) const;
   /// All giants, sorted along x.
   std::span<const Key> all() const { return sorted_; }
   /// Those that cross a stripe (its numbers along y and z), sorted along x. Valid until the next call.

@@ -32,9 +32,10 @@ class DividedGrid final : public DividedCandidates {
               std::shared_ptr<GridSpace> space, Interrupt& interrupt)
       : space_(space ? std::move(space) : std::make_shared<GridSpace>()),
         grid_(a, b, *space_, helpers, interrupt) {
-    constexpr std::size_t work_per_part = 8192;
+    // Each part has giants of its own, which are worth their copying.
+    const std::size_t work_per_part = std::max<std::size_t>(8192, 8 * grid_.giant_count());
     std::size_t stripe = 0, work = 0;
-    for (std::size_t of_stripe : grid_.work_by_stripe(interrupt)) {
+    for (std::size_t of_stripe : grid_.work_by_stripe()) {
       if (ends_.empty() || work >= work_per_part) ends_.push_back(stripe), work = 0;
       work += of_stripe;
       ends_.back() = ++stripe;

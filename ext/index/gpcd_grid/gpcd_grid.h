@@ -32,7 +32,7 @@ std::unique_ptr<Candidates> make_gpcd_grid(const MovingBoxes<D>& a, const Moving
                                            Interrupt& interrupt, std::shared_ptr<GridSpace> space = nullptr);
 
 /// The same grid for several threads: entered by this one and `helpers` beside it, then visited in parts of
-/// about as many objects. Part after part gives the candidates in the order of make_gpcd_grid().
+/// about as much work. Part after part gives the candidates in the order of make_gpcd_grid().
 template <int D>
 std::unique_ptr<DividedCandidates> make_divided_grid(const MovingBoxes<D>& a, const MovingBoxes<D>* b,
                                                      std::size_t helpers, Interrupt& interrupt,

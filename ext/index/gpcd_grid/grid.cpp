@@ -9,8 +9,9 @@ constexpr std::size_t sample_max = 512;
 /// At most every sixteenth box, so that small scenes do not pay for statistics.
 constexpr std::size_t sample_share = 16;
 constexpr std::size_t sample_enough = 64;
-constexpr std::size_t pairs_per_batch = 512;      // what becomes of them fits the first cache
-constexpr std::size_t rows_per_batch = 128;       // of pairs that touch: nothing else becomes of them
+constexpr std::size_t pairs_per_batch = 512;  // what becomes of them fits the first cache
+constexpr std::size_t touching_per_batch =
+    128;  // they become rows at once, which then stay in the first cache
 constexpr std::size_t steps_per_batch = 1 << 17;  // about a millisecond
 
 /// Non-empty beams of both sides, one from each of some hundred equal parts, not at equal distances.
@@ -37,17 +38,6 @@ Columns columns_of(const BeamSource<D>& a, const BeamSource<D>* b, const Frame<D
   const Columns first = a.columns(), second = b ? b->columns() : Columns{};
   const bool travel = frame.resolves_time() && (first.travel || second.travel);
   return {travel, travel && (first.life || second.life)};
-}
-
-/// The numbers along y and z of a stripe.
-template <int D>
-void find_numbers(const Partition<D>& partition, std::size_t number, int (&stripe)[D]) {
-  stripe[0] = 0;
-  if constexpr (D == 2) stripe[1] = static_cast<int>(number);
-  if constexpr (D == 3) {
-    const auto across = static_cast<std::size_t>(partition.axis[2].count);
-    stripe[1] = static_cast<int>(number / across), stripe[2] = static_cast<int>(number % across);
-  }
 }
 
 }  // namespace
@@ -98,7 +88,7 @@ bool GridVisit<D>::next(std::vector<Pair>& out) {
     const bool touching = scans_[scan_].keep == Keep::covered;
     if (written > 0 && touching != touching_) break;
     touching_ = touching;
-    enough = touching ? rows_per_batch : pairs_per_batch;
+    enough = touching ? touching_per_batch : pairs_per_batch;
     written += run(scans_[scan_], batch_ + written, enough + lanes_max - written, steps);
     if (scans_[scan_].done()) ++scan_;
   }
@@ -134,13 +124,19 @@ void GridVisit<D>::open_giants() {
 template <int D>
 void GridVisit<D>::open_stripe(std::size_t number) {
   const Partition<D>& partition = grid_.partition();
-  int stripe[D];
-  find_numbers(partition, number, stripe);
+  int stripe[D] = {};
+  if constexpr (D == 2) stripe[1] = static_cast<int>(number);
+  if constexpr (D == 3) {
+    const auto across = static_cast<std::size_t>(partition.axis[2].count);
+    stripe[1] = static_cast<int>(number / across), stripe[2] = static_cast<int>(number % across);
+  }
   for (std::size_t i = 0; i < sides_.size(); ++i) {
     auto& entered = grid_.side(i);
     sides_[i].inside.sort_and_gather(entered.stripes.entries(number), entered.rows, partition, stripe,
                                      interrupt_);
-    sides_[i].crossing.gather(sides_[i].giants.crossing(stripe), entered.rows, partition, stripe, interrupt_);
+    const bool meets_none = grid_.side(sides_.size() - 1 - i).stripes.entries(number).empty();
+    const auto crossing = meets_none ? std::span<const Key>() : sides_[i].giants.crossing(stripe);
+    sides_[i].crossing.gather(crossing, entered.rows, partition, stripe, interrupt_);
     sides_[i].crossing.take(sides_[i].giants.cores());
   }
   for (std::size_t i = 0; i < sides_.size(); ++i)
@@ -176,19 +172,14 @@ std::size_t Grid<D>::entry_count() const {
 }
 
 template <int D>
-std::vector<std::size_t> Grid<D>::work_by_stripe(Interrupt& interrupt) const {
-  constexpr std::size_t stripes_per_check = 64;
-  std::vector<Giants<D>> giants;
-  for (const auto& side : sides_) giants.push_back(side->giants);
-  std::vector<std::size_t> work(partition_.stripes());
-  for (std::size_t number = 0; number < work.size(); ++number) {
-    if (number % stripes_per_check == 0) interrupt.check();
-    int stripe[D];
-    find_numbers(partition_, number, stripe);
-    for (std::size_t i = 0; i < sides_.size(); ++i) {
-      const std::size_t boxes = sides_[i]->stripes.entries(number).size();
-      const std::size_t crossing = giants[sides_.size() - 1 - i].crossing(stripe).size();
-      work[number] += boxes + crossing * boxes / lanes_max;
+std::vector<std::size_t> Grid<D>::work_by_stripe() const {
+  std::vector<std::size_t> work(partition_.stripes(), 1);
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    const std::vector<std::size_t> crossing = sides_[i]->giants.crossing_counts(partition_);
+    for (std::size_t stripe = 0; stripe < work.size(); ++stripe) {
+      const std::size_t boxes = sides_[i]->stripes.entries(stripe).size();
+      const std::size_t others = sides_[sides_.size() - 1 - i]->stripes.entries(stripe).size();
+      work[stripe] += boxes + crossing[stripe] * (1 + others / lanes_max);
     }
   }
   return work;

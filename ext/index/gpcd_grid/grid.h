@@ -48,8 +48,8 @@ class Grid {
   /// Entries in all stripes: at least one per box inside the grid.
   std::size_t entry_count() const;
   std::size_t giant_count() const;
-  /// About what visiting each stripe takes: its boxes, and the giants that are compared with them.
-  std::vector<std::size_t> work_by_stripe(Interrupt& interrupt) const;
+  /// About what visiting each stripe takes, in boxes: its own, and giants that are compared with them.
+  std::vector<std::size_t> work_by_stripe() const;
   std::string describe() const;
 
  private:
