@@ -29,7 +29,7 @@ std::vector<Row> read_csv(const std::string& path) {
 struct RealShips : ::testing::Test {
   void SetUp() override {
     const char* named = std::getenv("FORESEE_SHARED_DATA");
-    folder = named ? named : std::string(FORESEE_SOURCE_DIR) + "/../shared/data";
+    folder = named ? named : FORESEE_SOURCE_DIR "/../shared/data";
     ships = read_csv(folder + "/ships_mississippi.csv");
     if (ships.empty()) GTEST_SKIP() << "no ships_mississippi.csv in " << folder;
     ASSERT_EQ(ships.size(), 1135u);
