@@ -8,6 +8,7 @@
 // large, and to carry them from one processor to another takes longer than to write them.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 

@@ -1,5 +1,7 @@
 #include "index/gpcd_grid/gpcd_grid.h"
 
+#include <algorithm>
+
 #include "index/gpcd_grid/beam_sources.h"
 #include "index/gpcd_grid/grid.h"
 
