@@ -9,9 +9,8 @@ constexpr std::size_t sample_max = 512;
 /// At most every sixteenth box, so that small scenes do not pay for statistics.
 constexpr std::size_t sample_share = 16;
 constexpr std::size_t sample_enough = 64;
-constexpr std::size_t pairs_per_batch = 512;  // what becomes of them fits the first cache
-constexpr std::size_t touching_per_batch =
-    128;  // they become rows at once, which then stay in the first cache
+constexpr std::size_t pairs_per_batch = 512;      // what becomes of them fits the first cache
+constexpr std::size_t touching_per_batch = 128;   // they become rows, which fit it then
 constexpr std::size_t steps_per_batch = 1 << 17;  // about a millisecond
 
 /// Non-empty beams of both sides, one from each of some hundred equal parts, not at equal distances.
