@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core_rivals.h"
-#include "motion/swept_box.h"
+#include "shape/swept_boxes.h"
 #include "plain_contact.h"
 
 namespace foresee::bench {

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "motion/bodies.h"
+#include "shape/bodies.h"
 
 namespace foresee::bench {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "contact/contact.h"
-#include "motion/swept_box.h"
+#include "shape/swept_boxes.h"
 #include "sql.h"
 #include "workloads.h"
 

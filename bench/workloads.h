@@ -24,7 +24,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/bodies.h"
+#include "shape/bodies.h"
 
 namespace foresee::bench {
 

@@ -18,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "motion/bodies.h"
+#include "shape/bodies.h"
 
 namespace foresee::testing {
 

@@ -20,7 +20,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/bodies.h"
+#include "shape/bodies.h"
 
 namespace foresee {
 

@@ -41,17 +41,6 @@ void check_cylinder_meets_no_ball(const Bodies& a, const Bodies& b, const std::s
               (is_cylinder ? "or set their r to 0" : "or leave out within_z"));
 }
 
-int degree_of(Law law) {
-  switch (law) {
-    case Law::rest:
-      return 0;
-    case Law::uniform:
-      return 1;
-    default:
-      return 2;
-  }
-}
-
 }  // namespace
 
 std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const ContactQuestion& question,

@@ -17,8 +17,7 @@ MovingWindow::MovingWindow(const WindowFaces& faces, int axes, double now) : fac
 std::unique_ptr<Contact> make_window_contact(const MovingWindow& window, const Bodies& objects,
                                              const Horizon& horizon) {
   const Setup setup{.a = window.bodies(), .b = objects, .horizon = horizon, .window = &window.faces()};
-  const Law law = objects.layout.law;
-  const int degree = law == Law::accelerated || law == Law::forced ? 2 : 1;
+  const int degree = degree_of(objects.layout.law);
   const Shape shape = objects.layout.shape;
   if (shape == Shape::cylinder) return make_window_cylinder(setup, degree);
   const bool round = shape == Shape::ball && objects.layout.axes > 1;

@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/swept_box.h"
+#include "shape/swept_boxes.h"
 
 namespace foresee {
 

@@ -31,7 +31,7 @@
 #include <vector>
 
 #include "motion/error.h"
-#include "motion/layout.h"
+#include "shape/layout.h"
 
 namespace foresee {
 

@@ -1,11 +1,10 @@
-// What swept boxes and beams share: when an object exists during the horizon, and bounds rounded outward.
+// When does an object exist during the horizon?
 #pragma once
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "motion/bodies.h"
+#include "motion/motion.h"
 
 namespace foresee {
 
@@ -25,22 +24,6 @@ inline Life life_of(double t, double until, const Horizon& horizon) {
   // Rounding keeps order: if t - now, rounded, exceeds the double h, then so does the exact difference.
   life.none = t - horizon.now > horizon.h || until < horizon.now;
   return life;
-}
-
-struct Ends {
-  double lower, upper;
-};
-
-/// [lower - grow, upper + grow], rounded outward; infinite where no double holds it.
-inline Ends grown(double lower, double upper, double grow) {
-  constexpr double u = 0x1p-53, inf = std::numeric_limits<double>::infinity();
-  const double g = grow + 8 * u * grow;
-  const double low = lower - g, high = upper + g;
-  const double safe_low = low - (4 * u * std::abs(low) + 0x1p-1022);
-  const double safe_high = high + (4 * u * std::abs(high) + 0x1p-1022);
-  const bool sound = std::isfinite(lower) && std::isfinite(upper) && std::isfinite(g);
-  return {sound && std::isfinite(safe_low) ? safe_low : -inf,
-          sound && std::isfinite(safe_high) ? safe_high : inf};
 }
 
 }  // namespace foresee

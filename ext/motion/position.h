@@ -8,7 +8,7 @@
 // are all they can be off; they are infinite where no double holds them.
 #pragma once
 
-#include "motion/bodies.h"
+#include "motion/motion.h"
 
 namespace foresee {
 

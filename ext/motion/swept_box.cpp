@@ -18,20 +18,12 @@
 #include "motion/swept_box.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "motion/float_environment.h"
-#include "motion/life.h"
 
 namespace foresee {
-namespace {
 
-constexpr double u = 0x1p-53;
-constexpr std::size_t objects_per_check = 4096;
-
-/// What the centre covers on one axis; `size` is half extent and margin together.
-Ends swept_axis(double x, double v, double a, const Life& life, double size) {
-  if (v == 0 && a == 0) return grown(x, x, size);
+Ends swept_axis(double x, double v, double a, const Life& life, double below, double above) {
+  constexpr double u = 0x1p-53;
+  if (v == 0 && a == 0) return grown(x, x, below, above);
   auto place = [=](double s) { return x + s * (v + a * s * 0.5); };
   const double first = place(life.begin), last = place(life.end);
   double lower = std::min(first, last), upper = std::max(first, last);
@@ -44,77 +36,8 @@ Ends swept_axis(double x, double v, double a, const Life& life, double size) {
   const double magnitude = std::abs(x) + reach * (std::abs(v) + std::abs(a) * reach);
   const double pad = 16 * u * magnitude + (reach + 4) * 0x1p-1020;
   // A sum with infinity or NaN anywhere in it is not finite, and then neither bound is.
-  return grown(lower, upper, pad + size + (first - first) + (last - last));
+  const double nothing = (first - first) + (last - last);
+  return grown(lower, upper, pad + below + nothing, pad + above + nothing);
 }
-
-/// Half extents of a box within an object's shape.
-template <int D>
-Vec<D> inner_half_extents_of(const Bodies& bodies, std::size_t i) {
-  constexpr double below_root[] = {1, 1, 0.7071, 0.5773};  // of 1/axes
-  const Vec<D> half = half_extents_of<D>(bodies, i);
-  if (bodies.layout.shape == Shape::ball) return half * below_root[D];
-  if (bodies.layout.shape != Shape::cylinder) return half;
-  Vec<D> inner = half * below_root[2];
-  inner[D - 1] = half[D - 1];
-  return inner;
-}
-
-}  // namespace
-
-template <int D>
-Box<D> core_box(const Bodies& bodies, std::size_t i, double now) {
-  const Motion<D> motion = motion_of<D>(bodies, i);
-  const Life life = life_of(motion.t, motion.until, {now, 0});
-  if (life.none) return Box<D>::empty();
-  const Vec<D> half = inner_half_extents_of<D>(bodies, i);
-  Box<D> box;
-  for (int axis = 0; axis < D; ++axis) {
-    const Ends centre = swept_axis(motion.x[axis], motion.v[axis], motion.a[axis], life, 0);
-    const double lower = centre.upper - half[axis], upper = centre.lower + half[axis];
-    box.lower[axis] = lower + 4 * u * std::abs(lower);
-    box.upper[axis] = upper - 4 * u * std::abs(upper);
-    if (!std::isfinite(box.upper[axis] - box.lower[axis])) return Box<D>::empty();
-  }
-  return box.is_empty() ? Box<D>::empty() : box;
-}
-
-template <int D>
-Box<D> swept_box(const Bodies& bodies, std::size_t i, const Horizon& horizon, const Vec<D>& margin) {
-  const Motion<D> motion = motion_of<D>(bodies, i);
-  const Life life = life_of(motion.t, motion.until, horizon);
-  if (life.none) return Box<D>::empty();
-  const Vec<D> half = half_extents_of<D>(bodies, i);
-  Box<D> box;
-  for (int axis = 0; axis < D; ++axis) {
-    const Ends bounds =
-        swept_axis(motion.x[axis], motion.v[axis], motion.a[axis], life, half[axis] + margin[axis]);
-    box.lower[axis] = bounds.lower;
-    box.upper[axis] = bounds.upper;
-  }
-  return box;
-}
-
-template <int D>
-std::vector<Box<D>> swept_boxes(const Bodies& bodies, const Horizon& horizon, const Vec<D>& margin,
-                                Interrupt& interrupt) {
-  const FloatEnvironment environment;
-  std::vector<Box<D>> boxes;
-  boxes.reserve(bodies.count);
-  for (std::size_t i = 0; i < bodies.count; ++i) {
-    if (i % objects_per_check == 0) interrupt.check();
-    boxes.push_back(swept_box<D>(bodies, i, horizon, margin));
-  }
-  return boxes;
-}
-
-template Box<1> core_box<1>(const Bodies&, std::size_t, double);
-template Box<1> swept_box<1>(const Bodies&, std::size_t, const Horizon&, const Vec<1>&);
-template Box<2> core_box<2>(const Bodies&, std::size_t, double);
-template Box<2> swept_box<2>(const Bodies&, std::size_t, const Horizon&, const Vec<2>&);
-template Box<3> core_box<3>(const Bodies&, std::size_t, double);
-template Box<3> swept_box<3>(const Bodies&, std::size_t, const Horizon&, const Vec<3>&);
-template std::vector<Box<1>> swept_boxes<1>(const Bodies&, const Horizon&, const Vec<1>&, Interrupt&);
-template std::vector<Box<2>> swept_boxes<2>(const Bodies&, const Horizon&, const Vec<2>&, Interrupt&);
-template std::vector<Box<3>> swept_boxes<3>(const Bodies&, const Horizon&, const Vec<3>&, Interrupt&);
 
 }  // namespace foresee

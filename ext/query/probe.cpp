@@ -3,6 +3,7 @@
 #include "index/tpr_tree/window_walk.h"
 #include "motion/float_environment.h"
 #include "query/join_question.h"
+#include "shape/extents.h"
 
 namespace foresee {
 namespace {

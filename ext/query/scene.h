@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "index/tpr_tree/tree_join.h"
-#include "motion/bodies.h"
+#include "shape/bodies.h"
 
 namespace foresee {
 

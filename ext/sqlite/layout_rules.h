@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/layout.h"
+#include "shape/layout.h"
 #include "sqlite/vocabulary.h"
 
 namespace foresee {

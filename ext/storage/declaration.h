@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/layout.h"
+#include "shape/layout.h"
 
 namespace foresee {
 

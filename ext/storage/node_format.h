@@ -19,7 +19,7 @@
 #include <cstring>
 #include <span>
 
-#include "motion/layout.h"
+#include "shape/layout.h"
 
 namespace foresee {
 

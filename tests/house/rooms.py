@@ -2,22 +2,18 @@
 
     python3 rooms.py ext        # prints one line a violation; status 1 if there is any
 
-The order: sqlite -> query -> index -> contact -> motion. A room may include rooms to its right and no others, with
-two doors of their own: storage may include motion and the page and tree interface of index, and only sqlite may include
-storage. SQLite's headers are for storage and sqlite alone.
+The order: sqlite -> query -> index -> contact -> shape -> motion -> numbers -> base. A room may include rooms to its
+right and no others, with two doors of their own: storage may include shape, motion, base and the page and tree interface
+of index, and only sqlite may include storage. SQLite's headers are for storage and sqlite alone.
 """
 import re
 import sys
 from pathlib import Path
 
-MAY_INCLUDE = {
-    "motion": set(),
-    "contact": {"motion"},
-    "index": {"contact", "motion"},
-    "query": {"index", "contact", "motion"},
-    "storage": {"motion"},
-    "sqlite": {"query", "index", "contact", "motion", "storage"},
-}
+ORDER = ["query", "index", "contact", "shape", "motion", "numbers", "base"]
+MAY_INCLUDE = {room: set(ORDER[i + 1:]) for i, room in enumerate(ORDER)}
+MAY_INCLUDE["storage"] = {"shape", "motion", "base"}
+MAY_INCLUDE["sqlite"] = {"storage", *ORDER}
 # What the index asks of a place to keep pages, which storage supplies; and the tree that it makes of them.
 PAGE_INTERFACE = {"index/pages.h", "index/tpr_tree/tpr_tree.h"}
 SEES_SQLITE = {"storage", "sqlite"}

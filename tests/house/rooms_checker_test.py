@@ -34,16 +34,17 @@ class RoomGuard(unittest.TestCase):
         self.passes("index/gpcd_grid/stripes.cpp", '#include "index/gpcd_grid/stripes.h"')
 
     def test_a_room_may_not_include_rooms_to_its_left(self):
-        self.catches("motion/vec.h", '#include "contact/contact.h"', "motion may include no other room")
-        self.catches("contact/ball.h", '#include "index/candidates.h"', "contact may include motion")
+        self.catches("motion/vec.h", '#include "contact/contact.h"', "motion may include base, numbers")
+        self.catches("base/error.h", '#include "motion/vec.h"', "base may include no other room")
+        self.catches("contact/ball.h", '#include "index/candidates.h"', "contact may include base, motion")
         self.catches("index/all_pairs.cpp", '#include "query/scene.h"', "index may include")
         self.catches("query/join.h", '#include "sqlite/foresee.h"', "query may include")
         self.catches("query/join.h", '  #  include "storage/object_store.h"', "query may include")
 
-    def test_storage_sees_the_page_interface_and_motion_only(self):
-        self.passes("storage/pages.cpp", '#include "index/pages.h"\n#include "motion/layout.h"')
-        self.catches("storage/pages.cpp", '#include "index/candidates.h"', "storage may include motion")
-        self.catches("storage/pages.cpp", '#include "contact/contact.h"', "storage may include motion")
+    def test_storage_sees_the_page_interface_shape_and_motion_only(self):
+        self.passes("storage/pages.cpp", '#include "index/pages.h"\n#include "shape/layout.h"')
+        self.catches("storage/pages.cpp", '#include "index/candidates.h"', "storage may include base, motion")
+        self.catches("storage/pages.cpp", '#include "contact/contact.h"', "storage may include base, motion")
 
     def test_only_storage_and_sqlite_see_sqlite(self):
         self.passes("storage/sqlite_api.h", "#include <sqlite3ext.h>")

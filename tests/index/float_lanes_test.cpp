@@ -8,9 +8,9 @@
 #include <cstring>
 
 #include "index/gpcd_grid/sort_keys.h"
-#include "motion/beam.h"
 #include "motion/simd.h"
 #include "scenes.h"
+#include "shape/beam.h"
 
 namespace foresee::testing {
 namespace {

@@ -6,7 +6,7 @@
 #include "contact/contact.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "motion/simd.h"
-#include "motion/swept_box.h"
+#include "shape/swept_boxes.h"
 #include "pairs.h"
 
 namespace foresee::testing {

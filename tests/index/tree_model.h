@@ -8,6 +8,7 @@
 
 #include "index/memory_pages.h"
 #include "index/tpr_tree/tpr_tree.h"
+#include "shape/extents.h"
 #include "tests/scenes.h"
 
 namespace foresee::testing {

@@ -6,7 +6,7 @@
 #include "index/gpcd_grid/float_box.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "index/gpcd_grid/object_rows.h"
-#include "motion/beam.h"
+#include "shape/beam.h"
 
 namespace foresee::gpcd {
 

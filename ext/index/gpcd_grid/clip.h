@@ -4,7 +4,7 @@
 //
 // What is fast sweeps a box over half of the scene, but in one stripe it is for a short time, and at that
 // time in a short part of it. Seen from the boxes in the stripe that the giant's pairs are reported with, its
-// beam (motion/beam.h) has their heights for a part of the horizon only; where it is along x meanwhile is all
+// beam (shape/beam.h) has their heights for a part of the horizon only; where it is along x meanwhile is all
 // that a scan has to look at. Boxes that a giant meets begin before `to` and end after `from`; if it meets
 // none, from > to.
 //

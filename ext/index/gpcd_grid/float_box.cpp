@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "motion/beam.h"
+#include "shape/beam.h"
 
 namespace foresee::gpcd {
 namespace {

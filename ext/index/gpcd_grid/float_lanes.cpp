@@ -2,8 +2,8 @@
 #include "index/gpcd_grid/float_lanes.h"
 
 #include "index/gpcd_grid/float_lanes_kernel.h"
-#include "motion/beam.h"
 #include "motion/simd.h"
+#include "shape/beam.h"
 
 namespace foresee::gpcd {
 

@@ -6,7 +6,7 @@
 // by the lower end of its x-interval (counting sort), so that a stripe is scanned from left to right with
 // contiguous loads. A pair that shares several stripes is reported in exactly one of them, by position and
 // without a set. Boxes far larger than the rest stay outside the grid and visit the stripes that they cross.
-// What moves is compared as beams (motion/beam.h), so that most candidates come close at the same time. What
+// What moves is compared as beams (shape/beam.h), so that most candidates come close at the same time. What
 // giants cover at the beginning comes in batches of its own that touch for certain (giants.h).
 //
 // Cost: about linear in objects + candidates; memory follows the number of boxes, never the number of pairs.

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "motion/error.h"
-#include "motion/swept_box.h"
+#include "shape/swept_boxes.h"
 
 namespace foresee {
 

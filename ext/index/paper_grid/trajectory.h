@@ -8,7 +8,7 @@
 #pragma once
 
 #include "index/tpr_tree/moving_box.h"
-#include "motion/swept_box.h"
+#include "shape/swept_boxes.h"
 
 namespace foresee {
 

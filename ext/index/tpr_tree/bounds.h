@@ -19,7 +19,7 @@
 
 #include <limits>
 
-#include "motion/bodies.h"
+#include "shape/bodies.h"
 
 namespace foresee {
 

@@ -5,6 +5,7 @@
 
 #include "index/tpr_tree/near_objects.h"
 #include "index/tpr_tree/tree_join.h"
+#include "shape/extents.h"
 
 namespace foresee {
 

@@ -1,5 +1,5 @@
 // The loops for the CPU that the build asks for, the choice of wider ones, and the columns that they read.
-#include "motion/beam.h"
+#include "shape/beam.h"
 
 #include <algorithm>
 

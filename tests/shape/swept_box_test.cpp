@@ -1,10 +1,10 @@
 // The judge is exact: positions are rationals, so that a bound one unit in the last place too small fails.
-#include "motion/swept_box.h"
-
 #include <gtest/gtest.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 #include <random>
+
+#include "shape/swept_boxes.h"
 
 namespace foresee {
 namespace {

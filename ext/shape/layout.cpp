@@ -1,4 +1,4 @@
-#include "motion/layout.h"
+#include "shape/layout.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // The judge is exact: at every moment of its life the object lies in its beam, in rational numbers. All sets
 // of vector instructions give the same bits.
-#include "motion/beam.h"
+#include "shape/beam.h"
 
 #include <gtest/gtest.h>
 
@@ -9,6 +9,7 @@
 #include <random>
 
 #include "motion/simd.h"
+#include "shape/extents.h"
 
 namespace foresee {
 namespace {

@@ -11,9 +11,9 @@
 #include <cstdint>
 #include <limits>
 
-#include "motion/layout.h"
+#include "motion/motion.h"
 #include "motion/pair.h"
-#include "motion/vec.h"
+#include "shape/layout.h"
 
 namespace foresee {
 
@@ -30,21 +30,6 @@ struct Bodies {
   std::size_t count = 0;
 };
 
-/// The moments that a question asks about: the closed interval [now, now + h], its end being the exact real
-/// sum. Requires: now finite; h finite and >= 0.
-struct Horizon {
-  double now = 0;
-  double h = 0;
-};
-
-/// One object's motion as numbers of its own: what is not declared is at rest, from time 0, for ever.
-template <int D>
-struct Motion {
-  double t;
-  Vec<D> x, v, a;
-  double until;
-};
-
 template <int D>
 Motion<D> motion_of(const Bodies& bodies, std::size_t i) {
   const double* row = bodies.row(i);
@@ -54,26 +39,6 @@ Motion<D> motion_of(const Bodies& bodies, std::size_t i) {
   };
   return {at.t == Offsets::absent ? 0.0 : row[at.t], vector_at(at.x), vector_at(at.v), vector_at(at.a),
           at.until == Offsets::absent ? std::numeric_limits<double>::infinity() : row[at.until]};
-}
-
-/// Half extents of the smallest axis-aligned box around an object's shape.
-template <int D>
-Vec<D> half_extents_of(const Bodies& bodies, std::size_t i) {
-  const double* row = bodies.row(i);
-  switch (bodies.layout.shape) {
-    case Shape::box:
-      return Eigen::Map<const Vec<D>>(row + bodies.at.half);
-    case Shape::ball:
-      return Vec<D>::Constant(row[bodies.at.r]);
-    case Shape::cylinder: {
-      Vec<D> half = Vec<D>::Constant(row[bodies.at.r]);
-      half[D - 1] = row[bodies.at.hz];
-      return half;
-    }
-    case Shape::point:
-      break;
-  }
-  return Vec<D>::Zero();
 }
 
 }  // namespace foresee

@@ -21,7 +21,9 @@
 #include <cstddef>
 
 #include "motion/beam_lanes.h"
-#include "motion/swept_box.h"
+#include "motion/box.h"
+#include "motion/error.h"
+#include "shape/bodies.h"
 
 namespace foresee {
 

@@ -10,15 +10,9 @@
 
 #include <cstdint>
 
-namespace foresee {
+#include "motion/law.h"
 
-/// How an object moves; each law adds columns to the one before.
-enum class Law : std::uint8_t {
-  rest,         ///< x
-  uniform,      ///< x, v
-  accelerated,  ///< x, v, a
-  forced,       ///< x, v, force and mass: a = F/m, rounded once, computed when read
-};
+namespace foresee {
 
 /// What an object is around its centre.
 enum class Shape : std::uint8_t {

@@ -1,0 +1,48 @@
+// Boxes along the axes, and bounds rounded outward.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "motion/vec.h"
+
+namespace foresee {
+
+template <int D>
+struct Box {
+  Vec<D> lower;
+  Vec<D> upper;
+
+  static Box empty() {
+    const double inf = std::numeric_limits<double>::infinity();
+    return {Vec<D>::Constant(inf), Vec<D>::Constant(-inf)};
+  }
+  bool is_empty() const { return !(lower <= upper).all(); }
+  /// Closed: boxes that touch meet.
+  bool meets(const Box& other) const { return (lower <= other.upper).all() && (other.lower <= upper).all(); }
+};
+
+/// The box of a shape around its position: how far it reaches below and above on each axis. A position need
+/// not be the middle, and may lie outside.
+template <int D>
+struct Extents {
+  Vec<D> lower, upper;
+};
+
+struct Ends {
+  double lower, upper;
+};
+
+/// [lower - below, upper + above], rounded outward; infinite where no double holds it.
+inline Ends grown(double lower, double upper, double below, double above) {
+  constexpr double u = 0x1p-53, inf = std::numeric_limits<double>::infinity();
+  const double more_below = below + 8 * u * std::abs(below), more_above = above + 8 * u * std::abs(above);
+  const double low = lower - more_below, high = upper + more_above;
+  const double safe_low = low - (4 * u * std::abs(low) + 0x1p-1022);
+  const double safe_high = high + (4 * u * std::abs(high) + 0x1p-1022);
+  const bool sound = std::isfinite(lower) && std::isfinite(upper) && std::isfinite(more_below + more_above);
+  return {sound && std::isfinite(safe_low) ? safe_low : -inf,
+          sound && std::isfinite(safe_high) ? safe_high : inf};
+}
+
+}  // namespace foresee

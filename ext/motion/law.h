@@ -1,0 +1,22 @@
+// How does an object move? The laws of motion, each a constant-acceleration course or simpler.
+#pragma once
+
+#include <cstdint>
+
+namespace foresee {
+
+/// How an object moves; each law adds columns to the one before.
+enum class Law : std::uint8_t {
+  rest,         ///< x
+  uniform,      ///< x, v
+  accelerated,  ///< x, v, a
+  forced,       ///< x, v, force and mass: a = F/m, rounded once, computed when read
+};
+
+/// Of the centre's course as a polynomial of time, and so of the relative course of two that move by this
+/// law.
+constexpr int degree_of(Law law) {
+  return law == Law::rest ? 0 : law == Law::uniform ? 1 : 2;
+}
+
+}  // namespace foresee
