@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "motion/pair.h"
+#include "base/pair.h"
 #include "workloads.h"
 
 namespace foresee::bench {

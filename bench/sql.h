@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "motion/error.h"
+#include "base/error.h"
 
 namespace foresee::bench {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "motion/error.h"
+#include "base/error.h"
 #include "scenes.h"
 
 namespace foresee::bench {

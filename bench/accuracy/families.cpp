@@ -5,7 +5,7 @@
 #include <iterator>
 #include <limits>
 
-#include "motion/error.h"
+#include "base/error.h"
 #include "scenes.h"
 
 namespace foresee::bench {

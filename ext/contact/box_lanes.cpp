@@ -1,8 +1,8 @@
 // The kernel for the CPU that the build asks for, and the choice of a wider one.
 #include "contact/box_lanes.h"
 
+#include "base/simd.h"
 #include "contact/box_ends_kernel.h"
-#include "motion/simd.h"
 
 namespace foresee {
 

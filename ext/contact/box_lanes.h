@@ -96,7 +96,7 @@ struct BoxKernel {
   void (*find_ends)(MeetingLanes& lanes, double now);
 };
 
-/// Of the widest instructions in use (motion/simd.h).
+/// Of the widest instructions in use (base/simd.h).
 template <int D, int Degree>
 const BoxKernel<D, Degree>& box_kernel();
 

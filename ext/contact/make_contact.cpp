@@ -1,7 +1,7 @@
 // The table of DESIGN.md section 3, "which distance depends on the shapes", as one decision per statement.
+#include "base/error.h"
 #include "contact/contact.h"
 #include "contact/kinds.h"
-#include "motion/error.h"
 
 namespace foresee {
 namespace {

@@ -2,10 +2,10 @@
 // motion.
 #pragma once
 
+#include "base/float_environment.h"
 #include "contact/closest_approach.h"
 #include "contact/crossing.h"
 #include "contact/exact_contact.h"
-#include "motion/float_environment.h"
 
 namespace foresee {
 

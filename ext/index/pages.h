@@ -30,7 +30,7 @@
 #include <span>
 #include <vector>
 
-#include "motion/error.h"
+#include "base/error.h"
 #include "shape/layout.h"
 
 namespace foresee {

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "motion/error.h"
+#include "base/error.h"
 
 namespace foresee {
 namespace {

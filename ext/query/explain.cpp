@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "base/float_environment.h"
 #include "index/paper_grid/paper_grid.h"
 #include "index/paper_grid/paper_stages.h"
 #include "index/paper_grid/thread_clock.h"
-#include "motion/float_environment.h"
 #include "query/join_candidates.h"
 #include "query/join_plan.h"
 #include "query/join_question.h"

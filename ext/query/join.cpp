@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "motion/float_environment.h"
+#include "base/float_environment.h"
 #include "query/join_candidates.h"
 #include "query/join_plan.h"
 #include "query/join_question.h"

@@ -22,10 +22,10 @@
 #include <string_view>
 #include <vector>
 
+#include "base/error.h"
 #include "contact/contact.h"
 #include "index/candidates.h"
 #include "index/gpcd_grid/work_space.h"
-#include "motion/error.h"
 #include "query/scene.h"
 
 namespace foresee {

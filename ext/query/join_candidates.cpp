@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "base/float_environment.h"
 #include "index/all_pairs.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "index/one_with_all.h"
 #include "index/paper_grid/paper_candidates.h"
 #include "index/tpr_tree/tree_join.h"
-#include "motion/float_environment.h"
 #include "query/join_question.h"
 
 namespace foresee {

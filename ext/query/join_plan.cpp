@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "motion/float_environment.h"
+#include "base/float_environment.h"
 #include "query/join_question.h"
 
 namespace foresee {

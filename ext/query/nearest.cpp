@@ -5,10 +5,10 @@
 #include <string>
 #include <tuple>
 
+#include "base/float_environment.h"
 #include "contact/closest_approach.h"
 #include "contact/window_contact.h"
 #include "index/tpr_tree/nearest_walk.h"
-#include "motion/float_environment.h"
 #include "query/checks.h"
 
 namespace foresee {

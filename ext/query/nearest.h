@@ -15,8 +15,8 @@
 #include <optional>
 #include <vector>
 
+#include "base/error.h"
 #include "contact/contact.h"
-#include "motion/error.h"
 #include "query/searched.h"
 
 namespace foresee {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/float_environment.h"
 #include "index/tpr_tree/window_walk.h"
-#include "motion/float_environment.h"
 
 namespace foresee {
 namespace {

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "base/error.h"
 #include "contact/window_contact.h"
-#include "motion/error.h"
 #include "query/searched.h"
 
 namespace foresee {

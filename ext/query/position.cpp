@@ -1,6 +1,6 @@
 #include "query/position.h"
 
-#include "motion/float_environment.h"
+#include "base/float_environment.h"
 #include "motion/position.h"
 #include "query/checks.h"
 

@@ -1,7 +1,7 @@
 #include "query/probe.h"
 
+#include "base/float_environment.h"
 #include "index/tpr_tree/window_walk.h"
-#include "motion/float_environment.h"
 #include "query/join_question.h"
 #include "shape/extents.h"
 

@@ -12,9 +12,9 @@
 #include <memory>
 #include <string>
 
+#include "base/error.h"
 #include "contact/contact.h"
 #include "index/pages.h"
-#include "motion/error.h"
 #include "query/scene.h"
 
 namespace foresee {

@@ -8,8 +8,8 @@
 #include <system_error>
 #include <thread>
 
-#include "index/together.h"
-#include "motion/float_environment.h"
+#include "base/float_environment.h"
+#include "base/parallel.h"
 #include "query/join_candidates.h"
 
 namespace foresee {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "motion/float_environment.h"
+#include "base/float_environment.h"
 
 namespace foresee {
 namespace {

@@ -3,7 +3,7 @@
 #include <limits>
 #include <utility>
 
-#include "motion/float_environment.h"
+#include "base/float_environment.h"
 #include "query/checks.h"
 
 namespace foresee {

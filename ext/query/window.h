@@ -14,8 +14,8 @@
 #include <span>
 #include <vector>
 
+#include "base/error.h"
 #include "contact/window_contact.h"
-#include "motion/error.h"
 #include "query/object_candidates.h"
 
 namespace foresee {

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 
+#include "base/simd.h"
 #include "motion/beam_kernel.h"
 #include "motion/beam_variants.h"
 #include "motion/life.h"
-#include "motion/simd.h"
 
 namespace foresee {
 namespace {

@@ -20,9 +20,9 @@
 
 #include <cstddef>
 
+#include "base/error.h"
 #include "motion/beam_lanes.h"
 #include "motion/box.h"
-#include "motion/error.h"
 #include "shape/bodies.h"
 
 namespace foresee {

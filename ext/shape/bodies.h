@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "base/pair.h"
 #include "motion/motion.h"
-#include "motion/pair.h"
 #include "shape/layout.h"
 
 namespace foresee {

@@ -1,6 +1,6 @@
 #include "shape/swept_boxes.h"
 
-#include "motion/float_environment.h"
+#include "base/float_environment.h"
 
 namespace foresee {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "motion/error.h"
+#include "base/error.h"
 #include "motion/swept_box.h"
 #include "shape/extents.h"
 

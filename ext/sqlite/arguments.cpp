@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "motion/error.h"
+#include "base/error.h"
 #include "sqlite/vocabulary.h"
 
 namespace foresee {

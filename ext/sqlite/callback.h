@@ -12,7 +12,7 @@
 #include <string>
 #include <type_traits>
 
-#include "motion/error.h"
+#include "base/error.h"
 #include "storage/sqlite_api.h"
 
 namespace foresee {

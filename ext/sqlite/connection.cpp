@@ -1,6 +1,6 @@
 #include "sqlite/connection.h"
 
-#include "motion/float_environment.h"
+#include "base/float_environment.h"
 
 namespace foresee {
 

@@ -3,7 +3,7 @@
 #include <charconv>
 #include <cmath>
 
-#include "motion/error.h"
+#include "base/error.h"
 #include "sqlite/arguments.h"
 #include "sqlite/layout_rules.h"
 #include "sqlite/vocabulary.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "motion/float_environment.h"
+#include "base/float_environment.h"
 #include "query/join_question.h"
 #include "query/probe.h"
 #include "sqlite/open_table.h"

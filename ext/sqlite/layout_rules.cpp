@@ -1,6 +1,6 @@
 #include "sqlite/layout_rules.h"
 
-#include "motion/error.h"
+#include "base/error.h"
 
 namespace foresee {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "motion/float_environment.h"
+#include "base/float_environment.h"
 #include "sqlite/callback.h"
 
 namespace foresee {

@@ -1,6 +1,6 @@
 #include "sqlite/version.h"
 
-#include "motion/simd.h"
+#include "base/simd.h"
 #include "storage/sqlite_api.h"
 
 namespace foresee {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/error.h"
+#include "base/error.h"
 #include "storage/node_cache.h"
 #include "storage/shadow_rows.h"
 

@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "index/pages.h"
-#include "motion/error.h"
 #include "storage/declaration.h"
 #include "storage/sqlite_api.h"
 

@@ -7,7 +7,7 @@
 
 #include <chrono>
 
-#include "motion/error.h"
+#include "base/error.h"
 #include "storage/sqlite_api.h"
 
 namespace foresee {

@@ -4,7 +4,7 @@
 // Call is one change: done() makes it hold; without it, everything in memory is as it was.
 #pragma once
 
-#include "motion/float_environment.h"
+#include "base/float_environment.h"
 #include "storage/store.h"
 
 namespace foresee {

@@ -5,9 +5,9 @@
 
 #include <cstring>
 
+#include "base/simd.h"
 #include "contact/box_contact.h"
 #include "contact/hard_pairs.h"
-#include "motion/simd.h"
 
 namespace foresee {
 namespace {

@@ -4,8 +4,8 @@
 #include <cfenv>
 #include <cmath>
 
+#include "base/error.h"
 #include "contact/pairs.h"
-#include "motion/error.h"
 
 namespace foresee {
 namespace {

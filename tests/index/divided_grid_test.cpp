@@ -3,11 +3,11 @@
 
 #include <thread>
 
+#include "base/parallel.h"
 #include "index/gpcd_grid/beam_sources.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "index/gpcd_grid/grid.h"
 #include "index/pairs.h"
-#include "index/together.h"
 
 namespace foresee::testing {
 namespace {

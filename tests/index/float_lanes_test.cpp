@@ -7,8 +7,8 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstring>
 
+#include "base/simd.h"
 #include "index/gpcd_grid/sort_keys.h"
-#include "motion/simd.h"
 #include "scenes.h"
 #include "shape/beam.h"
 

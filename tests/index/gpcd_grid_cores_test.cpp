@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/simd.h"
 #include "contact/contact.h"
 #include "index/gpcd_grid/gpcd_grid.h"
-#include "motion/simd.h"
-#include "shape/swept_boxes.h"
 #include "pairs.h"
+#include "shape/swept_boxes.h"
 
 namespace foresee::testing {
 namespace {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "base/simd.h"
 #include "contact/contact.h"
 #include "index/gpcd_grid/gpcd_grid.h"
-#include "motion/simd.h"
 #include "pairs.h"
 
 namespace foresee::testing {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "motion/error.h"
+#include "base/error.h"
 
 namespace foresee {
 namespace {

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <random>
 
-#include "motion/simd.h"
+#include "base/simd.h"
 #include "shape/extents.h"
 
 namespace foresee {

@@ -1,7 +1,7 @@
 // The harness itself: what it prints is what the other tests compare.
 #include "database.h"
 
-#include "motion/simd.h"
+#include "base/simd.h"
 
 namespace foresee::testing {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "motion/error.h"
+#include "base/error.h"
 
 namespace foresee {
 namespace {

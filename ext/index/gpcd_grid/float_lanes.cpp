@@ -1,8 +1,8 @@
 // The loops for the CPU that the build asks for, and the choice of wider ones.
 #include "index/gpcd_grid/float_lanes.h"
 
+#include "base/simd.h"
 #include "index/gpcd_grid/float_lanes_kernel.h"
-#include "motion/simd.h"
 #include "shape/beam.h"
 
 namespace foresee::gpcd {

@@ -1,8 +1,8 @@
 // The scan kernel for the CPU that the build asks for, four lanes at a time in plain C++, and the choice of a
 // wider one.
+#include "base/simd.h"
 #include "index/gpcd_grid/scan_kernel.h"
 #include "index/gpcd_grid/scan_variants.h"
-#include "motion/simd.h"
 
 #if defined(__SSE__)
 #include <xmmintrin.h>

@@ -11,8 +11,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "base/pair.h"
 #include "index/gpcd_grid/object_rows.h"
-#include "motion/pair.h"
 
 namespace foresee::gpcd {
 

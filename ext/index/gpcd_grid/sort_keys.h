@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <span>
 
+#include "base/error.h"
 #include "index/gpcd_grid/cell_size.h"
 #include "index/gpcd_grid/work_space.h"
-#include "motion/error.h"
 
 namespace foresee::gpcd {
 

@@ -1,6 +1,6 @@
 #include "index/gpcd_grid/stripes.h"
 
-#include "index/together.h"
+#include "base/parallel.h"
 
 namespace foresee::gpcd {
 namespace {

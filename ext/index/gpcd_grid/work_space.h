@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "motion/pair.h"
+#include "base/pair.h"
 
 namespace foresee {
 

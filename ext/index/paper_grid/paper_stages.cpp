@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
+#include "base/float_environment.h"
 #include "contact/contact.h"
 #include "index/paper_grid/thread_clock.h"
 #include "index/paper_grid/time_interval.h"
 #include "index/paper_grid/trajectory_intersection.h"
-#include "motion/float_environment.h"
 
 namespace foresee {
 namespace {

@@ -20,7 +20,7 @@
 #include <memory>
 #include <vector>
 
-#include "motion/error.h"
+#include "base/error.h"
 #include "shape/swept_boxes.h"
 
 namespace foresee {

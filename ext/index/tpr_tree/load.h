@@ -2,8 +2,8 @@
 // leaf order.
 #pragma once
 
+#include "base/error.h"
 #include "index/tpr_tree/state.h"
-#include "motion/error.h"
 
 namespace foresee {
 

@@ -12,8 +12,8 @@
 // possible distance, which is never above the real one.
 #pragma once
 
+#include "base/error.h"
 #include "index/tpr_tree/leaf_view.h"
-#include "motion/error.h"
 
 namespace foresee {
 

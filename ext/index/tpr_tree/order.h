@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/error.h"
 #include "index/tpr_tree/state.h"
-#include "motion/error.h"
 
 namespace foresee {
 

@@ -26,8 +26,8 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "index/pages.h"
-#include "motion/error.h"
 
 namespace foresee {
 

@@ -14,8 +14,8 @@
 // that keeps the moment (pages.h).
 #pragma once
 
+#include "base/error.h"
 #include "index/tpr_tree/leaf_view.h"
-#include "motion/error.h"
 
 namespace foresee {
 

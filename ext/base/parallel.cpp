@@ -1,4 +1,4 @@
-#include "index/together.h"
+#include "base/parallel.h"
 
 #include <exception>
 #include <mutex>
@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "motion/float_environment.h"
+#include "base/float_environment.h"
 
 namespace foresee {
 namespace {

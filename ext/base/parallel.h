@@ -13,7 +13,7 @@
 #include <cstddef>
 #include <functional>
 
-#include "motion/error.h"
+#include "base/error.h"
 
 namespace foresee {
 

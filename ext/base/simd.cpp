@@ -1,4 +1,4 @@
-#include "motion/simd.h"
+#include "base/simd.h"
 
 #include <vector>
 
