@@ -10,7 +10,7 @@
 #pragma once
 
 #include "contact/box_lanes.h"
-#include "contact/crossed_root.h"
+#include "numbers/crossed_root.h"
 
 namespace foresee {
 namespace {

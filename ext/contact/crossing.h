@@ -7,8 +7,8 @@
 // compared: rounding keeps order. What this cannot settle is NaN.
 #pragma once
 
-#include "contact/crossed_root.h"
 #include "contact/track.h"
+#include "numbers/crossed_root.h"
 
 namespace foresee {
 

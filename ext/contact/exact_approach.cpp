@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/narrowing.h"
-#include "contact/stays.h"
+#include "numbers/narrowing.h"
+#include "numbers/stays.h"
 
 namespace foresee {
 namespace {

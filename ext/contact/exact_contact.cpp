@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "contact/crossing.h"
-#include "contact/stays.h"
+#include "numbers/stays.h"
 
 namespace foresee {
 namespace {

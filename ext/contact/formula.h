@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "contact/certified.h"
-#include "contact/curve.h"
+#include "numbers/curve.h"
 
 namespace foresee {
 

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "contact/contact.h"
-#include "contact/double_double.h"
+#include "numbers/double_double.h"
 
 namespace foresee {
 

@@ -1,12 +1,12 @@
-#include "contact/curve.h"
+#include "numbers/curve.h"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
-#include "contact/narrowing.h"
-#include "contact/quadratic_formula.h"
-#include "contact/quadratic_root.h"
+#include "numbers/narrowing.h"
+#include "numbers/quadratic_formula.h"
+#include "numbers/quadratic_root.h"
 
 namespace foresee {
 namespace {

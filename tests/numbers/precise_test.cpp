@@ -1,13 +1,13 @@
 // Numbers of any length: what they enclose, how narrowly, and the quick proof that two polynomials have no
 // common root.
-#include "contact/precise.h"
+#include "numbers/precise.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "contact/polynomial.h"
+#include "numbers/polynomial.h"
 
 namespace foresee {
 namespace {

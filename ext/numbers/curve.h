@@ -11,8 +11,8 @@
 #include <array>
 #include <memory>
 
-#include "contact/polynomial.h"
-#include "contact/precise.h"
+#include "numbers/polynomial.h"
+#include "numbers/precise.h"
 
 namespace foresee {
 

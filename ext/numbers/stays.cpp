@@ -1,9 +1,9 @@
-#include "contact/stays.h"
+#include "numbers/stays.h"
 
 #include <algorithm>
 
-#include "contact/narrowing.h"
-#include "contact/quadratic_formula.h"
+#include "numbers/narrowing.h"
+#include "numbers/quadratic_formula.h"
 
 namespace foresee {
 namespace {

@@ -11,7 +11,7 @@
 
 #include <limits>
 
-#include "contact/wide.h"
+#include "numbers/wide.h"
 
 namespace foresee {
 

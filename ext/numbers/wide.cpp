@@ -1,4 +1,4 @@
-#include "contact/wide.h"
+#include "numbers/wide.h"
 
 #include <algorithm>
 #include <bit>

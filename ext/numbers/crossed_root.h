@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "contact/double_double.h"
+#include "numbers/double_double.h"
 
 namespace foresee {
 

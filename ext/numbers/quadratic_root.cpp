@@ -1,4 +1,4 @@
-#include "contact/quadratic_root.h"
+#include "numbers/quadratic_root.h"
 
 namespace foresee {
 namespace {

@@ -6,7 +6,7 @@
 // sign in doubt is asked exactly.
 #pragma once
 
-#include "contact/curve.h"
+#include "numbers/curve.h"
 
 namespace foresee {
 

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <array>
 
-#include "contact/precise.h"
+#include "numbers/precise.h"
 
 namespace foresee {
 

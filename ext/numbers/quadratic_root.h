@@ -5,7 +5,7 @@
 // alpha^2 - beta^2 D, decide. Cost: about twenty products, no loop that converges.
 #pragma once
 
-#include "contact/polynomial.h"
+#include "numbers/polynomial.h"
 
 namespace foresee {
 

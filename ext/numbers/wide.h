@@ -15,7 +15,7 @@
 
 #include <cstdint>
 
-#include "contact/dyadic.h"
+#include "numbers/dyadic.h"
 
 namespace foresee {
 

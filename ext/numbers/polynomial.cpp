@@ -1,8 +1,8 @@
-#include "contact/polynomial.h"
+#include "numbers/polynomial.h"
 
 #include <utility>
 
-#include "contact/residue.h"
+#include "numbers/residue.h"
 
 namespace foresee {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "contact/dyadic.h"
+#include "numbers/dyadic.h"
 
 namespace foresee {
 

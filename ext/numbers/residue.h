@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "contact/wide.h"
+#include "numbers/wide.h"
 
 namespace foresee {
 

@@ -1,4 +1,4 @@
-#include "contact/precise.h"
+#include "numbers/precise.h"
 
 #include <algorithm>
 #include <cmath>

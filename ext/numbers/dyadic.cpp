@@ -1,4 +1,4 @@
-#include "contact/dyadic.h"
+#include "numbers/dyadic.h"
 
 #include <algorithm>
 #include <bit>
