@@ -6,10 +6,10 @@
 // Prints nanoseconds of processor time an object (medians) and ratios to ours of the same repetition.
 // A short run follows another of the same method, so that caches hold what it needs and not what the method
 // before has left. Behind a run of seconds, during which the machine may have changed, ours is run again, and
-// the ratio is to that. "foresee" is the library call of query/join.h with method 'auto': it plans, and cuts
-// long horizons into slabs; "one grid" is the grid over the whole horizon, stage by stage; "at rest" is ours
-// with h = 0. On large scenes ours by the clock follows, alone and with helper threads. The program fails if
-// methods differ in a pair; time stepping, which misses pairs, must not have more of them.
+// the ratio is to that. "foresee" is the library call of query/join/join.h with method 'auto': it plans, and
+// cuts long horizons into slabs; "one grid" is the grid over the whole horizon, stage by stage; "at rest" is
+// ours with h = 0. On large scenes ours by the clock follows, alone and with helper threads. The program
+// fails if methods differ in a pair; time stepping, which misses pairs, must not have more of them.
 #include <chrono>
 #include <cstdio>
 #include <functional>
@@ -20,7 +20,7 @@
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "measure.h"
 #include "program.h"
-#include "query/join.h"
+#include "query/join/join.h"
 
 namespace foresee::bench {
 namespace {

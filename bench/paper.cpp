@@ -18,8 +18,8 @@
 #include "index/tpr_tree/tree_join.h"
 #include "measure.h"
 #include "program.h"
-#include "query/explain.h"
-#include "query/join.h"
+#include "query/join/explain.h"
+#include "query/join/join.h"
 #include "workloads.h"
 
 namespace foresee::bench {

@@ -19,7 +19,7 @@
 #include "files.h"
 #include "measure.h"
 #include "program.h"
-#include "query/join.h"
+#include "query/join/join.h"
 #include "sql_ours.h"
 #include "sql_rival.h"
 

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "query/join.h"
+#include "query/join/join.h"
 
 int main() {
   const char* const names[] = {"Anna", "Bruno", "Clara"};

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "base/float_environment.h"
-#include "query/join_question.h"
-#include "query/probe.h"
+#include "query/join/probe.h"
+#include "query/join/question.h"
 #include "sqlite/open_table.h"
 
 namespace foresee {

@@ -2,7 +2,7 @@
 // schema.
 #pragma once
 
-#include "query/join.h"
+#include "query/join/join.h"
 #include "sqlite/table_function.h"
 
 namespace foresee {

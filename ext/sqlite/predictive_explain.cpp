@@ -1,5 +1,5 @@
 // predictive_explain(h, …) in SQL: the stages of a join, one a row.
-#include "query/explain.h"
+#include "query/join/explain.h"
 #include "sqlite/join_inputs.h"
 #include "sqlite/table_functions.h"
 

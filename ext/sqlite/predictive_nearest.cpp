@@ -1,5 +1,5 @@
 // predictive_nearest(h, tbl, k, …) in SQL.
-#include "query/nearest.h"
+#include "query/nearest/nearest.h"
 #include "sqlite/searched_table.h"
 #include "sqlite/table_functions.h"
 

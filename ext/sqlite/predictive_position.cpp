@@ -1,5 +1,5 @@
 // predictive_position(at, …) in SQL.
-#include "query/position.h"
+#include "query/position/position.h"
 #include "sqlite/open_table.h"
 #include "sqlite/table_functions.h"
 

@@ -1,5 +1,5 @@
 // predictive_window(h, …) in SQL: reads the inputs, opens the table, and hands rows on.
-#include "query/window.h"
+#include "query/window/window.h"
 #include "sqlite/searched_table.h"
 #include "sqlite/table_functions.h"
 

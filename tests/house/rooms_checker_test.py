@@ -28,8 +28,8 @@ class RoomGuard(unittest.TestCase):
 
     def test_a_room_may_include_rooms_to_its_right(self):
         self.passes("contact/ball.h", '#include "motion/vec.h"')
-        self.passes("query/join.h", '#include "index/candidates.h"\n#include "contact/contact.h"')
-        self.passes("sqlite/table.cpp", '#include "storage/object_store.h"\n#include "query/join.h"')
+        self.passes("query/join/join.h", '#include "index/candidates.h"\n#include "contact/contact.h"')
+        self.passes("sqlite/table.cpp", '#include "storage/object_store.h"\n#include "query/join/join.h"')
         self.passes("motion/vec.h", '#include <Eigen/Core>\n#include "motion/law.h"')
         self.passes("index/gpcd_grid/stripes.cpp", '#include "index/gpcd_grid/stripes.h"')
 
@@ -38,8 +38,8 @@ class RoomGuard(unittest.TestCase):
         self.catches("base/error.h", '#include "motion/vec.h"', "base may include no other room")
         self.catches("contact/ball.h", '#include "index/candidates.h"', "contact may include base, motion")
         self.catches("index/all_pairs.cpp", '#include "query/scene.h"', "index may include")
-        self.catches("query/join.h", '#include "sqlite/foresee.h"', "query may include")
-        self.catches("query/join.h", '  #  include "storage/object_store.h"', "query may include")
+        self.catches("query/join/join.h", '#include "sqlite/foresee.h"', "query may include")
+        self.catches("query/join/join.h", '  #  include "storage/object_store.h"', "query may include")
 
     def test_storage_sees_the_page_interface_shape_and_motion_only(self):
         self.passes("storage/pages.cpp", '#include "index/pages.h"\n#include "shape/layout.h"')
@@ -48,7 +48,7 @@ class RoomGuard(unittest.TestCase):
 
     def test_only_storage_and_sqlite_see_sqlite(self):
         self.passes("storage/sqlite_api.h", "#include <sqlite3ext.h>")
-        self.catches("query/join.h", "#include <sqlite3.h>", "see SQLite")
+        self.catches("query/join/join.h", "#include <sqlite3.h>", "see SQLite")
         self.catches("index/pages.h", '#include "sqlite3ext.h"', "see SQLite")
 
     def test_relative_paths_are_no_way_around(self):
@@ -60,7 +60,7 @@ class RoomGuard(unittest.TestCase):
         self.assertEqual(tree({"annex/loose.h": ""}), ["annex/loose.h: not in a room"])
 
     def test_a_comment_is_no_include(self):
-        self.passes("motion/vec.h", '// #include "query/join.h"')
+        self.passes("motion/vec.h", '// #include "query/join/join.h"')
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 // predictive_explain as a library call: its counts, against counts that use neither index nor batches.
-#include "query/explain.h"
+#include "query/join/explain.h"
 
 #include <gtest/gtest.h>
 

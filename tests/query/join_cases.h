@@ -1,4 +1,4 @@
-// Scenes and joins for the tests of query/join.h.
+// Scenes and joins for the tests of query/join/join.h.
 #pragma once
 
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "query/join.h"
+#include "query/join/join.h"
 #include "scenes.h"
 
 namespace foresee::testing {

@@ -1,8 +1,8 @@
 // Helper threads change no row and not their order; interrupts and failures reach the caller.
 #include <gtest/gtest.h>
 
+#include "query/join/plan.h"
 #include "query/join_cases.h"
-#include "query/join_plan.h"
 
 namespace foresee {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
+#include "query/join/plan.h"
 #include "query/join_cases.h"
-#include "query/join_plan.h"
 
 namespace foresee {
 namespace {

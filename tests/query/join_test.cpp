@@ -1,4 +1,4 @@
-#include "query/join.h"
+#include "query/join/join.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Nearest: ranks by the real distance rounded once, ties by id, whatever is searched.
-#include "query/nearest.h"
+#include "query/nearest/nearest.h"
 
 #include <gtest/gtest.h>
 

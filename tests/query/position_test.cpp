@@ -1,4 +1,4 @@
-#include "query/position.h"
+#include "query/position/position.h"
 
 #include <gtest/gtest.h>
 

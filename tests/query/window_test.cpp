@@ -1,5 +1,5 @@
 // Windows: the same answers as a box that joins, whatever is searched, with any side left out.
-#include "query/window.h"
+#include "query/window/window.h"
 
 #include <gtest/gtest.h>
 

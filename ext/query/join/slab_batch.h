@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-#include "query/contact_stage.h"
+#include "query/join/contact_stage.h"
 
 namespace foresee {
 

@@ -1,4 +1,4 @@
-#include "query/join_candidates.h"
+#include "query/join/candidates.h"
 
 #include <algorithm>
 
@@ -8,7 +8,7 @@
 #include "index/one_with_all.h"
 #include "index/paper_grid/paper_candidates.h"
 #include "index/tpr_tree/tree_join.h"
-#include "query/join_question.h"
+#include "query/join/question.h"
 
 namespace foresee {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "base/error.h"
 #include "contact/window_contact.h"
-#include "query/object_candidates.h"
+#include "query/window/object_candidates.h"
 
 namespace foresee {
 

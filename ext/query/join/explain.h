@@ -18,7 +18,7 @@
 #include <string>
 #include <vector>
 
-#include "query/join.h"
+#include "query/join/join.h"
 
 namespace foresee {
 

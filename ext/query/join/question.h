@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "query/join.h"
+#include "query/join/join.h"
 
 namespace foresee {
 

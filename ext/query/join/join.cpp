@@ -1,15 +1,15 @@
-#include "query/join.h"
+#include "query/join/join.h"
 
 #include <cmath>
 #include <string>
 #include <utility>
 
 #include "base/float_environment.h"
-#include "query/join_candidates.h"
-#include "query/join_plan.h"
-#include "query/join_question.h"
-#include "query/slab_helpers.h"
-#include "query/sorted_hits.h"
+#include "query/join/candidates.h"
+#include "query/join/plan.h"
+#include "query/join/question.h"
+#include "query/join/slab_helpers.h"
+#include "query/join/sorted_hits.h"
 
 namespace foresee {
 

@@ -1,7 +1,7 @@
 // Stage one of a join: which pairs are worth a look?
 #pragma once
 
-#include "query/join.h"
+#include "query/join/join.h"
 
 namespace foresee {
 

@@ -1,4 +1,4 @@
-#include "query/join_question.h"
+#include "query/join/question.h"
 
 #include <string>
 

@@ -1,8 +1,8 @@
-#include "query/contact_stage.h"
+#include "query/join/contact_stage.h"
 
 #include <algorithm>
 
-#include "query/join_question.h"
+#include "query/join/question.h"
 
 namespace foresee {
 

@@ -1,4 +1,4 @@
-#include "query/slab_helpers.h"
+#include "query/join/slab_helpers.h"
 
 #include <chrono>
 #include <condition_variable>
@@ -10,7 +10,7 @@
 
 #include "base/float_environment.h"
 #include "base/parallel.h"
-#include "query/join_candidates.h"
+#include "query/join/candidates.h"
 
 namespace foresee {
 namespace {

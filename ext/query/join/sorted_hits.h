@@ -4,7 +4,7 @@
 // LIMIT spares them.
 #pragma once
 
-#include "query/contact_stage.h"
+#include "query/join/contact_stage.h"
 
 namespace foresee {
 

@@ -1,4 +1,4 @@
-#include "query/object_candidates.h"
+#include "query/window/object_candidates.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "query/sorted_hits.h"
+#include "query/join/sorted_hits.h"
 
 #include <algorithm>
 

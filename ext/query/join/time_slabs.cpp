@@ -1,4 +1,4 @@
-#include "query/time_slabs.h"
+#include "query/join/time_slabs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "query/position.h"
+#include "query/position/position.h"
 
 #include "base/float_environment.h"
 #include "motion/position.h"

@@ -1,4 +1,4 @@
-#include "query/nearest.h"
+#include "query/nearest/nearest.h"
 
 #include <algorithm>
 #include <limits>

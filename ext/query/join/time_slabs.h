@@ -16,7 +16,7 @@
 
 #include <optional>
 
-#include "query/join.h"
+#include "query/join/join.h"
 
 namespace foresee {
 

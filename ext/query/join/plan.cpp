@@ -1,10 +1,10 @@
-#include "query/join_plan.h"
+#include "query/join/plan.h"
 
 #include <algorithm>
 #include <type_traits>
 
 #include "base/float_environment.h"
-#include "query/join_question.h"
+#include "query/join/question.h"
 
 namespace foresee {
 namespace {

@@ -10,7 +10,7 @@
 // Keeps scratch space: used by one thread at a time; several may share a question.
 #pragma once
 
-#include "query/time_slabs.h"
+#include "query/join/time_slabs.h"
 
 namespace foresee {
 

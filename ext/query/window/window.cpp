@@ -1,4 +1,4 @@
-#include "query/window.h"
+#include "query/window/window.h"
 
 #include <limits>
 #include <utility>

@@ -11,7 +11,7 @@
 // at once.
 #pragma once
 
-#include "query/slab_batch.h"
+#include "query/join/slab_batch.h"
 
 namespace foresee {
 

@@ -1,8 +1,8 @@
-#include "query/probe.h"
+#include "query/join/probe.h"
 
 #include "base/float_environment.h"
 #include "index/tpr_tree/window_walk.h"
-#include "query/join_question.h"
+#include "query/join/question.h"
 #include "shape/extents.h"
 
 namespace foresee {

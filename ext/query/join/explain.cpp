@@ -1,4 +1,4 @@
-#include "query/explain.h"
+#include "query/join/explain.h"
 
 #include <algorithm>
 
@@ -6,9 +6,9 @@
 #include "index/paper_grid/paper_grid.h"
 #include "index/paper_grid/paper_stages.h"
 #include "index/paper_grid/thread_clock.h"
-#include "query/join_candidates.h"
-#include "query/join_plan.h"
-#include "query/join_question.h"
+#include "query/join/candidates.h"
+#include "query/join/plan.h"
+#include "query/join/question.h"
 
 namespace foresee {
 namespace {

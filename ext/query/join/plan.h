@@ -9,7 +9,7 @@
 
 #include <cstddef>
 
-#include "query/time_slabs.h"
+#include "query/join/time_slabs.h"
 
 namespace foresee {
 
