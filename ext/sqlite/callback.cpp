@@ -4,7 +4,7 @@
 #include <new>
 
 #include "index/pages.h"
-#include "storage/object_store.h"
+#include "storage/store_error.h"
 
 namespace foresee {
 namespace {

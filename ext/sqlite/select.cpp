@@ -4,7 +4,7 @@
 #include <memory>
 #include <new>
 
-#include "storage/object_store.h"
+#include "storage/store_error.h"
 
 namespace foresee {
 

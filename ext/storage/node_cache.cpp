@@ -6,7 +6,7 @@
 
 #include "storage/inner_node.h"
 #include "storage/leaf_node.h"
-#include "storage/object_store.h"
+#include "storage/store_error.h"
 
 namespace foresee {
 

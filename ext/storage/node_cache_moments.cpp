@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "storage/node_cache.h"
-#include "storage/object_store.h"
+#include "storage/store_error.h"
 
 namespace foresee {
 

@@ -21,15 +21,9 @@
 #include "base/error.h"
 #include "index/pages.h"
 #include "storage/declaration.h"
-#include "storage/sqlite_api.h"
+#include "storage/store_error.h"
 
 namespace foresee {
-
-/// A failure of SQLite or of the stored bytes; `code` is what the callback returns.
-struct StoreError : Error {
-  StoreError(int code, const std::string& message) : Error(message), code(code) {}
-  int code;
-};
 
 /// The state of a table's contents: equal versions of one table on one connection mean equal contents.
 struct ContentVersion {

@@ -5,8 +5,8 @@
 #include <map>
 #include <span>
 
-#include "storage/object_store.h"
 #include "storage/statement.h"
+#include "storage/store_error.h"
 
 namespace foresee {
 namespace {

@@ -5,7 +5,7 @@
 #include <new>
 #include <utility>
 
-#include "storage/object_store.h"
+#include "storage/store_error.h"
 
 namespace foresee {
 namespace {

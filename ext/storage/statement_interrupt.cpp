@@ -3,7 +3,7 @@
 #include <new>
 #include <string>
 
-#include "storage/object_store.h"
+#include "storage/store_error.h"
 
 namespace foresee {
 
