@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "sqlite/connection.h"
-#include "storage/sqlite_api.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 

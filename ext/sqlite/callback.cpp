@@ -4,7 +4,7 @@
 #include <new>
 
 #include "index/pages.h"
-#include "storage/store_error.h"
+#include "storage/rows/store_error.h"
 
 namespace foresee {
 namespace {

@@ -13,7 +13,7 @@
 #include <type_traits>
 
 #include "base/error.h"
-#include "storage/sqlite_api.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 

@@ -17,8 +17,8 @@
 #include "index/gpcd_grid/work_space.h"
 #include "query/scene.h"
 #include "sqlite/table_lookups.h"
-#include "storage/object_store.h"
-#include "storage/statement_interrupt.h"
+#include "storage/rows/statement_interrupt.h"
+#include "storage/table/object_store.h"
 
 namespace foresee {
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "storage/declaration.h"
+#include "storage/format/declaration.h"
 
 namespace foresee {
 

@@ -10,7 +10,7 @@
 #include "sqlite/table_cursor.h"
 #include "sqlite/table_plan.h"
 #include "sqlite/table_write.h"
-#include "storage/shadow_schema.h"
+#include "storage/rows/shadow_schema.h"
 
 namespace foresee {
 namespace {

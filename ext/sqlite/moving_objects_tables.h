@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "storage/sqlite_api.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 

@@ -4,7 +4,7 @@
 #include <memory>
 #include <new>
 
-#include "storage/store_error.h"
+#include "storage/rows/store_error.h"
 
 namespace foresee {
 

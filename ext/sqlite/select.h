@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "storage/sqlite_api.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 

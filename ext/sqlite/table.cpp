@@ -1,7 +1,7 @@
 #include "sqlite/table.h"
 
 #include "sqlite/declare.h"
-#include "storage/shadow_schema.h"
+#include "storage/rows/shadow_schema.h"
 
 namespace foresee {
 

@@ -12,7 +12,7 @@
 
 #include "sqlite/connection.h"
 #include "sqlite/values.h"
-#include "storage/object_store.h"
+#include "storage/table/object_store.h"
 
 namespace foresee {
 

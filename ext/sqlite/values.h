@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "sqlite/vocabulary.h"
-#include "storage/declaration.h"
-#include "storage/sqlite_api.h"
+#include "storage/format/declaration.h"
+#include "storage/rows/sqlite_api.h"
 
 namespace foresee {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "program.h"
-#include "storage/node_format.h"
+#include "storage/format/node_format.h"
 
 namespace foresee::testing {
 namespace {

@@ -1,8 +1,8 @@
 // Damage is found: by every read of what it touches, and by check() wherever it is.
-#include "storage/check.h"
+#include "storage/table/check.h"
 
 #include "storage/database.h"
-#include "storage/leaf_node.h"
+#include "storage/format/leaf_node.h"
 
 namespace foresee {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "storage/object_store.h"
-#include "storage/statement.h"
+#include "storage/rows/statement.h"
+#include "storage/table/object_store.h"
 
 namespace foresee {
 

@@ -1,7 +1,7 @@
 // A write that fails changes nothing; what waits in memory survives a failed flush.
 #include "storage/database.h"
-#include "storage/shadow_schema.h"
-#include "storage/store.h"
+#include "storage/rows/shadow_schema.h"
+#include "storage/table/store.h"
 
 namespace foresee {
 namespace {

@@ -1,4 +1,4 @@
-#include "storage/inner_node.h"
+#include "storage/format/inner_node.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "storage/leaf_node.h"
+#include "storage/format/leaf_node.h"
 
 #include <gtest/gtest.h>
 

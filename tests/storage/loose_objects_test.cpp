@@ -1,4 +1,4 @@
-#include "storage/loose_objects.h"
+#include "storage/nodes/loose_objects.h"
 
 #include <gtest/gtest.h>
 

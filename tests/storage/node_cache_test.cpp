@@ -1,8 +1,8 @@
 // The cache by itself, with so little memory that it writes and forgets all the time.
-#include "storage/node_cache.h"
+#include "storage/nodes/node_cache.h"
 
 #include "storage/database.h"
-#include "storage/shadow_schema.h"
+#include "storage/rows/shadow_schema.h"
 
 namespace foresee {
 namespace {

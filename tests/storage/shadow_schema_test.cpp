@@ -1,5 +1,5 @@
 // The shadow tables: names, _meta, and what happens when they are not what they should be.
-#include "storage/shadow_schema.h"
+#include "storage/rows/shadow_schema.h"
 
 #include <cstdio>
 #include <filesystem>

@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "storage/database.h"
-#include "storage/node_format.h"
-#include "storage/shadow_schema.h"
+#include "storage/format/node_format.h"
+#include "storage/rows/shadow_schema.h"
 
 namespace foresee {
 namespace {

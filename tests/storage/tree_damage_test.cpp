@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "storage/database.h"
-#include "storage/inner_node.h"
-#include "storage/leaf_node.h"
+#include "storage/format/inner_node.h"
+#include "storage/format/leaf_node.h"
 
 namespace foresee {
 namespace {

@@ -1,0 +1,148 @@
+#include "storage/format/leaf_node.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace foresee {
+namespace {
+
+// Records are judged where they lie: SQLite's blobs are not aligned.
+double number_at(const std::byte* record, int place) {
+  return load_number<double>(record + static_cast<std::size_t>(place) * sizeof(double));
+}
+
+bool all_finite(const std::byte* numbers, std::size_t count) {
+  constexpr std::uint64_t exponent = 0x7ff0000000000000;
+  std::uint64_t found = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto bits = load_number<std::uint64_t>(numbers + i * sizeof(std::uint64_t));
+    found |= static_cast<std::uint64_t>((bits & exponent) == exponent);
+  }
+  return found == 0;
+}
+
+const char* extent_fault(const NodeFormat& format, const std::byte* record) {
+  const Offsets& at = format.at;
+  if (at.half != Offsets::absent)
+    for (int axis = 0; axis < format.layout.axes; ++axis)
+      if (number_at(record, at.half + axis) < 0) return "a half extent is negative";
+  if (at.r != Offsets::absent && number_at(record, at.r) < 0) return "a radius is negative";
+  if (at.hz != Offsets::absent && number_at(record, at.hz) < 0) return "a half extent is negative";
+  return nullptr;
+}
+
+const char* force_fault(const NodeFormat& format, const std::byte* record) {
+  const double mass = number_at(record, format.at.mass);
+  if (!(mass > 0)) return "a mass is not positive";
+  for (int axis = 0; axis < format.layout.axes; ++axis)
+    if (!std::isfinite(number_at(record, format.at.force + axis) / mass))
+      return "an acceleration F/m overflows";
+  return nullptr;
+}
+
+const char* until_fault(const NodeFormat& format, const std::byte* record) {
+  const double start = format.at.t == Offsets::absent ? 0.0 : number_at(record, format.at.t);
+  return number_at(record, format.at.until) >= start ? nullptr : "an object ends before it begins";
+}
+
+const char* records_fault(const NodeFormat& format, const std::byte* records, std::size_t count) {
+  constexpr const char* not_finite = "a number is not finite";
+  const bool ends = format.layout.has_until;  // `until` comes last, and may be +infinity
+  const auto size = static_cast<std::size_t>(format.at.size);
+  if (!ends && !all_finite(records, count * size)) return not_finite;
+  const bool extended = format.layout.shape != Shape::point, forced = format.layout.law == Law::forced;
+  if (!ends && !extended && !forced) return nullptr;
+  for (const std::byte* record = records; record != records + count * format.record_size;
+       record += format.record_size) {
+    if (ends && !all_finite(record, size - 1)) return not_finite;
+    const char* fault = extended ? extent_fault(format, record) : nullptr;
+    if (!fault && ends) fault = until_fault(format, record);
+    if (!fault && forced) fault = force_fault(format, record);
+    if (fault) return fault;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+const char* record_fault(const NodeFormat& format, const double* record) {
+  return records_fault(format, reinterpret_cast<const std::byte*>(record), 1);
+}
+
+const char* leaf_fault(const NodeFormat& format, std::span<const std::byte> blob, std::int64_t number) {
+  if (const char* fault = node_fault(format, blob, number)) return fault;
+  if (load_number<std::uint8_t>(blob.data() + NodeFormat::level_at) != 0) return "it is no leaf";
+  const LeafView leaf(format, blob);
+  const int count = leaf.count();
+  if (count < 1 || static_cast<std::size_t>(count) > format.leaf_capacity) return "its count is wrong";
+  for (int i = 1; i < count; ++i)
+    if (leaf.id(i - 1) >= leaf.id(i)) return "its ids do not ascend";
+  return records_fault(format, blob.data() + format.records_at, static_cast<std::size_t>(count));
+}
+
+int LeafView::lower_bound(std::int64_t id) const {
+  int low = 0, high = count();
+  if (high > 0 && this->id(high - 1) < id) return high;  // ids mostly arrive ascending
+  while (low < high) {
+    const int middle = (low + high) / 2;
+    if (this->id(middle) < id)
+      low = middle + 1;
+    else
+      high = middle;
+  }
+  return low;
+}
+
+int LeafView::find(std::int64_t id) const {
+  const int i = lower_bound(id);
+  return i < count() && this->id(i) == id ? i : -1;
+}
+
+void LeafView::copy_ids(std::int64_t* ids) const {
+  std::memcpy(ids, id_at(0), static_cast<std::size_t>(count()) * sizeof *ids);
+}
+
+void LeafView::copy_records(double* records) const {
+  std::memcpy(records, record_at(0), static_cast<std::size_t>(count()) * format_->record_size);
+}
+
+std::vector<std::byte> encode_leaf(const NodeFormat& format, std::int64_t number, const Node& leaf) {
+  if (leaf.size() > format.leaf_capacity) throw BrokenTree("a tree node does not fit into its row");
+  std::vector<std::byte> blob(format.node_size);
+  store_number<std::uint8_t>(blob.data() + NodeFormat::format_at, NodeFormat::version);
+  store_number(blob.data() + NodeFormat::count_at, static_cast<std::uint16_t>(leaf.size()));
+  store_number(blob.data() + NodeFormat::parent_at, leaf.parent);
+  std::vector<std::uint16_t> order(leaf.size());
+  std::iota(order.begin(), order.end(), std::uint16_t{0});
+  if (!std::is_sorted(leaf.keys.begin(), leaf.keys.end()))
+    std::sort(order.begin(), order.end(),
+              [&](std::uint16_t a, std::uint16_t b) { return leaf.keys[a] < leaf.keys[b]; });
+  std::byte* id = blob.data() + NodeFormat::ids_at;
+  std::byte* record = blob.data() + format.records_at;
+  for (const std::size_t slot : order) {
+    store_number(id, leaf.keys[slot]);
+    std::memcpy(record, leaf.values.data() + slot * static_cast<std::size_t>(format.at.size),
+                format.record_size);
+    id += sizeof(std::int64_t);
+    record += format.record_size;
+  }
+  seal_node(blob, number);
+  return blob;
+}
+
+Node decode_leaf(const NodeFormat& format, std::span<const std::byte> blob) {
+  const LeafView view(format, blob);
+  const auto count = static_cast<std::size_t>(view.count());
+  Node leaf;
+  leaf.parent = load_number<std::int64_t>(blob.data() + NodeFormat::parent_at);
+  leaf.keys.reserve(count + 1);  // the tree puts one too many in before it splits a node
+  leaf.values.reserve((count + 1) * static_cast<std::size_t>(format.at.size));
+  leaf.keys.resize(count);
+  leaf.values.resize(count * static_cast<std::size_t>(format.at.size));
+  view.copy_ids(leaf.keys.data());
+  view.copy_records(leaf.values.data());
+  return leaf;
+}
+
+}  // namespace foresee

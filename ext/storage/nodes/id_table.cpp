@@ -1,0 +1,70 @@
+#include "storage/nodes/id_table.h"
+
+#include <algorithm>
+
+#include "storage/rows/sqlite_api.h"
+
+namespace foresee {
+
+IdTable::IdTable() {
+  sqlite3_randomness(sizeof key_, &key_);
+}
+
+// Where `id` is, or would be. The mixing is MurmurHash3's finalizer.
+std::size_t IdTable::place_of(std::int64_t id) const noexcept {
+  std::uint64_t hash = static_cast<std::uint64_t>(id) ^ key_;
+  hash = (hash ^ hash >> 33) * 0xff51afd7ed558ccd;
+  hash = (hash ^ hash >> 33) * 0xc4ceb9fe1a85ec53;
+  std::size_t place = (hash ^ hash >> 33) & (slots_.size() - 1);
+  while (slots_[place].value != free_slot && slots_[place].id != id)
+    place = (place + 1) & (slots_.size() - 1);
+  return place;
+}
+
+std::int64_t IdTable::find(std::int64_t id) const noexcept {
+  if (size_ == 0) return unknown;
+  const Entry& entry = slots_[place_of(id)];
+  return entry.value == free_slot ? unknown : entry.value;
+}
+
+void IdTable::prepare(std::int64_t id) {
+  if (2 * (size_ + 1) > slots_.size()) grow();
+  Entry& entry = slots_[place_of(id)];
+  if (entry.value != free_slot) return;
+  entry = {id, unknown};
+  ++size_;
+}
+
+void IdTable::grow() {
+  std::vector<Entry> old(std::max<std::size_t>(16, 2 * slots_.size()), Entry{0, free_slot});
+  slots_.swap(old);
+  for (const Entry& entry : old)
+    if (entry.value != free_slot) slots_[place_of(entry.id)] = entry;
+}
+
+void IdTable::set(std::int64_t id, std::int64_t value) noexcept {
+  if (size_ == 0) return;
+  Entry& entry = slots_[place_of(id)];
+  if (entry.value != free_slot) entry.value = value;
+}
+
+void IdTable::reset() noexcept {
+  for (Entry& entry : slots_)
+    if (entry.value != free_slot) entry.value = unknown;
+}
+
+void IdTable::clear() noexcept {
+  slots_ = {};
+  size_ = 0;
+}
+
+std::vector<IdTable::Entry> IdTable::sorted() const {
+  std::vector<Entry> all;
+  all.reserve(size_);
+  for (const Entry& entry : slots_)
+    if (entry.value != free_slot && entry.value != unknown) all.push_back(entry);
+  std::sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) { return a.id < b.id; });
+  return all;
+}
+
+}  // namespace foresee

@@ -1,0 +1,62 @@
+#include "storage/nodes/map_changes.h"
+
+namespace foresee {
+namespace {
+
+// Log entries that are about stored_is_void_, not about an id: its value before.
+constexpr std::int64_t was_void = -2, was_not_void = -3;
+
+}  // namespace
+
+void MapChanges::set(std::int64_t id, std::int64_t leaf) {
+  leaves_.prepare(id);
+  log_.push_back({id, leaves_.find(id)});
+  leaves_.set(id, leaf);
+}
+
+void MapChanges::log_change_of_void(bool before) {
+  log_.push_back({0, before ? was_void : was_not_void});
+}
+
+void MapChanges::void_stored() {
+  const std::vector<IdTable::Entry> waiting = leaves_.sorted();
+  log_.reserve(log_.size() + waiting.size() + 1);
+  log_.insert(log_.end(), waiting.begin(), waiting.end());
+  leaves_.reset();
+  log_change_of_void(stored_is_void_);
+  stored_is_void_ = true;
+}
+
+void MapChanges::written(bool may_rewind) {
+  if (!may_rewind) {
+    clear();
+    return;
+  }
+  const std::vector<IdTable::Entry> waiting = leaves_.sorted();
+  log_.reserve(log_.size() + waiting.size() + 1);
+  log_.insert(log_.end(), waiting.begin(), waiting.end());
+  if (stored_is_void_) log_change_of_void(true);
+  stored_is_void_ = false;
+  leaves_.reset();
+  held_after_writing_ = held();
+}
+
+void MapChanges::rewind(std::size_t position) noexcept {
+  for (; log_.size() > position; log_.pop_back()) {
+    const IdTable::Entry& before = log_.back();
+    if (before.value == was_void || before.value == was_not_void)
+      stored_is_void_ = before.value == was_void;
+    else
+      leaves_.set(before.id, before.value);
+  }
+  held_after_writing_ = std::min(held_after_writing_, held());
+}
+
+void MapChanges::clear() noexcept {
+  leaves_.clear();
+  log_.clear();
+  held_after_writing_ = 0;
+  stored_is_void_ = false;
+}
+
+}  // namespace foresee

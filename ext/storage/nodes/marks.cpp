@@ -1,0 +1,63 @@
+#include "storage/nodes/marks.h"
+
+#include <iterator>
+#include <new>
+
+namespace foresee {
+
+Marks::Handle Marks::set(const TreeHead& head, bool is_snapshot) {
+  marks_.push_back({.head = head, .is_snapshot = is_snapshot, .before = {}});
+  snapshots_ += is_snapshot;
+  return std::prev(marks_.end());
+}
+
+void Marks::give_up(Handle mark) noexcept {
+  snapshots_ -= mark->is_snapshot;
+  mark->is_snapshot = false;
+  mark->given_up = true;
+  if (mark != marks_.begin()) {
+    const auto older = std::prev(mark);
+    if (older->before.size() < mark->before.size() && older->before.empty()) {
+      older->before.swap(mark->before);
+    } else {
+      try {
+        older->before.merge(mark->before);
+      } catch (const std::bad_alloc&) {
+        return;  // it stays as a mark that nobody goes back to
+      }
+    }
+    marks_.erase(mark);
+  }
+  while (!marks_.empty() && marks_.front().given_up) marks_.pop_front();
+}
+
+const NodeState* Marks::find(Handle mark, NodeNumber number) const {
+  for (auto at = std::list<Mark>::const_iterator(mark); at != marks_.end(); ++at)
+    if (const auto found = at->before.find(number); found != at->before.end()) return &found->second;
+  return nullptr;
+}
+
+std::unordered_map<NodeNumber, NodeState> Marks::changed_since(Handle mark) const {
+  std::unordered_map<NodeNumber, NodeState> all;
+  for (auto at = std::list<Mark>::const_iterator(mark); at != marks_.end(); ++at)
+    all.insert(at->before.begin(), at->before.end());
+  return all;
+}
+
+bool Marks::snapshot_since(Handle mark) const {
+  for (auto at = std::list<Mark>::const_iterator(mark); at != marks_.end(); ++at)
+    if (at->is_snapshot) return true;
+  return false;
+}
+
+void Marks::break_snapshots() noexcept {
+  for (Mark& mark : marks_) mark.broken |= mark.is_snapshot;
+}
+
+void Marks::drop_stored() noexcept {
+  for (Mark& mark : marks_)
+    for (auto& [number, state] : mark.before)
+      if (!state.dirty) state.node.reset();
+}
+
+}  // namespace foresee

@@ -1,0 +1,249 @@
+#include "storage/nodes/node_cache.h"
+
+#include <algorithm>
+#include <bit>
+#include <limits>
+
+#include "storage/format/inner_node.h"
+#include "storage/format/leaf_node.h"
+#include "storage/rows/store_error.h"
+
+namespace foresee {
+
+void NodeCache::damaged(const std::string& what) const {
+  throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + what);
+}
+
+// --- reading
+
+const char* NodeCache::fault(NodeNumber number, std::span<const std::byte> blob) const {
+  if (number < 1) return "nodes are numbered from 1";
+  if (blob.size() == format_.node_size && blob[NodeFormat::level_at] != std::byte{0})
+    return inner_fault(format_, blob, number);
+  return leaf_fault(format_, blob, number);
+}
+
+NodeNumber NodeCache::root() {
+  if (head_.root == TreeHead::unknown) {
+    const std::optional<std::int64_t> stored = rows_->root();
+    if (!stored || *stored < 0) damaged("the root is no node");
+    head_.root = *stored;
+  }
+  return head_.root;
+}
+
+/// Null if its node would have to be read.
+NodeCache::Slot* NodeCache::in_memory(NodeNumber number) {
+  if (places_.size() < slots_.size() || places_.empty())
+    places_.assign(std::bit_ceil(std::max<std::size_t>(64, 2 * slots_.size())), {});
+  auto& [known, slot] = places_[static_cast<std::size_t>(number) & (places_.size() - 1)];
+  if (!slot || known != number) {
+    const auto found = slots_.find(number);
+    if (found == slots_.end()) return nullptr;
+    known = number, slot = &found->second;
+  }
+  return slot->state.node ? slot : nullptr;
+}
+
+NodeCache::Slot& NodeCache::fetch(NodeNumber number) {
+  if (Slot* slot = in_memory(number)) {
+    slot->used = use_;
+    return *slot;
+  }
+  const auto found = slots_.find(number);
+  const bool gone = found != slots_.end() && found->second.state.dirty;
+  if (!gone) evict();
+  std::shared_ptr<Node> node;
+  if (!gone)
+    rows_->read_node(number, [&](std::span<const std::byte> blob) {
+      if (const char* what = fault(number, blob))
+        damaged("node " + std::to_string(number) + " is damaged: " + what);
+      const bool is_leaf = blob[NodeFormat::level_at] == std::byte{0};
+      node = std::make_shared<Node>(is_leaf ? decode_leaf(format_, blob) : decode_inner(format_, blob));
+    });
+  if (!node) damaged("node " + std::to_string(number) + " is missing");
+  Slot& slot = slots_[number];
+  slot = {.state = {std::move(node), false}, .used = use_};
+  if (!hints_.empty()) learn(number, slot);
+  return slot;
+}
+
+void NodeCache::learn(NodeNumber number, Slot& slot) {
+  if (slot.learned || !slot.state.node->is_leaf()) return;
+  hints_.make_room(slots_.size() * format_.leaf_capacity);
+  hints_.learn(slot.state.node->keys, number);
+  slot.learned = true;
+}
+
+std::optional<NodeNumber> NodeCache::leaf_of(std::int64_t id) {
+  const std::int64_t leaf = map_.find(id);
+  if (leaf == MapChanges::erased) return std::nullopt;
+  if (leaf != MapChanges::unknown) return leaf;
+  if (last_found_ && last_found_->first == id) return last_found_->second;
+  if (const NodeNumber hint = hints_.find(id))
+    if (const Slot* slot = in_memory(hint); slot && slot->state.node->is_leaf()) {
+      const std::vector<std::int64_t>& ids = slot->state.node->keys;
+      if (std::find(ids.begin(), ids.end(), id) != ids.end()) {
+        last_found_ = {id, hint};
+        return hint;
+      }
+    }
+  const std::optional<std::int64_t> stored = rows_->leaf_of(id);
+  if (!stored) return stored;
+  last_found_ = {id, *stored};
+  hints_.make_room(1);
+  hints_.learn(id, *stored);
+  if (Slot* slot = in_memory(*stored)) learn(*stored, *slot);
+  return stored;
+}
+
+std::optional<std::shared_ptr<const Node>> NodeCache::waiting(NodeNumber number) const {
+  if (dirty_ == 0) return std::nullopt;
+  const auto found = slots_.find(number);
+  if (found == slots_.end() || !found->second.state.dirty) return std::nullopt;
+  return found->second.state.node;
+}
+
+NodeNumber NodeCache::next_waiting(NodeNumber after, NodeNumber before) {
+  if (dirty_ == 0 || before - after <= 1) return 0;
+  const std::vector<NodeNumber>& waiting = waiting_numbers();
+  const auto next = std::upper_bound(waiting.begin(), waiting.end(), after);
+  return next == waiting.end() || *next >= before ? 0 : *next;
+}
+
+/// Cost: a sort of what has changed in this transaction, once after each change.
+const std::vector<NodeNumber>& NodeCache::waiting_numbers() {
+  if (!waiting_is_stale_) return waiting_;
+  waiting_.clear();
+  for (const NodeNumber number : changed_)
+    if (const auto found = slots_.find(number); found != slots_.end() && found->second.state.dirty)
+      waiting_.push_back(number);
+  std::sort(waiting_.begin(), waiting_.end());
+  waiting_.erase(std::unique(waiting_.begin(), waiting_.end()), waiting_.end());
+  waiting_is_stale_ = false;
+  return waiting_;
+}
+
+// --- changing
+
+void NodeCache::set_dirty(Slot& slot, bool dirty) noexcept {
+  dirty_ += static_cast<std::size_t>(dirty) - static_cast<std::size_t>(slot.state.dirty);
+  waiting_is_stale_ |= slot.state.dirty != dirty;
+  slot.state.dirty = dirty;
+}
+
+void NodeCache::note_changed(NodeNumber number, Slot& slot) {
+  if (slot.changed == transaction_) return;
+  changed_.push_back(number);
+  slot.changed = transaction_;
+}
+
+// Nothing is lost if this throws.
+void NodeCache::about_to_change(NodeNumber number, Slot& slot) {
+  note_changed(number, slot);
+  if (slot.kept == moment_) return;
+  if (in_call_)
+    call_log_.emplace_back(number, slot.state);
+  else if (!marks_.none())
+    marks_.keep(number, slot.state);
+  slot.kept = moment_;
+}
+
+// What a node was matters only to those who read it at an earlier moment.
+NodeCache::Slot& NodeCache::overwritten(NodeNumber number) {
+  const auto found = slots_.find(number);
+  if (found != slots_.end()) return found->second;
+  return marks_.snapshots() > 0 ? fetch(number) : slots_[number];
+}
+
+Node& NodeCache::modify(NodeNumber number) {
+  Slot& slot = fetch(number);
+  about_to_change(number, slot);
+  std::shared_ptr<Node>& node = slot.state.node;
+  if (node.use_count() > 1) {
+    if (!spare_) spare_ = std::make_shared<Node>();
+    *spare_ = *node;
+    node = std::move(spare_);
+    spare_.reset();
+  }
+  set_dirty(slot, true);
+  return *node;
+}
+
+double* NodeCache::modify_record(NodeNumber leaf, std::size_t place) {
+  const auto size = static_cast<std::size_t>(format_.at.size);
+  Slot& slot = fetch(leaf);
+  const bool record_is_enough = in_call_ && marks_.none() && record_before_.leaf == 0 &&
+                                slot.kept != moment_ && slot.state.node.use_count() == 1;
+  if (!record_is_enough) return modify(leaf).values.data() + place * size;
+  double* record = slot.state.node->values.data() + place * size;
+  note_changed(leaf, slot);
+  record_before_.values.assign(record, record + size);
+  record_before_.leaf = leaf, record_before_.slot = place, record_before_.dirty = slot.state.dirty;
+  set_dirty(slot, true);
+  return record;
+}
+
+NodeNumber NodeCache::allocate() {
+  if (head_.last == TreeHead::unknown) head_.last = std::max<std::int64_t>(rows_->largest_node(), 0);
+  if (head_.last == std::numeric_limits<std::int64_t>::max()) damaged("there is no node number left");
+  auto node = std::make_shared<Node>();
+  const NodeNumber number = head_.last + 1;
+  Slot& slot = slots_[number];
+  about_to_change(number, slot);
+  slot.state.node = std::move(node);
+  set_dirty(slot, true);
+  return head_.last = number;
+}
+
+void NodeCache::put(NodeNumber number, Node node) {
+  auto shared = std::make_shared<Node>(std::move(node));
+  Slot& slot = overwritten(number);
+  about_to_change(number, slot);
+  slot.state.node = std::move(shared);
+  slot.learned = false;
+  set_dirty(slot, true);
+  if (dirty_ * format_.node_size > limits_.waiting) {
+    hand_call_to_marks();
+    write_nodes();
+    evict();
+  }
+}
+
+void NodeCache::free(NodeNumber number) {
+  Slot& slot = overwritten(number);
+  about_to_change(number, slot);
+  slot.state.node.reset();
+  set_dirty(slot, true);
+}
+
+// Numbers begin again when the tree does.
+void NodeCache::set_root(NodeNumber number) {
+  head_.root = number;
+  head_.root_dirty = true;
+  if (number == 0) head_.last = 0;
+}
+
+void NodeCache::place(std::span<const std::int64_t> ids, NodeNumber leaf) {
+  for (const std::int64_t id : ids) map_.set(id, leaf);
+}
+
+void NodeCache::erase_everything() {
+  std::vector<NodeNumber> numbers;
+  rows_->read_node_numbers([&](NodeNumber number) { numbers.push_back(number); });
+  for (const auto& [number, slot] : slots_) numbers.push_back(number);
+  for (const NodeNumber number : numbers) {
+    if (marks_.snapshots() > 0 && !slots_.contains(number)) {
+      try {
+        fetch(number);
+      } catch (const StoreError&) {
+        slots_[number];  // a damaged node, which no snapshot can read
+      }
+    }
+    free(number);
+  }
+  set_root(0);
+  map_.void_stored();
+}
+
+}  // namespace foresee

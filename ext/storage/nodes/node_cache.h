@@ -1,0 +1,162 @@
+// The tree's nodes between the tree and the table <name>_node: decoded when they are read, written once when
+// a transaction commits.
+//
+//   cache.forget_all();                      // another connection has changed the table
+//   auto tree = make_tpr_tree(cache, 60);    // index/pages.h says what a tree may do with its pages
+//   cache.begin_call(); tree->insert(…); cache.end_call();       // or cancel_call(): as if nothing was
+//   cache.write();                           // everything that waits
+//
+// Nodes that were read stay, within `CacheLimits`, for as long as the stamp says that nothing changed. Old
+// states live in marks.h: savepoints, snapshots, and the call in progress. A node is copied before it changes
+// only while somebody holds it as it was; for the call alone one record is enough.
+//
+// Rows are hostile: a node without fault by leaf_fault() or inner_fault() is believed by itself, what nodes
+// say about one another is not.
+#pragma once
+
+#include <vector>
+
+#include "storage/nodes/leaf_hints.h"
+#include "storage/nodes/map_changes.h"
+#include "storage/nodes/marks.h"
+#include "storage/rows/shadow_rows.h"
+
+namespace foresee {
+
+struct CacheLimits {
+  std::size_t loose = 128 << 20;   ///< bytes of objects that wait to be bulk loaded (in a Store)
+  std::size_t memory = 128 << 20;  ///< bytes of nodes that are kept, or of changes that wait, roughly
+  /// … of nodes that wait while one call puts many. What waits can be taken back, so that whoever interrupts
+  /// a question loses nothing: room for as many new objects as may be loose, not for a large old tree beside.
+  std::size_t waiting = 128 << 20;
+};
+
+class NodeCache final : public Pages {
+ public:
+  /// `name` is what messages call the table; it must outlive the cache.
+  NodeCache(const NodeFormat& format, const QualifiedName& name, const CacheLimits& limits = {})
+      : format_(format), name_(name), limits_(limits) {}
+  /// Where the rows are from now on.
+  void connect(ShadowRows& rows) { rows_ = &rows; }
+
+  // --- Pages
+  const Layout& layout() const override { return format_.layout; }
+  NodeNumber root() override;
+  std::shared_ptr<const Node> read(NodeNumber number) override { return fetch(number).state.node; }
+  std::size_t leaf_capacity() const override { return format_.leaf_capacity; }
+  std::size_t inner_capacity() const override { return format_.inner_capacity; }
+  Node& modify(NodeNumber number) override;
+  double* modify_record(NodeNumber leaf, std::size_t slot) override;
+  NodeNumber allocate() override;
+  void put(NodeNumber number, Node node) override;
+  void free(NodeNumber number) override;
+  void set_root(NodeNumber number) override;
+  std::optional<NodeNumber> leaf_of(std::int64_t id) override;
+  void place(std::span<const std::int64_t> ids, NodeNumber leaf) override;
+  void forget(std::int64_t id) override { map_.set(id, MapChanges::erased); }
+
+  // --- what is stored, and what waits
+  /// Requires: nothing waits.
+  void forget_all() noexcept;
+  /// Nodes and root will be read from the rows again. Requires: nothing waits.
+  void forget_clean();
+  bool waits() const { return dirty_ > 0 || map_.waits() || head_.root_dirty; }
+  /// So much waits that it should be written before more comes.
+  bool is_full() const { return dirty_ * format_.node_size + map_.memory() > limits_.memory; }
+  /// Writes all that waits: nodes by number, then the map by id, then the root.
+  void write();
+  /// A node that is not as its row says: the node, or null if it is gone. Nothing: the row is right.
+  std::optional<std::shared_ptr<const Node>> waiting(NodeNumber number) const;
+  /// The first node between `after` and `before` (both excluded) that waits; 0: there is none.
+  NodeNumber next_waiting(NodeNumber after, NodeNumber before);
+  /// Frees every node, whatever the tree says, and voids the map.
+  void erase_everything();
+  /// What is wrong with a node's bytes; null: nothing.
+  const char* fault(NodeNumber number, std::span<const std::byte> blob) const;
+
+  // --- one call of the tree: all or nothing
+  void begin_call();
+  void end_call();
+  void cancel_call() noexcept;
+  /// Cancelling no longer helps: rows were written during the call.
+  bool wrote_in_call() const { return wrote_in_call_; }
+
+  // --- marks
+  Marks::Handle mark(bool is_snapshot);
+  void give_up(Marks::Handle mark) noexcept { marks_.give_up(mark); }
+  /// The node as it was at the mark.
+  std::shared_ptr<const Node> read_at(Marks::Handle mark, NodeNumber number);
+  std::size_t map_position() const { return map_.position(); }
+  /// Back to a savepoint. SQLite has taken the rows back already.
+  void restore(Marks::Handle mark, std::size_t map_position);
+
+  // --- transactions
+  void begin();
+  void commit() noexcept;
+  void roll_back() noexcept;
+
+ private:
+  struct Slot {
+    NodeState state;
+    std::uint64_t kept = 0;     ///< the moment up to which a mark or the call knows what it was
+    std::uint64_t changed = 0;  ///< the transaction that changed it last
+    std::uint64_t used = 0;
+    bool learned = false;  ///< where its objects are
+  };
+
+  [[noreturn]] void damaged(const std::string& what) const;
+  Slot* in_memory(NodeNumber number);
+  Slot& fetch(NodeNumber number);
+  void learn(NodeNumber number, Slot& slot);
+  void erase_slot(NodeNumber number) noexcept;
+  Slot& overwritten(NodeNumber number);
+  void note_changed(NodeNumber number, Slot& slot);
+  void about_to_change(NodeNumber number, Slot& slot);
+  void take_back_record() noexcept;
+  void set_dirty(Slot& slot, bool dirty) noexcept;
+  void back_to(NodeNumber number, const NodeState& state) noexcept;
+  const std::vector<NodeNumber>& waiting_numbers();
+  void write_nodes();
+  void hand_call_to_marks();
+  void evict();
+  void drop_unused(std::uint64_t before);
+
+  NodeFormat format_;
+  const QualifiedName& name_;
+  CacheLimits limits_;
+  ShadowRows* rows_ = nullptr;
+
+  std::unordered_map<NodeNumber, Slot> slots_;
+  /// Where slots are, by the last digits of their numbers: a look-up in slots_ misses the processor's caches.
+  std::vector<std::pair<NodeNumber, Slot*>> places_;
+  TreeHead head_;
+  MapChanges map_;
+  LeafHints hints_;
+  std::optional<std::pair<std::int64_t, std::int64_t>> last_found_;  ///< id and leaf as the rows say
+  std::size_t dirty_ = 0;
+  std::uint64_t use_ = 1;     ///< moves with every eviction
+  std::size_t evict_at_ = 0;  ///< slots
+
+  Marks marks_;
+  std::uint64_t moment_ = 1;  ///< moves with every mark and call
+  std::uint64_t transaction_ = 1;
+  std::vector<NodeNumber> changed_;  ///< in this transaction, some of them repeatedly
+  bool dropped_changed_ = false;     ///< … and dropped from memory, once written
+  std::vector<NodeNumber> waiting_;  ///< dirty ones, ascending, unless stale
+  bool waiting_is_stale_ = false;
+
+  bool in_call_ = false, wrote_in_call_ = false;
+  std::vector<std::pair<NodeNumber, NodeState>> call_log_;
+  /// Most updates change one record and nothing else: it is kept alone.
+  struct {
+    NodeNumber leaf = 0;  ///< 0: there is none
+    std::size_t slot;
+    bool dirty;
+    std::vector<double> values;
+  } record_before_;
+  TreeHead head_before_call_;
+  std::size_t map_before_call_ = 0;
+  std::shared_ptr<Node> spare_;  ///< room for the next copy of a node
+};
+
+}  // namespace foresee

@@ -1,0 +1,70 @@
+// Out of memory: what leaves because there is no room, and what is written.
+#include <algorithm>
+
+#include "storage/format/inner_node.h"
+#include "storage/format/leaf_node.h"
+#include "storage/nodes/node_cache.h"
+
+namespace foresee {
+
+// --- memory
+
+void NodeCache::evict() {
+  const std::size_t most = limits_.memory / format_.node_size;
+  if (slots_.size() < std::max(most, evict_at_)) return;
+  drop_unused(use_);
+  if (slots_.size() > most / 2) drop_unused(use_ + 1);
+  ++use_;
+  evict_at_ = slots_.size() + most / 8;
+  if (marks_.snapshots() == 0) marks_.drop_stored();
+}
+
+void NodeCache::drop_unused(std::uint64_t before) {
+  const bool watched = marks_.snapshots() > 0;
+  places_.clear();
+  std::erase_if(slots_, [&](const auto& entry) {
+    const Slot& slot = entry.second;
+    const bool changed = slot.changed == transaction_;
+    if (slot.state.dirty || slot.used >= before || (changed && watched)) return false;
+    dropped_changed_ |= changed;
+    return true;
+  });
+}
+
+void NodeCache::erase_slot(NodeNumber number) noexcept {
+  if (!places_.empty()) places_[static_cast<std::size_t>(number) & (places_.size() - 1)] = {};
+  slots_.erase(number);
+}
+
+// --- writing
+
+void NodeCache::write() {
+  write_nodes();
+  if (map_.waits()) {
+    if (map_.stored_is_void()) rows_->erase_map();
+    rows_->write_map(map_.sorted());
+    map_.written(!marks_.none());
+    last_found_.reset();
+  }
+  if (head_.root_dirty) rows_->write_root(head_.root);
+  head_.root_dirty = false;
+  if (marks_.snapshots() == 0) marks_.drop_stored();
+}
+
+void NodeCache::write_nodes() {
+  const std::vector<NodeNumber> numbers = waiting_numbers();
+  wrote_in_call_ |= in_call_ && !numbers.empty();
+  for (const NodeNumber number : numbers) {
+    Slot& slot = slots_.at(number);
+    about_to_change(number, slot);
+    if (const Node* node = slot.state.node.get())
+      rows_->write_node(number, node->is_leaf() ? encode_leaf(format_, number, *node)
+                                                : encode_inner(format_, number, *node));
+    else
+      rows_->erase_node(number);
+    set_dirty(slot, false);
+    if (!slot.state.node) erase_slot(number);
+  }
+}
+
+}  // namespace foresee

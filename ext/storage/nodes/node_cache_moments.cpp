@@ -1,0 +1,163 @@
+// Going back: one call, a savepoint, a transaction; and reading what was.
+#include <algorithm>
+#include <utility>
+
+#include "storage/nodes/node_cache.h"
+#include "storage/rows/store_error.h"
+
+namespace foresee {
+
+// Requires: slots to be restored exist, or rows say what they were.
+void NodeCache::back_to(NodeNumber number, const NodeState& state) noexcept {
+  const auto found = slots_.find(number);
+  if (found == slots_.end()) return;
+  set_dirty(found->second, state.dirty);
+  found->second.state.node = state.node;
+  found->second.kept = 0;
+  if (state.node || state.dirty) return;
+  erase_slot(number);
+}
+
+void NodeCache::begin_call() {
+  call_log_.clear();
+  record_before_.leaf = 0;
+  head_before_call_ = head_;
+  map_before_call_ = map_.position();
+  in_call_ = true;
+  wrote_in_call_ = false;
+  ++moment_;
+}
+
+void NodeCache::end_call() {
+  if (marks_.none()) {
+    map_.forget_log();
+    if (!call_log_.empty() && call_log_.front().second.node.use_count() == 1)
+      spare_ = std::move(call_log_.front().second.node);
+  } else {
+    hand_call_to_marks();
+  }
+  call_log_.clear();
+  record_before_.leaf = 0;
+  in_call_ = false;
+}
+
+/// What was before the call, for those who go back to before it: once rows are written only a savepoint
+/// helps, and nodes that leave memory then cannot be had back from the call's own log.
+void NodeCache::hand_call_to_marks() {
+  if (marks_.none()) return;
+  for (const auto& [number, state] : call_log_) marks_.keep(number, state);
+}
+
+void NodeCache::cancel_call() noexcept {
+  for (auto change = call_log_.rbegin(); change != call_log_.rend(); ++change)
+    back_to(change->first, change->second);
+  call_log_.clear();
+  take_back_record();
+  map_.rewind(map_before_call_);
+  head_ = head_before_call_;
+  in_call_ = false;
+}
+
+/// After all else: if its leaf changed as a whole too, that was later.
+void NodeCache::take_back_record() noexcept {
+  const NodeNumber leaf = std::exchange(record_before_.leaf, 0);
+  if (leaf == 0) return;
+  const auto found = slots_.find(leaf);
+  if (found == slots_.end()) return;
+  NodeState& state = found->second.state;
+  std::copy(record_before_.values.begin(), record_before_.values.end(),
+            state.node->values.begin() +
+                static_cast<std::ptrdiff_t>(record_before_.slot * record_before_.values.size()));
+  set_dirty(found->second, record_before_.dirty);
+}
+
+Marks::Handle NodeCache::mark(bool is_snapshot) {
+  const Marks::Handle mark = marks_.set(head_, is_snapshot);
+  ++moment_;
+  return mark;
+}
+
+std::shared_ptr<const Node> NodeCache::read_at(Marks::Handle mark, NodeNumber number) {
+  if (mark->broken)
+    throw StoreError(SQLITE_ABORT, name_.table + ": a rollback ended this question; ask again");
+  const NodeState* before = marks_.find(mark, number);
+  if (!before) return read(number);
+  if (!before->node) damaged("node " + std::to_string(number) + " is missing");
+  return before->node;
+}
+
+void NodeCache::restore(Marks::Handle mark, std::size_t map_position) {
+  const bool watched = marks_.snapshot_since(mark);
+  if (watched && dropped_changed_) marks_.break_snapshots();
+  const auto wanted = marks_.changed_since(mark);
+  changed_.reserve(changed_.size() + wanted.size());
+  ++moment_;
+  for (const auto& [number, state] : wanted) {
+    const bool as_stored = !state.node && !state.dirty;
+    if (!as_stored) slots_[number];
+    const auto slot = slots_.find(number);
+    if (slot == slots_.end()) continue;
+    if (watched) about_to_change(number, slot->second);
+    slot->second.changed = transaction_;
+    changed_.push_back(number);
+    back_to(number, state);
+  }
+  head_ = mark->head;
+  map_.rewind(map_position);
+  last_found_.reset();
+}
+
+void NodeCache::forget_all() noexcept {
+  slots_.clear();
+  places_.clear();
+  hints_.clear();
+  head_ = {};
+  map_.clear();
+  last_found_.reset();
+  changed_.clear();
+  waiting_.clear();
+  waiting_is_stale_ = false;
+  dirty_ = 0;
+  evict_at_ = 0;
+}
+
+void NodeCache::forget_clean() {
+  drop_unused(use_ + 1);
+  head_.root = TreeHead::unknown;
+}
+
+void NodeCache::begin() {
+  ++transaction_;
+  changed_.clear();
+  dropped_changed_ = false;
+  head_.last = TreeHead::unknown;
+  last_found_.reset();
+}
+
+void NodeCache::commit() noexcept {
+  ++transaction_;
+  changed_.clear();
+  dropped_changed_ = false;
+  map_.clear();
+  last_found_.reset();
+}
+
+// SQLite has taken the rows back. Snapshots keep what they saw.
+void NodeCache::roll_back() noexcept {
+  if (marks_.snapshots() > 0) try {
+      for (const NodeNumber number : changed_)
+        if (const auto slot = slots_.find(number); slot != slots_.end())
+          marks_.keep(number, slot->second.state);
+    } catch (const std::bad_alloc&) {
+      marks_.break_snapshots();
+    }
+  if (dropped_changed_) {
+    marks_.break_snapshots();
+    forget_all();
+  }
+  for (const NodeNumber number : changed_) back_to(number, {});
+  head_ = {};
+  commit();
+}
+
+}  // namespace foresee

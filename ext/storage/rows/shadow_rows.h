@@ -1,0 +1,100 @@
+// Every statement that a store runs on its shadow tables, as plain calls; shadow_schema.h says what they are.
+//
+// Nothing is cached here: each call sees the database as this connection sees it now. Blobs come unchecked.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "storage/nodes/id_table.h"
+#include "storage/rows/shadow_schema.h"
+#include "storage/rows/statement.h"
+
+namespace foresee {
+
+class ShadowRows {
+ public:
+  ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries);
+
+  // --- _node
+  std::int64_t largest_node();  ///< 0: there is none
+  /// Calls read(blob) if the node exists, and says whether it does.
+  template <class Read>
+  bool read_node(std::int64_t number, Read read) {
+    Statement::Run run(node_by_number_);
+    run.bind(1, number);
+    if (!run.step()) return false;
+    read(run.blob(0));
+    return true;
+  }
+  /// Calls read(number, blob) with the first node after number `after`, and says whether there is one.
+  template <class Read>
+  bool read_node_after(std::int64_t after, Read read) {
+    Statement::Run run(nodes_after_);
+    run.bind(1, after);
+    if (!run.step()) return false;
+    read(run.integer(0), run.blob(1));
+    return true;
+  }
+  /// Calls read(number, blob) with every node by ascending number.
+  template <class Read>
+  void read_all_nodes(Read read) {
+    Statement::Run run(all_nodes_);
+    while (run.step()) read(run.integer(0), run.blob(1));
+  }
+  void write_node(std::int64_t number, std::span<const std::byte> blob);
+  void erase_node(std::int64_t number);
+  template <class Read>
+  void read_node_numbers(Read read) {
+    Statement::Run run(node_numbers_);
+    while (run.step()) read(run.integer(0));
+  }
+
+  // --- _map
+  std::optional<std::int64_t> leaf_of(std::int64_t id);
+  std::optional<std::int64_t> largest_id();
+  std::int64_t count();
+  template <class Read>
+  void read_map(Read read) {
+    Statement::Run run(all_ids_);
+    while (run.step()) read(run.integer(0), run.integer(1));
+  }
+  /// Each id's leaf; 0: the id goes. Fast if the ids ascend.
+  void write_map(std::span<const IdTable::Entry> changes);
+  void erase_map();
+
+  // --- _aux; requires: there are auxiliary columns
+  void insert_auxiliaries(std::int64_t id, std::span<sqlite3_value*> values);
+  /// Values that did not change (sqlite3_value_nochange) stay. An object that has `new_id` loses its own.
+  void update_auxiliaries(std::int64_t id, std::int64_t new_id, std::span<sqlite3_value*> values);
+  void erase_auxiliaries(std::int64_t id);
+  void result_auxiliary(sqlite3_context* context, std::int64_t id, int column);
+  template <class Read>
+  void read_auxiliary_ids(Read read) {
+    Statement::Run run(auxiliary_ids_);
+    while (run.step()) read(run.integer(0));
+  }
+  /// One row for each object of the map: strays go, missing ones come with NULLs.
+  void match_auxiliaries_to_map();
+
+  // --- _meta
+  /// Nothing if the stored stamp is missing or no integer.
+  std::optional<std::int64_t> stamp();
+  void write_stamp(std::int64_t stamp);
+  /// The tree's root; nothing if it is missing or no integer.
+  std::optional<std::int64_t> root();
+  void write_root(std::int64_t root);
+
+ private:
+  Statement largest_node_, node_by_number_, nodes_after_, all_nodes_, write_node_, erase_node_, node_numbers_;
+  Statement leaf_of_, largest_id_, count_, all_ids_, write_map_row_, write_map_rows_, erase_map_row_,
+      erase_map_;
+  Statement insert_auxiliaries_, update_auxiliaries_, erase_auxiliaries_, auxiliary_ids_, erase_stray_,
+      insert_missing_;
+  std::vector<Statement> auxiliary_;
+  Statement stamp_, write_stamp_, root_, write_root_;
+};
+
+}  // namespace foresee

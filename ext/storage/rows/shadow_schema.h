@@ -1,0 +1,46 @@
+// Which tables hold a moving_objects table, and what do they say about themselves?
+//
+//   <name>_node(nodeno INTEGER PRIMARY KEY, data BLOB)                 leaves and inner nodes
+//   <name>_map(id INTEGER PRIMARY KEY, leaf INTEGER)                   where each object is
+//   <name>_aux(id INTEGER PRIMARY KEY, a0, a1, …)                      only with auxiliary columns
+//   <name>_meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID             see below
+//
+// _meta: `format` version of all this, `columns` as declared, `node_size`, `horizon`, `root` (0: there are no
+// objects), `stamp` (random, rewritten once per write transaction).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "storage/format/declaration.h"
+#include "storage/format/node_format.h"
+#include "storage/rows/sqlite_api.h"
+
+namespace foresee {
+
+/// A table as SQL names it.
+struct QualifiedName {
+  std::string schema;
+  std::string table;
+};
+
+/// True for node, map, aux and meta: what stands behind `<name>_` in a shadow table's name.
+bool is_shadow_suffix(std::string_view suffix);
+
+/// The record's columns in their order, then the auxiliary ones: what `columns` holds in _meta.
+std::string describe_columns(const Declaration& declaration);
+
+/// Makes the shadow tables of a new, empty table and returns its nodes' format.
+NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
+
+/// The nodes' format of an existing table. Throws StoreError if the shadow tables were written for another
+/// declaration or by a version of foresee that this one does not understand.
+NodeFormat read_node_format(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
+
+void rename_shadow_tables(sqlite3* db, const QualifiedName& name, const std::string& new_table,
+                          const Declaration& declaration);
+
+/// Tables that are missing are no obstacle.
+void drop_shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
+
+}  // namespace foresee

@@ -1,0 +1,118 @@
+#include "storage/rows/statement.h"
+
+#include <cstdarg>
+#include <memory>
+#include <new>
+#include <utility>
+
+#include "storage/rows/store_error.h"
+
+namespace foresee {
+namespace {
+
+struct FreeSqlite {
+  void operator()(void* memory) const { sqlite3_free(memory); }
+};
+
+}  // namespace
+
+std::string format_sql(const char* format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  const std::unique_ptr<char, FreeSqlite> text(sqlite3_vmprintf(format, arguments));
+  va_end(arguments);
+  if (!text) throw std::bad_alloc();
+  return text.get();
+}
+
+void throw_sqlite_error(sqlite3* db, int code) {
+  if ((code & 0xff) == SQLITE_NOMEM) throw std::bad_alloc();
+  throw StoreError(code, sqlite3_errmsg(db));
+}
+
+void execute(sqlite3* db, const std::string& sql) {
+  const int code = sqlite3_exec(db, sql.c_str(), nullptr, nullptr, nullptr);
+  if (code != SQLITE_OK) throw_sqlite_error(db, code);
+}
+
+Statement::Statement(Statement&& other) noexcept {
+  *this = std::move(other);
+}
+
+Statement& Statement::operator=(Statement&& other) noexcept {
+  std::swap(db_, other.db_);
+  std::swap(sql_, other.sql_);
+  std::swap(statement_, other.statement_);
+  std::swap(running_, other.running_);
+  return *this;
+}
+
+Statement::~Statement() {
+  sqlite3_finalize(statement_);
+}
+
+sqlite3_stmt* Statement::prepared() {
+  if (statement_) return statement_;
+  const int code =
+      sqlite3_prepare_v3(db_, sql_.c_str(), static_cast<int>(sql_.size()) + 1,
+                         SQLITE_PREPARE_PERSISTENT | SQLITE_PREPARE_NO_VTAB, &statement_, nullptr);
+  if (code != SQLITE_OK) throw_sqlite_error(db_, code);
+  return statement_;
+}
+
+Statement::Run::Run(Statement& statement) : owner_(statement), statement_(statement.prepared()) {
+  // A trigger that somebody put on a shadow table might lead back here.
+  if (owner_.running_) throw StoreError(SQLITE_LOCKED_VTAB, "the table is in use by its own shadow tables");
+  owner_.running_ = true;
+}
+
+Statement::Run::~Run() {
+  sqlite3_reset(statement_);
+  sqlite3_clear_bindings(statement_);
+  owner_.running_ = false;
+}
+
+void Statement::Run::check(int code) {
+  if (code != SQLITE_OK) throw_sqlite_error(owner_.db_, code);
+}
+
+void Statement::Run::bind(int place, std::int64_t value) {
+  check(sqlite3_bind_int64(statement_, place, value));
+}
+
+void Statement::Run::bind(int place, double value) {
+  check(sqlite3_bind_double(statement_, place, value));
+}
+
+void Statement::Run::bind(int place, const std::string& text) {
+  check(sqlite3_bind_text64(statement_, place, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
+}
+
+void Statement::Run::bind(int place, std::span<const std::byte> blob) {
+  check(sqlite3_bind_blob64(statement_, place, blob.data(), blob.size(), SQLITE_STATIC));
+}
+
+void Statement::Run::bind(int place, const sqlite3_value* value) {
+  check(sqlite3_bind_value(statement_, place, value));
+}
+
+bool Statement::Run::step() {
+  const int code = sqlite3_step(statement_);
+  if (code == SQLITE_ROW) return true;
+  if (code == SQLITE_DONE) return false;
+  throw_sqlite_error(owner_.db_, code);
+}
+
+std::string Statement::Run::text(int column) {
+  const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
+  const int size = sqlite3_column_bytes(statement_, column);
+  return text ? std::string(text, static_cast<std::size_t>(size)) : std::string();
+}
+
+std::span<const std::byte> Statement::Run::blob(int column) {
+  if (sqlite3_column_type(statement_, column) != SQLITE_BLOB) return {};
+  const auto* bytes = static_cast<const std::byte*>(sqlite3_column_blob(statement_, column));
+  return {bytes, bytes ? static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)) : 0};
+}
+
+}  // namespace foresee

@@ -1,0 +1,83 @@
+// SQL for our own tables: text with quoted names, and prepared statements that never stay open.
+//
+//   Statement find(db, format_sql("SELECT leaf FROM \"%w\".\"%w_map\" WHERE id = ?", schema, table));
+//   Statement::Run run(find);
+//   run.bind(1, id);
+//   if (run.step()) use(run.integer(0));
+//
+// Guarantee: a statement is compiled at its first use and reset at the end of every run, whatever happens, so
+// that none holds a read lock or stands in the way of VACUUM and DROP. Failures are StoreError with SQLite's
+// code and message.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "storage/rows/sqlite_api.h"
+
+namespace foresee {
+
+/// SQL text by the rules of sqlite3_mprintf: "%w" for a name, %Q for a string.
+std::string format_sql(const char* format, ...);
+
+/// Runs statements that give no rows.
+void execute(sqlite3* db, const std::string& sql);
+
+/// Throws the connection's last error as StoreError.
+[[noreturn]] void throw_sqlite_error(sqlite3* db, int code);
+
+class Statement {
+ public:
+  Statement() = default;
+  Statement(sqlite3* db, std::string sql) : db_(db), sql_(std::move(sql)) {}
+  Statement(Statement&& other) noexcept;
+  Statement& operator=(Statement&& other) noexcept;
+  ~Statement();
+
+  class Run;
+
+ private:
+  sqlite3_stmt* prepared();
+
+  sqlite3* db_ = nullptr;
+  std::string sql_;
+  sqlite3_stmt* statement_ = nullptr;
+  bool running_ = false;
+};
+
+/// One execution. Bound blobs and the blobs that a row shows are not copied: they must live until the run or
+/// the row ends.
+class Statement::Run {
+ public:
+  explicit Run(Statement& statement);
+  ~Run();
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  void bind(int place, std::int64_t value);
+  void bind(int place, double value);
+  void bind(int place, const std::string& text);
+  void bind(int place, std::span<const std::byte> blob);
+  void bind(int place, const sqlite3_value* value);
+
+  /// True: there is a row. False: the statement is done.
+  bool step();
+
+  bool is_integer(int column) { return sqlite3_column_type(statement_, column) == SQLITE_INTEGER; }
+  bool is_null(int column) { return sqlite3_column_type(statement_, column) == SQLITE_NULL; }
+  std::int64_t integer(int column) { return sqlite3_column_int64(statement_, column); }
+  std::string text(int column);
+  /// Empty if the column is no blob.
+  std::span<const std::byte> blob(int column);
+  sqlite3_value* value(int column) { return sqlite3_column_value(statement_, column); }
+
+ private:
+  void check(int code);
+
+  Statement& owner_;
+  sqlite3_stmt* statement_;
+};
+
+}  // namespace foresee

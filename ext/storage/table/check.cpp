@@ -1,0 +1,132 @@
+#include "storage/table/check.h"
+
+#include <algorithm>
+
+#include "index/tpr_tree/tpr_tree.h"
+#include "storage/format/inner_node.h"
+#include "storage/format/leaf_node.h"
+#include "storage/table/object_store.h"
+
+namespace foresee {
+namespace {
+
+constexpr std::size_t most_faults = 100;
+
+struct Entry {
+  std::int64_t id, leaf;
+};
+
+class Check {
+ public:
+  Check(ShadowRows& rows, NodeCache& cache, const NodeFormat& format, const QualifiedName& name,
+        Interrupt& interrupt)
+      : rows_(rows), cache_(cache), format_(format), name_(name), interrupt_(interrupt) {}
+
+  void nodes() {
+    rows_.read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+      pause();
+      ++nodes_;
+      if (const char* fault = cache_.fault(number, blob))
+        return say("node " + std::to_string(number) + " is damaged: " + fault);
+      if (is_inner(format_, blob, number)) return;
+      const LeafView leaf(format_, blob);
+      for (int i = 0; i < leaf.count(); ++i) objects_.push_back({leaf.id(i), number});
+    });
+    std::sort(objects_.begin(), objects_.end(),
+              [](const Entry& a, const Entry& b) { return a.id != b.id ? a.id < b.id : a.leaf < b.leaf; });
+    for (std::size_t i = 1; i < objects_.size(); ++i)
+      if (objects_[i - 1].id == objects_[i].id)
+        say(object(objects_[i].id) + " is in nodes " + std::to_string(objects_[i - 1].leaf) + " and " +
+            std::to_string(objects_[i].leaf));
+    const auto same_id = [](const Entry& a, const Entry& b) { return a.id == b.id; };
+    objects_.erase(std::unique(objects_.begin(), objects_.end(), same_id), objects_.end());
+  }
+
+  void map() {
+    std::size_t next = 0;
+    rows_.read_map([&](std::int64_t id, std::int64_t leaf) {
+      pause();
+      for (; next < objects_.size() && objects_[next].id < id; ++next) not_in("map", objects_[next]);
+      if (next == objects_.size() || objects_[next].id != id)
+        return say("the map sends " + object(id) + " to node " + std::to_string(leaf) +
+                   ", but no leaf has it");
+      if (objects_[next].leaf != leaf)
+        say("the map sends " + object(id) + " to node " + std::to_string(leaf) + ", but it is in node " +
+            std::to_string(objects_[next].leaf));
+      ++next;
+    });
+    for (; next < objects_.size(); ++next) not_in("map", objects_[next]);
+  }
+
+  void auxiliaries() {
+    std::size_t next = 0;
+    rows_.read_auxiliary_ids([&](std::int64_t id) {
+      pause();
+      for (; next < objects_.size() && objects_[next].id < id; ++next)
+        not_in("auxiliary columns", objects_[next]);
+      if (next == objects_.size() || objects_[next].id != id)
+        return say("there are auxiliary columns of " + object(id) + ", but no leaf has it");
+      ++next;
+    });
+    for (; next < objects_.size(); ++next) not_in("auxiliary columns", objects_[next]);
+  }
+
+  // What sound nodes say about one another. A fault found before would only be found again, object by object.
+  void tree() {
+    if (!faults_.empty()) return;
+    try {
+      const TreeReport report = check_tree(cache_, interrupt_);
+      for (const std::string& problem : report.problems) say(problem);
+      if (report.problems.empty() && report.nodes < nodes_)
+        say("nodes that are not part of the tree: " + std::to_string(nodes_ - report.nodes));
+    } catch (const StoreError& error) {
+      if ((error.code & 0xff) != SQLITE_CORRUPT) throw;
+      faults_.push_back(error.what());
+    } catch (const BrokenTree& error) {
+      say(error.what());
+    }
+  }
+
+  void meta() {
+    if (!rows_.stamp()) say("the stamp is missing");
+  }
+
+  std::vector<std::string> faults() && { return std::move(faults_); }
+
+ private:
+  static std::string object(std::int64_t id) { return "object " + std::to_string(id); }
+  void not_in(const char* table, const Entry& entry) {
+    say(object(entry.id) + " of node " + std::to_string(entry.leaf) + " is missing in the " + table);
+  }
+  void say(const std::string& fault) {
+    if (faults_.size() < most_faults) faults_.push_back(name_.table + ": " + fault);
+  }
+  void pause() {
+    if (++steps_ % 1024 == 0) interrupt_.check();
+  }
+
+  ShadowRows& rows_;
+  NodeCache& cache_;
+  const NodeFormat& format_;
+  const QualifiedName& name_;
+  Interrupt& interrupt_;
+  std::vector<Entry> objects_;  // where each object is, by id
+  std::vector<std::string> faults_;
+  std::size_t nodes_ = 0;
+  std::size_t steps_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::string> check_tables(ShadowRows& rows, NodeCache& cache, const NodeFormat& format,
+                                      const QualifiedName& name, bool has_auxiliaries, Interrupt& interrupt) {
+  Check check(rows, cache, format, name, interrupt);
+  check.meta();
+  check.nodes();
+  check.map();
+  if (has_auxiliaries) check.auxiliaries();
+  check.tree();
+  return std::move(check).faults();
+}
+
+}  // namespace foresee

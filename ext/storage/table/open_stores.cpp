@@ -1,0 +1,39 @@
+#include "storage/table/open_stores.h"
+
+#include <map>
+#include <mutex>
+#include <tuple>
+
+#include "storage/table/store.h"
+
+namespace foresee {
+namespace {
+
+// Process-wide, because nothing that SQLite 3.40 offers belongs to a connection and is found from it.
+struct OpenStores {
+  std::mutex mutex;
+  std::map<std::tuple<sqlite3*, std::string, std::string>, std::weak_ptr<Store>> stores;
+};
+
+OpenStores& open_stores() {
+  static OpenStores all;
+  return all;
+}
+
+}  // namespace
+
+std::shared_ptr<Store> find_open_store(sqlite3* db, const QualifiedName& name) {
+  OpenStores& all = open_stores();
+  const std::lock_guard lock(all.mutex);
+  const auto found = all.stores.find({db, name.schema, name.table});
+  return found == all.stores.end() ? nullptr : found->second.lock();
+}
+
+void remember_open_store(sqlite3* db, const QualifiedName& name, const std::shared_ptr<Store>& store) {
+  OpenStores& all = open_stores();
+  const std::lock_guard lock(all.mutex);
+  std::erase_if(all.stores, [](const auto& entry) { return entry.second.expired(); });
+  all.stores.insert_or_assign({db, name.schema, name.table}, store);
+}
+
+}  // namespace foresee

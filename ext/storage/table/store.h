@@ -1,0 +1,166 @@
+// The store behind object_store.h: a TPR-tree over the shadow tables, and before it what a write transaction
+// has changed but not written yet.
+//
+//   insert ─► LooseObjects ─► tree over NodeCache (nodes, MapChanges) ─► shadow rows, once a transaction
+//   read   ─► loose, else the cache, else the tables
+//
+// Changes wait in memory until commit, or until many MB wait. A savepoint is a mark in memory (marks.h): it
+// writes nothing, and going back to it undoes what memory did since, while SQLite takes back what was
+// written. What was read in one transaction is believed in the next only under the same stamp.
+//
+// Auxiliary values are written at once. Every change is one call (store_call.h): all or nothing.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "index/tpr_tree/tpr_tree.h"
+#include "storage/nodes/loose_objects.h"
+#include "storage/nodes/node_cache.h"
+#include "storage/table/object_store.h"
+
+namespace foresee {
+
+class LeafView;
+
+class Store final : public ObjectStore, public std::enable_shared_from_this<Store> {
+ public:
+  Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format, bool is_new,
+        const CacheLimits& limits = {});
+
+  const Declaration& declaration() const override { return declaration_; }
+  const NodeFormat& format() const { return format_; }
+
+  ContentVersion version() override;
+  bool contains(std::int64_t id) override;
+  std::optional<std::vector<double>> read(std::int64_t id) override;
+  void load(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt) override;
+  std::int64_t next_leaf(std::int64_t after, std::vector<std::int64_t>& ids,
+                         std::vector<double>& records) override;
+  void result_auxiliary(sqlite3_context* context, std::int64_t id, int column) override;
+  std::shared_ptr<NodeSource> snapshot() override;
+  double newest_t() override;
+
+  std::int64_t next_id() override;
+  void insert(std::int64_t id, std::span<const double> record,
+              std::span<sqlite3_value*> auxiliaries) override;
+  void update(std::int64_t id, std::int64_t new_id, std::span<const double> record,
+              std::span<sqlite3_value*> auxiliaries) override;
+  void erase(std::int64_t id) override;
+
+  void rebuild(Interrupt& interrupt) override;
+  void optimize(Interrupt& interrupt) override;
+  std::vector<std::string> check(Interrupt& interrupt) override;
+
+  void begin() override;
+  void sync() override;
+  void commit() override;
+  void rollback() override;
+  void savepoint(int level) override;
+  void release(int level) override;
+  void rollback_to(int level) override;
+  void rename(const std::string& new_table) override;
+  void drop() override;
+
+  // For a table that is connected again.
+  bool goes_by(const std::string& table) const { return name_.table == table; }
+  /// Everything that this transaction did here is gone, and nobody said so.
+  bool is_taken_back();
+
+  // For snapshots.
+  NodeCache& nodes();
+  void give_up(Marks::Handle mark) noexcept { cache_.give_up(mark); }
+
+ private:
+  class OwnStatements;
+  class Call;
+
+  /// The largest id, known within a write transaction only.
+  struct Largest {
+    bool known = false;
+    bool exact = false;  ///< else no id is larger
+    std::optional<std::int64_t> id = {};
+  };
+
+  ShadowRows& rows();
+  bool has_auxiliaries() const { return !declaration_.auxiliaries.empty(); }
+  [[noreturn]] void damaged(const std::string& what) const;
+  template <class Body>
+  auto with_sound_tree(Body body);
+  void believe_only_this_stamp();
+
+  // reading (store_read.cpp)
+  std::optional<std::int64_t> leaf_of(std::int64_t id);
+  void read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
+                   const std::function<void(const Node&)>& waiting);
+  bool read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
+                        const std::function<void(const LeafView&)>& use) const;
+
+  void expect_as_mapped(std::size_t found);
+
+  // writing (store_write.cpp)
+  void start_change(std::span<const double> record);
+  void take_out(std::int64_t id);
+  void add(std::int64_t id, std::span<const double> record);
+  const Largest& largest();
+
+  // from memory to the tables (store_flush.cpp)
+  void settle();
+  void insert_one_by_one(Interrupt& interrupt);
+  void load_all_anew(Interrupt& interrupt);
+  void flush();
+  void collect_stored(std::vector<std::int64_t>& ids, std::vector<double>& records, Interrupt& interrupt);
+  void pack(Interrupt& interrupt);
+
+  // transactions (store_life.cpp)
+  struct Savepoint {
+    int level;
+    Marks::Handle mark;
+    std::size_t map_position;
+    std::shared_ptr<LooseObjects> loose;
+    std::size_t loose_position;
+    Largest largest;
+    std::uint64_t change;
+    std::optional<std::int64_t> own_stamp;
+    std::string table;
+    bool waits;  ///< something that is not stored yet
+  };
+  bool waits() const { return cache_.waits() || loose_->count() > 0; }
+  void back_to(const Savepoint& savepoint);
+  void back_to_begin() noexcept;
+  void go_by(const std::string& table);
+  void give_up_savepoints(std::size_t from) noexcept;
+  void end_transaction() noexcept;
+  void note_change() noexcept { ++change_, changed_ = true; }
+
+  sqlite3* db_;
+  QualifiedName name_;
+  Declaration declaration_;
+  NodeFormat format_;
+  CacheLimits limits_;
+  std::unique_ptr<ShadowRows> rows_;
+  NodeCache cache_;
+  std::unique_ptr<TprTree> tree_;
+  std::shared_ptr<LooseObjects> loose_;  ///< shared with savepoints that would take it back
+
+  bool in_transaction_;
+  bool writing_ = false;      ///< this transaction has changed something: nobody else can
+  bool stamped_ = false;      ///< … and what is stored now has a stamp of its own
+  bool torn_ = false;         ///< rows were written by a call that then failed: only rolling back helps
+  int own_statements_ = 0;    ///< our own statements under way: callbacks that come now are about them
+  bool rolled_back_ = false;  ///< … SQLite rolled everything back among them
+  std::vector<Savepoint> savepoints_;
+  std::optional<std::int64_t> believed_stamp_;  ///< the cache is as the tables were under this stamp
+  std::optional<std::int64_t> stamp_before_;    ///< … before this transaction
+  std::optional<std::int64_t> own_stamp_;       ///< what this transaction has written last and not taken back
+  std::string table_at_begin_;                  ///< the table's name then: renaming can be taken back
+
+  Largest largest_;
+
+  bool changed_ = false;  ///< since version() was last asked
+  std::uint64_t changes_ = 0;
+  std::uint64_t change_ = 0;  ///< moves with everything that a savepoint would have to take back
+};
+
+}  // namespace foresee

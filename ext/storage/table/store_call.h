@@ -1,0 +1,78 @@
+// Our own work inside a callback: SQLite may call the table back about our statements (their savepoints, a
+// rollback of everything after a disk error), and the application's last_insert_rowid() must not see them.
+//
+// Call is one change: done() makes it hold; without it, everything in memory is as it was.
+#pragma once
+
+#include "base/float_environment.h"
+#include "storage/table/store.h"
+
+namespace foresee {
+
+class Store::OwnStatements {
+ public:
+  explicit OwnStatements(Store& store) : store_(store), rowid_(sqlite3_last_insert_rowid(store.db_)) {
+    ++store_.own_statements_;
+  }
+  ~OwnStatements() {
+    if (sqlite3_last_insert_rowid(store_.db_) != rowid_) sqlite3_set_last_insert_rowid(store_.db_, rowid_);
+    if (--store_.own_statements_ > 0 || !store_.rolled_back_) return;
+    store_.rolled_back_ = false;
+    store_.rollback();
+  }
+  OwnStatements(const OwnStatements&) = delete;
+  OwnStatements& operator=(const OwnStatements&) = delete;
+
+ private:
+  Store& store_;
+  sqlite3_int64 rowid_;
+};
+
+class Store::Call {
+ public:
+  explicit Call(Store& store)
+      : own_(store),
+        store_(store),
+        loose_(store.loose_),
+        loose_position_(store.loose_->position()),
+        largest_(store.largest_) {
+    store_.cache_.begin_call();
+  }
+  ~Call() {
+    if (done_) return;
+    store_.torn_ |= store_.cache_.wrote_in_call();
+    store_.cache_.cancel_call();
+    store_.loose_ = std::move(loose_);
+    store_.loose_->rewind(loose_position_);
+    store_.largest_ = largest_;
+  }
+
+  void done() {
+    store_.cache_.end_call();
+    done_ = true;
+    store_.note_change();
+    if (store_.savepoints_.empty()) store_.loose_->forget_past();
+  }
+
+ private:
+  OwnStatements own_;
+  Store& store_;
+  std::shared_ptr<LooseObjects> loose_;
+  std::size_t loose_position_;
+  Largest largest_;
+  bool done_ = false;
+};
+
+/// Work of the tree, which rounds its bounds outward. Where nodes contradict one another it is the table's
+/// error.
+template <class Body>
+auto Store::with_sound_tree(Body body) {
+  const FloatEnvironment environment;
+  try {
+    return body();
+  } catch (const BrokenTree& error) {
+    damaged(error.what());
+  }
+}
+
+}  // namespace foresee

@@ -1,0 +1,134 @@
+// From memory to the tables: loose objects into the tree, and all that waits into the rows. And the tree
+// anew: 'rebuild' and 'optimize'.
+#include <algorithm>
+
+#include "storage/format/inner_node.h"
+#include "storage/format/leaf_node.h"
+#include "storage/rows/statement_interrupt.h"
+#include "storage/table/store.h"
+#include "storage/table/store_call.h"
+
+namespace foresee {
+namespace {
+
+// Loading everything anew costs a twentieth of so many inserts, and leaves a better tree.
+constexpr double worth_loading = 1.0 / 8;
+constexpr double most_loaded = 1 << 30;  // bytes of records in memory at once
+
+}  // namespace
+
+void Store::settle() {
+  if (loose_->count() == 0) return;
+  rows();
+  StatementInterrupt interrupt(db_);
+  auto none = std::make_shared<LooseObjects>(static_cast<std::size_t>(format_.at.size));
+  Call call(*this);
+  with_sound_tree([&] {
+    const double loose = static_cast<double>(loose_->count()), stored = objects_about(cache_);
+    const bool fits = (loose + stored) * static_cast<double>(format_.record_size) < most_loaded;
+    if (stored == 0 || (loose > stored * worth_loading && fits))
+      load_all_anew(interrupt);
+    else
+      insert_one_by_one(interrupt);
+  });
+  const std::uint64_t change = change_;
+  const bool changed = changed_;
+  loose_ = std::move(none);
+  call.done();
+  change_ = change + 1;
+  changed_ = changed;  // the same objects as before
+}
+
+void Store::insert_one_by_one(Interrupt& interrupt) {
+  unsigned inserted = 0;
+  loose_->for_each([&](std::int64_t id, std::span<const double> record) {
+    if (++inserted % 256 == 0) interrupt.check();
+    tree_->insert(id, record);
+  });
+}
+
+void Store::load_all_anew(Interrupt& interrupt) {
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  collect_objects(cache_, ids, records, interrupt);
+  if (!cache_.waits()) expect_as_mapped(ids.size());
+  if (ids.empty() && !loose_->has_holes()) {
+    tree_->load(loose_->all_ids(), loose_->all_records(), interrupt);
+    return;
+  }
+  ids.reserve(ids.size() + loose_->count());
+  records.reserve(records.size() + loose_->count() * static_cast<std::size_t>(format_.at.size));
+  loose_->for_each([&](std::int64_t id, std::span<const double> record) {
+    ids.push_back(id);
+    records.insert(records.end(), record.begin(), record.end());
+  });
+  tree_->load(ids, records, interrupt);
+}
+
+// If it fails half-way what was not written waits on: writing the same again does no harm.
+void Store::flush() {
+  if (!waits()) return;
+  if (is_taken_back()) {
+    back_to_begin();
+    stamped_ = false;
+    return;
+  }
+  settle();
+  rows();
+  const OwnStatements own(*this);
+  ++change_;
+  with_sound_tree([&] { cache_.write(); });
+}
+
+// --- 'rebuild' and 'optimize'
+
+void Store::rebuild(Interrupt& interrupt) {
+  pack(interrupt);
+  const OwnStatements own(*this);
+  if (!has_auxiliaries()) return;
+  flush();
+  rows().match_auxiliaries_to_map();
+}
+
+void Store::optimize(Interrupt& interrupt) {
+  const std::vector<std::string> faults = check(interrupt);
+  if (!faults.empty()) throw StoreError(SQLITE_CORRUPT_VTAB, faults.front());
+  pack(interrupt);
+}
+
+/// Every object that a stored leaf holds, whether or not the tree leads there. Inner nodes may be anything.
+void Store::collect_stored(std::vector<std::int64_t>& ids, std::vector<double>& records,
+                           Interrupt& interrupt) {
+  const auto size = static_cast<std::size_t>(format_.at.size);
+  unsigned nodes = 0;
+  rows().read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+    if (++nodes % 16 == 0) interrupt.check();
+    if (is_inner(format_, blob, number)) return;
+    read_stored_leaf(number, blob, [&](const LeafView& leaf) {
+      const std::size_t before = ids.size();
+      ids.resize(before + static_cast<std::size_t>(leaf.count()));
+      records.resize(ids.size() * size);
+      leaf.copy_ids(ids.data() + before);
+      leaf.copy_records(records.data() + before * size);
+    });
+  });
+  std::vector<std::int64_t> sorted = ids;
+  std::sort(sorted.begin(), sorted.end());
+  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
+    damaged("object " + std::to_string(*twice) + " is in two leaves");
+}
+
+void Store::pack(Interrupt& interrupt) {
+  start_change({});
+  flush();
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  collect_stored(ids, records, interrupt);
+  interrupt.check();
+  Call call(*this);
+  cache_.erase_everything();
+  with_sound_tree([&] { tree_->load(ids, records, interrupt); });
+  call.done();
+}
+
+}  // namespace foresee

@@ -1,0 +1,246 @@
+// Making, opening, transactions, savepoints, renaming and dropping.
+#include <atomic>
+
+#include "storage/table/open_stores.h"
+#include "storage/table/store.h"
+#include "storage/table/store_call.h"
+#include "storage/table/tree_snapshot.h"
+
+namespace foresee {
+namespace {
+
+bool same_columns(const Declaration& a, const Declaration& b) {
+  return a.horizon == b.horizon && describe_columns(a) == describe_columns(b);
+}
+
+}  // namespace
+
+std::shared_ptr<ObjectStore> ObjectStore::create(sqlite3* db, const std::string& schema,
+                                                 const std::string& table, const Declaration& declaration) {
+  const QualifiedName name{schema, table};
+  const NodeFormat format = create_shadow_tables(db, name, declaration);
+  auto store = std::make_shared<Store>(db, name, declaration, format, true);
+  remember_open_store(db, name, store);
+  return store;
+}
+
+std::shared_ptr<ObjectStore> ObjectStore::open(sqlite3* db, const std::string& schema,
+                                               const std::string& table, const Declaration& declaration) {
+  const QualifiedName name{schema, table};
+  const NodeFormat format = read_node_format(db, name, declaration);
+  if (auto live = find_open_store(db, name);
+      live && live->goes_by(name.table) && same_columns(live->declaration(), declaration) &&
+      live->format().node_size == format.node_size && !live->is_taken_back())
+    return live;
+  auto store = std::make_shared<Store>(db, name, declaration, format, false);
+  remember_open_store(db, name, store);
+  return store;
+}
+
+// SQLite makes a table inside a write transaction and does not call begin() for it.
+Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format, bool is_new,
+             const CacheLimits& limits)
+    : db_(db),
+      name_(std::move(name)),
+      declaration_(std::move(declaration)),
+      format_(format),
+      limits_(limits),
+      rows_(std::make_unique<ShadowRows>(db, name_, static_cast<int>(declaration_.auxiliaries.size()))),
+      cache_(format_, name_, limits),
+      tree_(make_tpr_tree(cache_, declaration_.horizon)),
+      loose_(std::make_shared<LooseObjects>(static_cast<std::size_t>(format_.at.size))),
+      in_transaction_(is_new),
+      table_at_begin_(name_.table) {
+  cache_.connect(*rows_);
+}
+
+ShadowRows& Store::rows() {
+  if (torn_) throw StoreError(SQLITE_ABORT, name_.table + ": a write failed half-way; roll back");
+  return *rows_;
+}
+
+NodeCache& Store::nodes() {
+  rows();
+  return cache_;
+}
+
+void Store::damaged(const std::string& what) const {
+  throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + what);
+}
+
+// While this connection writes nobody else can. At any other time somebody may have written since.
+void Store::believe_only_this_stamp() {
+  if (writing_) return;
+  const auto stamp = rows().stamp();
+  if (!stamp) damaged("the stamp is missing");
+  if (believed_stamp_ != stamp) cache_.forget_all();
+  believed_stamp_ = stamp;
+}
+
+ContentVersion Store::version() {
+  static std::atomic<std::uint64_t> last_change{0};
+  if (changed_) changes_ = ++last_change;
+  changed_ = false;
+  const auto stamp = rows().stamp();
+  if (!stamp) damaged("the stamp is missing");
+  return {static_cast<std::uint64_t>(*stamp), changes_};
+}
+
+std::shared_ptr<NodeSource> Store::snapshot() {
+  believe_only_this_stamp();
+  settle();
+  return std::make_shared<TreeSnapshot>(shared_from_this());
+}
+
+// --- transactions
+
+void Store::begin() {
+  if (in_transaction_) return;
+  table_at_begin_ = name_.table;
+  cache_.begin();
+  in_transaction_ = true;
+}
+
+void Store::sync() {
+  rows();
+  flush();
+}
+
+void Store::end_transaction() noexcept {
+  give_up_savepoints(0);
+  in_transaction_ = writing_ = stamped_ = torn_ = false;
+  largest_ = {};
+  own_stamp_.reset();
+  loose_->clear();
+}
+
+// A table that was made after a savepoint is not told when SQLite goes back to it; but then the stamp that
+// this transaction wrote is gone, or all the tables are.
+bool Store::is_taken_back() {
+  if (!own_stamp_) return false;
+  try {
+    return rows().stamp() != own_stamp_;
+  } catch (const StoreError& error) {
+    if ((error.code & 0xff) != SQLITE_ERROR) throw;
+    return true;
+  }
+}
+
+void Store::commit() {
+  if (writing_ && !stamped_) believed_stamp_.reset();  // a rollback to a savepoint took the new stamp back
+  cache_.commit();
+  end_transaction();
+}
+
+void Store::rollback() {
+  if (own_statements_ > 0) {
+    rolled_back_ = true;
+    return;
+  }
+  go_by(table_at_begin_);
+  back_to_begin();
+  if (writing_) believed_stamp_ = stamp_before_;
+  end_transaction();
+  changed_ = false;
+  changes_ = 0;  // with the stamp that is stored again: the contents of that commit
+}
+
+void Store::back_to_begin() noexcept {
+  cache_.roll_back();
+  if (!savepoints_.empty()) loose_ = savepoints_.front().loose;
+  loose_->clear();
+  give_up_savepoints(0);
+}
+
+// --- savepoints
+
+void Store::savepoint(int level) {
+  if (own_statements_ > 0) return;
+  rows();
+  // Two virtual tables that share this store are both told.
+  if (!savepoints_.empty() && savepoints_.back().level >= level) return;
+  savepoints_.reserve(savepoints_.size() + 1);
+  savepoints_.push_back({level, cache_.mark(false), cache_.map_position(), loose_, loose_->position(),
+                         largest_, change_, own_stamp_, name_.table, waits()});
+}
+
+void Store::give_up_savepoints(std::size_t from) noexcept {
+  while (savepoints_.size() > from) {
+    cache_.give_up(savepoints_.back().mark);
+    savepoints_.pop_back();
+  }
+}
+
+void Store::release(int level) {
+  if (own_statements_ > 0) return;
+  std::size_t kept = 0;
+  while (kept < savepoints_.size() && savepoints_[kept].level < level) ++kept;
+  give_up_savepoints(kept);
+  if (kept == 0) loose_->forget_past();
+}
+
+void Store::rollback_to(int level) {
+  if (own_statements_ > 0) return;
+  std::size_t first = 0;
+  while (first < savepoints_.size() && savepoints_[first].level < level) ++first;
+  const bool is_marked = first < savepoints_.size() && savepoints_[first].level == level;
+  if (is_marked || first > 0) {
+    if (first < savepoints_.size()) back_to(savepoints_[first]);
+    give_up_savepoints(is_marked ? first + 1 : first);
+    return;
+  }
+  go_by(table_at_begin_);
+  back_to_begin();  // the table joined the transaction after that savepoint
+  own_stamp_.reset();
+  note_change();
+  stamped_ = torn_ = false;
+  largest_ = {};
+}
+
+void Store::back_to(const Savepoint& savepoint) {
+  if (savepoint.change == change_ && !torn_) return;
+  torn_ = true;  // until it is done
+  go_by(savepoint.table);
+  own_stamp_ = savepoint.own_stamp;
+  cache_.restore(savepoint.mark, savepoint.map_position);
+  loose_ = savepoint.loose;
+  loose_->rewind(savepoint.loose_position);
+  largest_ = savepoint.largest;
+  stamped_ = torn_ = false;
+  note_change();
+}
+
+// --- the table itself
+
+void Store::rename(const std::string& new_table) {
+  flush();
+  const OwnStatements own(*this);
+  rename_shadow_tables(db_, name_, new_table, declaration_);
+  go_by(new_table);
+  note_change();
+}
+
+void Store::go_by(const std::string& table) {
+  if (name_.table == table) return;
+  name_.table = table;
+  rows_ = std::make_unique<ShadowRows>(db_, name_, static_cast<int>(declaration_.auxiliaries.size()));
+  cache_.connect(*rows_);
+  remember_open_store(db_, name_, shared_from_this());
+}
+
+// What waited at a savepoint would be lost with this object, and SQLite may go back to there. The newest mark
+// is that of the DROP itself.
+void Store::drop() {
+  for (std::size_t i = 0; i + 1 < savepoints_.size(); ++i)
+    if (savepoints_[i].waits)
+      throw StoreError(SQLITE_LOCKED,
+                       name_.table +
+                           " has changes from before an open savepoint: RELEASE it, or COMMIT, "
+                           "and then DROP the table");
+  const OwnStatements own(*this);
+  drop_shadow_tables(db_, name_, declaration_);
+  cache_.forget_all();
+  loose_->clear();
+}
+
+}  // namespace foresee

@@ -1,0 +1,174 @@
+// Reading: what waits first, then the tables.
+#include <limits>
+
+#include "storage/format/leaf_node.h"
+#include "storage/table/check.h"
+#include "storage/table/store.h"
+#include "storage/table/store_call.h"
+
+namespace foresee {
+namespace {
+
+constexpr std::int64_t no_number = std::numeric_limits<std::int64_t>::max();
+
+void append(const LeafView& leaf, std::size_t record_size, std::vector<std::int64_t>& ids,
+            std::vector<double>& records) {
+  const std::size_t before = ids.size();
+  ids.resize(before + static_cast<std::size_t>(leaf.count()));
+  records.resize(ids.size() * record_size);
+  leaf.copy_ids(ids.data() + before);
+  leaf.copy_records(records.data() + before * record_size);
+}
+
+void append(const Node& leaf, std::size_t, std::vector<std::int64_t>& ids, std::vector<double>& records) {
+  ids.insert(ids.end(), leaf.keys.begin(), leaf.keys.end());
+  records.insert(records.end(), leaf.values.begin(), leaf.values.end());
+}
+
+}  // namespace
+
+// The stored leaf, or the one in memory: not for loose objects.
+std::optional<std::int64_t> Store::leaf_of(std::int64_t id) {
+  return writing_ ? nodes().leaf_of(id) : rows().leaf_of(id);
+}
+
+bool Store::contains(std::int64_t id) {
+  if (loose_->find(id)) return true;
+  // Ascending new ids, the common case, are larger than any known one.
+  if (largest_.known && (!largest_.id || *largest_.id < id)) return false;
+  return leaf_of(id).has_value();
+}
+
+std::optional<std::vector<double>> Store::read(std::int64_t id) {
+  const auto size = static_cast<std::size_t>(format_.at.size);
+  if (const double* record = loose_->find(id)) return std::vector<double>(record, record + size);
+  const std::optional<std::int64_t> number = leaf_of(id);
+  if (!number) return std::nullopt;
+  const std::string where = "node " + std::to_string(*number);
+  if (writing_) {
+    const std::shared_ptr<const Node> leaf = cache_.read(*number);
+    const auto found = std::find(leaf->keys.begin(), leaf->keys.end(), id);
+    if (found == leaf->keys.end() || !leaf->is_leaf()) damaged(where + " lacks object " + std::to_string(id));
+    const double* record = leaf->values.data() + static_cast<std::size_t>(found - leaf->keys.begin()) * size;
+    return std::vector<double>(record, record + size);
+  }
+  std::vector<double> record(size);
+  int slot = -1;
+  const bool found = rows().read_node(*number, [&](std::span<const std::byte> blob) {
+    read_stored_leaf(*number, blob, [&](const LeafView& leaf) {
+      slot = leaf.find(id);
+      if (slot >= 0) leaf.copy_record(slot, record.data());
+    });
+  });
+  if (!found) damaged(where + " of object " + std::to_string(id) + " is missing");
+  if (slot < 0) damaged(where + " lacks object " + std::to_string(id));
+  return record;
+}
+
+/// False for a sound inner node.
+bool Store::read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
+                             const std::function<void(const LeafView&)>& use) const {
+  if (const char* fault = cache_.fault(number, blob))
+    damaged("node " + std::to_string(number) + " is damaged: " + fault);
+  if (blob[NodeFormat::level_at] != std::byte{0}) return false;
+  use(LeafView(format_, blob));
+  return true;
+}
+
+// Every leaf by ascending number, those that wait in place of the stored.
+void Store::read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
+                        const std::function<void(const Node&)>& waiting) {
+  std::int64_t done = 0;
+  const auto waiting_up_to = [&](std::int64_t end) {
+    for (std::int64_t next; (next = cache_.next_waiting(done, end)) != 0; done = next)
+      if (const auto node = *cache_.waiting(next); node && node->is_leaf()) waiting(*node);
+    done = std::max(done, end - 1);
+  };
+  unsigned leaves = 0;
+  rows().read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+    if (++leaves % 16 == 0) interrupt.check();
+    waiting_up_to(number);
+    if (!cache_.waiting(number)) read_stored_leaf(number, blob, stored);
+  });
+  waiting_up_to(no_number);
+}
+
+void Store::load(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt) {
+  settle();
+  ids.clear();
+  rows.clear();
+  const bool waits = cache_.waits();
+  const auto expected = waits ? 0 : static_cast<std::size_t>(this->rows().count());
+  const auto row_size = static_cast<std::size_t>(row_offsets(format_.layout).size);
+  const auto record_size = static_cast<std::size_t>(format_.at.size);
+  const bool rows_are_records = format_.layout.law != Law::forced;
+  std::vector<double> records;
+  ids.reserve(expected);
+  rows.reserve(expected * row_size);
+  const auto take = [&](const auto& leaf) {
+    if (rows_are_records) return append(leaf, record_size, ids, rows);
+    records.clear();
+    const std::size_t before = ids.size();
+    std::vector<std::int64_t> leaf_ids;
+    append(leaf, record_size, leaf_ids, records);
+    ids.insert(ids.end(), leaf_ids.begin(), leaf_ids.end());
+    rows.resize(ids.size() * row_size);
+    for (std::size_t i = 0; i < leaf_ids.size(); ++i)
+      row_from_record(format_.layout, records.data() + i * record_size,
+                      rows.data() + (before + i) * row_size);
+  };
+  read_leaves(interrupt, take, take);
+  if (!waits) expect_as_mapped(ids.size());
+}
+
+/// Requires: nothing waits.
+void Store::expect_as_mapped(std::size_t found) {
+  const auto mapped = static_cast<std::size_t>(rows().count());
+  if (found != mapped)
+    damaged("the leaves hold " + std::to_string(found) + " objects, the map " + std::to_string(mapped));
+}
+
+std::int64_t Store::next_leaf(std::int64_t after, std::vector<std::int64_t>& ids,
+                              std::vector<double>& records) {
+  if (after == 0) settle();
+  ids.clear();
+  records.clear();
+  const auto size = static_cast<std::size_t>(format_.at.size);
+  for (;;) {
+    std::int64_t number = no_number;
+    bool is_leaf = false;
+    rows().read_node_after(after, [&](std::int64_t stored, std::span<const std::byte> blob) {
+      number = stored;
+      if (cache_.next_waiting(after, stored) == 0 && !cache_.waiting(stored))
+        is_leaf =
+            read_stored_leaf(stored, blob, [&](const LeafView& leaf) { append(leaf, size, ids, records); });
+    });
+    if (const std::int64_t waiting = cache_.next_waiting(after, number)) number = waiting;
+    if (number == no_number) return 0;
+    if (const auto node = cache_.waiting(number); node && *node && (*node)->is_leaf()) {
+      append(**node, size, ids, records);
+      is_leaf = true;
+    }
+    if (is_leaf) return number;
+    after = number;
+  }
+}
+
+void Store::result_auxiliary(sqlite3_context* context, std::int64_t id, int column) {
+  rows().result_auxiliary(context, id, column);
+}
+
+double Store::newest_t() {
+  believe_only_this_stamp();
+  settle();
+  return with_sound_tree([&] { return foresee::newest_t(nodes()); });
+}
+
+std::vector<std::string> Store::check(Interrupt& interrupt) {
+  flush();
+  cache_.forget_clean();
+  return with_sound_tree(
+      [&] { return check_tables(rows(), cache_, format_, name_, has_auxiliaries(), interrupt); });
+}
+
+}  // namespace foresee

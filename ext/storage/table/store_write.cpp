@@ -1,0 +1,102 @@
+// Writing: each change is one call, all or nothing.
+#include <limits>
+
+#include "storage/format/leaf_node.h"
+#include "storage/table/store.h"
+#include "storage/table/store_call.h"
+
+namespace foresee {
+// What every change begins with. Writing early here, not after the change, keeps the change all or nothing.
+void Store::start_change(std::span<const double> record) {
+  if (!record.empty())
+    if (const char* fault = record_fault(format_, record.data())) throw Error(name_.table + ": " + fault);
+  if (!in_transaction_) begin();
+  rows();
+  if (!writing_) {
+    believe_only_this_stamp();
+    stamp_before_ = believed_stamp_;
+  }
+  if (loose_->memory() > limits_.loose || cache_.is_full()) flush();
+  if (stamped_) return;
+  const OwnStatements own(*this);
+  std::int64_t stamp;
+  sqlite3_randomness(sizeof stamp, &stamp);
+  rows().write_stamp(stamp);
+  believed_stamp_ = own_stamp_ = stamp;
+  writing_ = stamped_ = true;
+  ++change_;
+}
+
+const Store::Largest& Store::largest() {
+  // Unknown: no object was added in this transaction.
+  if (!largest_.known) largest_ = {true, !cache_.waits(), rows().largest_id()};
+  return largest_;
+}
+
+std::int64_t Store::next_id() {
+  if (!largest_.known || !largest_.exact) {
+    flush();
+    largest_ = {};
+  }
+  const std::optional<std::int64_t> last = largest().id;
+  if (!last) return 1;
+  if (*last < std::numeric_limits<std::int64_t>::max()) return *last + 1;
+  for (int attempt = 0; attempt < 100; ++attempt) {  // as SQLite does
+    std::int64_t id;
+    sqlite3_randomness(sizeof id, &id);
+    id &= std::numeric_limits<std::int64_t>::max() >> 1;
+    if (!contains(++id)) return id;
+  }
+  throw StoreError(SQLITE_FULL, name_.table + ": there is no id left");
+}
+
+void Store::add(std::int64_t id, std::span<const double> record) {
+  const std::optional<std::int64_t> last = largest().id;
+  loose_->add(id, record);
+  if (!last || *last <= id) largest_ = {true, true, id};
+}
+
+void Store::take_out(std::int64_t id) {
+  if (loose_->find(id))
+    loose_->erase(id);
+  else if (!tree_->erase(id))
+    throw StoreError(SQLITE_ERROR, name_.table + ": there is no object " + std::to_string(id));
+  if (largest_.id == id) largest_.exact = false;
+}
+
+void Store::insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries) {
+  start_change(record);
+  Call call(*this);
+  add(id, record);
+  if (has_auxiliaries()) rows().insert_auxiliaries(id, auxiliaries);
+  call.done();
+}
+
+void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double> record,
+                   std::span<sqlite3_value*> auxiliaries) {
+  start_change(record);
+  Call call(*this);
+  with_sound_tree([&] {
+    if (new_id != id) {
+      if (contains(new_id)) take_out(new_id);
+      take_out(id);
+      add(new_id, record);
+    } else if (loose_->find(id)) {
+      loose_->replace(id, record);
+    } else if (!tree_->update(id, record)) {
+      throw StoreError(SQLITE_ERROR, name_.table + ": there is no object " + std::to_string(id));
+    }
+  });
+  if (has_auxiliaries()) rows().update_auxiliaries(id, new_id, auxiliaries);
+  call.done();
+}
+
+void Store::erase(std::int64_t id) {
+  start_change({});
+  Call call(*this);
+  with_sound_tree([&] { take_out(id); });
+  if (has_auxiliaries()) rows().erase_auxiliaries(id);
+  call.done();
+}
+
+}  // namespace foresee

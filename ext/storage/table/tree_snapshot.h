@@ -1,0 +1,31 @@
+// The tree as it was when this was made, whatever the connection has written, committed or rolled back since.
+//
+// Holds the store, and a mark in its cache (marks.h); it must not outlive the statement that asked, whose
+// read transaction keeps the rows as they are.
+#pragma once
+
+#include "storage/table/store.h"
+
+namespace foresee {
+
+class TreeSnapshot final : public NodeSource {
+ public:
+  explicit TreeSnapshot(std::shared_ptr<Store> store)
+      : store_(std::move(store)), root_(store_->nodes().root()), mark_(store_->nodes().mark(true)) {}
+  ~TreeSnapshot() override { store_->give_up(mark_); }
+  TreeSnapshot(const TreeSnapshot&) = delete;
+  TreeSnapshot& operator=(const TreeSnapshot&) = delete;
+
+  const Layout& layout() const override { return store_->format().layout; }
+  NodeNumber root() override { return root_; }
+  std::shared_ptr<const Node> read(NodeNumber number) override {
+    return store_->nodes().read_at(mark_, number);
+  }
+
+ private:
+  std::shared_ptr<Store> store_;
+  NodeNumber root_;
+  Marks::Handle mark_;
+};
+
+}  // namespace foresee
