@@ -16,7 +16,7 @@
 
 #include "index/gpcd_grid/work_space.h"
 #include "query/scene.h"
-#include "sqlite/table_lookups.h"
+#include "sqlite/names/table_lookups.h"
 #include "storage/rows/statement_interrupt.h"
 #include "storage/table/object_store.h"
 

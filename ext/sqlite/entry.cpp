@@ -5,7 +5,7 @@ SQLITE_EXTENSION_INIT1
 #include "sqlite/callback.h"
 #include "sqlite/foresee.h"
 #include "sqlite/modules.h"
-#include "sqlite/select.h"
+#include "sqlite/names/select.h"
 
 namespace {
 

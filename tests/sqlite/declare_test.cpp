@@ -1,5 +1,5 @@
 // CREATE VIRTUAL TABLE: what each declaration means, and what each wrong one is told.
-#include "sqlite/declare.h"
+#include "sqlite/table/declare.h"
 
 #include <gtest/gtest.h>
 

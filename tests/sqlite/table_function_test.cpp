@@ -1,5 +1,5 @@
 // The frame of every table-valued function, tested with one that only counts.
-#include "sqlite/table_function.h"
+#include "sqlite/functions/table_function.h"
 
 #include "sqlite/callback.h"
 #include "sqlite/database.h"

@@ -1,0 +1,101 @@
+#include "sqlite/functions/call.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+
+#include "sqlite/functions/table_function.h"
+
+namespace foresee {
+namespace {
+
+/// The value as a person would write it in SQL.
+std::string written(sqlite3_value* value) {
+  if (sqlite3_value_type(value) == SQLITE_BLOB) return "a blob";
+  const char* quote = sqlite3_value_type(value) == SQLITE_TEXT ? "'" : "";
+  const auto* text = reinterpret_cast<const char*>(sqlite3_value_text(value));
+  if (!text) throw std::bad_alloc();
+  return std::string(quote).append(text).append(quote);
+}
+
+constexpr double two_to_63 = 0x1p63;
+
+bool holds_exactly(double value, std::int64_t integer) {
+  return value < two_to_63 && static_cast<std::int64_t>(value) == integer;
+}
+
+}  // namespace
+
+void Call::reject(int input, const char* kind) const {
+  const auto place = static_cast<std::size_t>(input);
+  throw Error(std::string(function_.inputs[place]) + " must be " + kind + ", not " + written(inputs_[place]));
+}
+
+std::optional<double> Call::number(int input) const {
+  sqlite3_value* value = inputs_[static_cast<std::size_t>(input)];
+  if (!value) return std::nullopt;
+  const int type = sqlite3_value_numeric_type(value);
+  if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) reject(input, "a number");
+  const double number = sqlite3_value_double(value);
+  if (type == SQLITE_INTEGER && !holds_exactly(number, sqlite3_value_int64(value)))
+    reject(input, "a number that a double holds exactly");
+  return number;
+}
+
+double Call::required_number(int input) const {
+  if (const auto given = number(input)) return *given;
+  const std::string name = function_.inputs[static_cast<std::size_t>(input)];
+  throw Error(name + " is missing: write " + usage(function_));
+}
+
+std::int64_t Call::required_integer(int input) const {
+  const double number = required_number(input);
+  if (!(std::abs(number) < two_to_63 && std::trunc(number) == number)) reject(input, "a whole number");
+  return static_cast<std::int64_t>(number);
+}
+
+std::optional<std::string> Call::text(int input) const {
+  sqlite3_value* value = inputs_[static_cast<std::size_t>(input)];
+  if (!value) return std::nullopt;
+  if (sqlite3_value_type(value) != SQLITE_TEXT) reject(input, "a name in quotes");
+  const auto* text = reinterpret_cast<const char*>(sqlite3_value_text(value));
+  if (!text) throw std::bad_alloc();
+  return text;
+}
+
+std::optional<std::int64_t> Call::only(int output) const {
+  for (const Hint& hint : hints_) {
+    if (hint.output != output || hint.op != SQLITE_INDEX_CONSTRAINT_EQ) continue;
+    const int type = sqlite3_value_numeric_type(hint.value);
+    if (type == SQLITE_INTEGER) return sqlite3_value_int64(hint.value);
+    if (type != SQLITE_FLOAT) continue;
+    const double number = sqlite3_value_double(hint.value);
+    if (std::abs(number) < two_to_63 && std::trunc(number) == number)
+      return static_cast<std::int64_t>(number);
+  }
+  return std::nullopt;
+}
+
+Call::Bounds Call::bounds(int output) const {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  Bounds bounds{-inf, inf};
+  for (const Hint& hint : hints_) {
+    if (hint.output != output) continue;
+    const int type = sqlite3_value_numeric_type(hint.value);
+    if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) continue;
+    const double number = sqlite3_value_double(hint.value);
+    // An integer may lie on either side of its double.
+    const bool exact = type == SQLITE_FLOAT || holds_exactly(number, sqlite3_value_int64(hint.value));
+    const double below = std::nextafter(number, -inf), above = std::nextafter(number, inf);
+    if (hint.op == SQLITE_INDEX_CONSTRAINT_GT) bounds.least = std::max(bounds.least, exact ? above : below);
+    if (hint.op == SQLITE_INDEX_CONSTRAINT_GE || hint.op == SQLITE_INDEX_CONSTRAINT_EQ)
+      bounds.least = std::max(bounds.least, exact ? number : below);
+    if (hint.op == SQLITE_INDEX_CONSTRAINT_LT) bounds.most = std::min(bounds.most, exact ? below : above);
+    if (hint.op == SQLITE_INDEX_CONSTRAINT_LE || hint.op == SQLITE_INDEX_CONSTRAINT_EQ)
+      bounds.most = std::min(bounds.most, exact ? number : above);
+  }
+  return bounds;
+}
+
+}  // namespace foresee

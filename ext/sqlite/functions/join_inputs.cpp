@@ -1,0 +1,112 @@
+#include "sqlite/functions/join_inputs.h"
+
+#include <algorithm>
+
+#include "base/float_environment.h"
+#include "query/join/probe.h"
+#include "query/join/question.h"
+#include "sqlite/names/open_table.h"
+
+namespace foresee {
+namespace {
+
+enum Input { in_h, in_tbl, in_within, in_other, in_now, in_method, in_within_z, in_schema };
+
+using Table = Connection::OpenTable;
+
+/// tbl and other. The same table as `other` makes pairs in both orders.
+struct Tables {
+  Table a;
+  std::optional<Table> b = {};  ///< none: pairs within a, each once
+
+  bool are_one() const { return b && b->store == a.store; }
+};
+
+Tables open_tables(const Call& call) {
+  const auto schema = call.text(in_schema);
+  Tables tables{open_table(call.connection(), {call.text(in_tbl), schema})};
+  if (const auto other = call.text(in_other)) tables.b = open_table(call.connection(), {other, schema});
+  return tables;
+}
+
+double newest_t_of(const Tables& tables) {
+  const double newest = tables.a.store->newest_t();
+  return tables.b ? std::max(newest, tables.b->store->newest_t()) : newest;
+}
+
+void take_scenes(Connection& connection, const Tables& tables, JoinQuestion& question) {
+  const auto scene = [&](const Table& table) {
+    return question.method == JoinMethod::tree ? connection.scene_with_outline(table)
+                                               : connection.scene(table);
+  };
+  question.a = scene(tables.a);
+  if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b);
+}
+
+std::shared_ptr<Scene> empty_scene(const Table& table) {
+  auto scene = std::make_shared<Scene>();
+  scene->name = table.table, scene->layout = table.store->declaration().layout;
+  return scene;
+}
+
+/// A scene of one object, or of none if nothing has this id.
+std::shared_ptr<const Scene> scene_of(const Table& table, std::int64_t id) {
+  const FloatEnvironment environment;  // accelerations are computed on loading
+  auto scene = empty_scene(table);
+  if (const auto record = table.store->read(id)) {
+    scene->ids = {id};
+    scene->rows.resize(static_cast<std::size_t>(row_offsets(scene->layout).size));
+    row_from_record(scene->layout, record->data(), scene->rows.data());
+  }
+  return scene;
+}
+
+/// One side becomes the object that is asked about, the other what may touch it.
+void take_object_and_near(Connection& connection, const Tables& tables, const AskedIds& ids,
+                          JoinQuestion& question) {
+  const bool by_a = ids.a.has_value();
+  const std::int64_t id = by_a ? *ids.a : *ids.b;
+  const Table& last = tables.b ? *tables.b : tables.a;
+  const Table &one = by_a ? tables.a : last, &others = by_a ? last : tables.a;
+  std::shared_ptr<const Scene>&object = by_a ? question.a : question.b,
+                        &near = by_a ? question.b : question.a;
+  object = scene_of(one, id);
+  near = empty_scene(others);
+  check_question(question);
+  const auto keep = [&](std::int64_t other) {
+    if (tables.are_one()) return other != id;
+    return tables.b.has_value() || (by_a ? id < other : other < id);
+  };
+  near = objects_near(*object, *others.store->snapshot(), others.table, {question.now, question.h},
+                      contact_of(question)->reach(), connection.interrupt(), keep);
+  question.method = JoinMethod::scan;
+  if (by_a) question.only_b = ids.b;
+}
+
+}  // namespace
+
+std::vector<const char*> join_inputs() {
+  return {"h", "tbl", "within", "other", "now", "method", "within_z", "schema"};
+}
+
+JoinQuestion read_join_inputs(const Call& call, const AskedIds& ids) {
+  JoinQuestion question;
+  question.h = call.required_number(in_h);
+  question.within = call.number(in_within).value_or(0);
+  question.within_z = call.number(in_within_z);
+  if (const auto method = call.text(in_method)) question.method = join_method(*method);
+  const auto now = call.number(in_now);
+  const Tables tables = open_tables(call);
+  question.now = now ? *now : newest_t_of(tables);
+  const bool by_tree = question.method == JoinMethod::automatic || question.method == JoinMethod::tree;
+  if (by_tree && (ids.a || ids.b)) {
+    take_object_and_near(call.connection(), tables, ids, question);
+  } else {
+    take_scenes(call.connection(), tables, question);
+    question.only_a = ids.a, question.only_b = ids.b;
+    question.space = call.connection().grid_space();
+  }
+  return question;
+}
+
+}  // namespace foresee

@@ -1,0 +1,94 @@
+// predictive_join(h, …) in SQL: which outputs are read, and its rows.
+#include "sqlite/functions/join_inputs.h"
+#include "sqlite/functions/table_functions.h"
+
+namespace foresee {
+namespace {
+
+enum Output { out_a, out_b, out_t, out_t_end, out_dt, out_dt_end, out_t_cpa, out_dt_cpa, out_d_cpa };
+
+class JoinRows final : public Rows {
+ public:
+  JoinRows(JoinQuestion question, Interrupt& interrupt) : join_(std::move(question), interrupt) {}
+
+  bool next() override {
+    if (++row_ >= batch_.size()) {
+      batch_ = join_.next();
+      row_ = 0;
+    }
+    return !batch_.empty();
+  }
+
+  void output(sqlite3_context* context, int output) const override {
+    const JoinRow& row = batch_[row_];
+    if (output <= out_b)
+      sqlite3_result_int64(context, output == out_a ? row.a : row.b);
+    else
+      sqlite3_result_double(context, moment_or_distance(row, output));
+  }
+
+ private:
+  static double moment_or_distance(const JoinRow& row, int output) {
+    switch (output) {
+      case out_t:
+        return row.contact.t;
+      case out_t_end:
+        return row.contact.t_end;
+      case out_dt:
+        return row.contact.dt;
+      case out_dt_end:
+        return row.contact.dt_end;
+      case out_t_cpa:
+        return row.approach.t;
+      case out_dt_cpa:
+        return row.approach.dt;
+      default:
+        return row.approach.d;
+    }
+  }
+
+  Join join_;
+  std::span<const JoinRow> batch_;
+  std::size_t row_ = 0;
+};
+
+JoinOrder order_of(std::span<const int> outputs) {
+  if (outputs.empty()) return JoinOrder::any;
+  if (outputs[0] == out_dt) return JoinOrder::by_dt;
+  return outputs.size() > 1 ? JoinOrder::by_t_and_ids : JoinOrder::by_t;
+}
+
+AskedTimes asked(const Call::Bounds& bounds) {
+  return {bounds.least, bounds.most};
+}
+
+std::unique_ptr<Rows> start(const Call& call) {
+  JoinQuestion question = read_join_inputs(call, {call.only(out_a), call.only(out_b)});
+  question.asked_t = asked(call.bounds(out_t)), question.asked_dt = asked(call.bounds(out_dt));
+  question.order = order_of(call.order());
+  question.helpers = call.connection().helper_threads();
+  question.wants.ends = call.reads(out_t_end) || call.reads(out_dt_end);
+  question.wants.contact = question.wants.ends || call.reads(out_t) || call.reads(out_dt);
+  question.wants.approach = call.reads(out_t_cpa) || call.reads(out_dt_cpa) || call.reads(out_d_cpa);
+  return std::make_unique<JoinRows>(std::move(question), call.connection().interrupt());
+}
+
+}  // namespace
+
+const TableFunction& predictive_join() {
+  static const TableFunction function = {
+      .name = "predictive_join",
+      .outputs = {"a INTEGER", "b INTEGER", "t REAL", "t_end REAL", "dt REAL", "dt_end REAL", "t_cpa REAL",
+                  "dt_cpa REAL", "d_cpa REAL"},
+      .inputs = join_inputs(),
+      .key = "a, b",
+      .hinted = 1u << out_a | 1u << out_b | 1u << out_t | 1u << out_dt,
+      .cost = 1e6,
+      .rows = 1e5,
+      .start = start,
+      .probed = 1u << out_a | 1u << out_b,
+      .orders = {{out_t, out_a, out_b}, {out_dt}}};
+  return function;
+}
+
+}  // namespace foresee

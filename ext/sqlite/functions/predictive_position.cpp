@@ -1,0 +1,60 @@
+// predictive_position(at, …) in SQL.
+#include "query/position/position.h"
+#include "sqlite/functions/table_functions.h"
+#include "sqlite/names/open_table.h"
+
+namespace foresee {
+namespace {
+
+enum Output { out_id, out_x, out_vx = out_x + 3 };
+enum Input { in_at, in_tbl, in_schema };
+
+class PositionRows final : public Rows {
+ public:
+  PositionRows(std::shared_ptr<const Scene> scene, double moment, Interrupt& interrupt)
+      : axes_(scene->layout.axes), positions_(std::move(scene), moment), interrupt_(interrupt) {}
+
+  bool next() override {
+    interrupt_.check();
+    row_ = positions_.next();
+    return row_.has_value();
+  }
+
+  void output(sqlite3_context* context, int output) const override {
+    if (output == out_id) return sqlite3_result_int64(context, row_->id);
+    const int axis = (output - out_x) % 3;
+    if (axis >= axes_) return;
+    const auto& values = output < out_vx ? row_->x : row_->v;
+    sqlite3_result_double(context, values[static_cast<std::size_t>(axis)]);
+  }
+
+ private:
+  int axes_;
+  Positions positions_;
+  Interrupt& interrupt_;
+  std::optional<PositionRow> row_;
+};
+
+std::unique_ptr<Rows> start(const Call& call) {
+  const double at = call.required_number(in_at);
+  Connection& connection = call.connection();
+  const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
+  return std::make_unique<PositionRows>(connection.scene(table), at, connection.interrupt());
+}
+
+}  // namespace
+
+const TableFunction& predictive_position() {
+  static const TableFunction function = {
+      .name = "predictive_position",
+      .outputs = {"id INTEGER", "x REAL", "y REAL", "z REAL", "vx REAL", "vy REAL", "vz REAL"},
+      .inputs = {"at", "tbl", "schema"},
+      .key = "id",
+      .hinted = 0,
+      .cost = 1e6,
+      .rows = 1e5,
+      .start = start};
+  return function;
+}
+
+}  // namespace foresee

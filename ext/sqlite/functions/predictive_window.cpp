@@ -1,0 +1,81 @@
+// predictive_window(h, …) in SQL: reads the inputs, opens the table, and hands rows on.
+#include "query/window/window.h"
+#include "sqlite/functions/searched_table.h"
+#include "sqlite/functions/table_functions.h"
+
+namespace foresee {
+namespace {
+
+enum WindowOutput { out_id, out_t, out_t_end, out_dt, out_dt_end };
+enum WindowInput { in_h, in_tbl, in_x0, in_now = in_x0 + 6, in_wvx, in_method = in_wvx + 3, in_schema };
+
+class WindowRows final : public Rows {
+ public:
+  WindowRows(WindowQuestion question, Interrupt& interrupt) : window_(std::move(question), interrupt) {}
+
+  bool next() override {
+    if (++row_ >= batch_.size()) {
+      batch_ = window_.next();
+      row_ = 0;
+    }
+    return !batch_.empty();
+  }
+
+  void output(sqlite3_context* context, int output) const override {
+    const WindowRow& row = batch_[row_];
+    const ContactTimes& contact = row.contact;
+    switch (output) {
+      case out_id:
+        return sqlite3_result_int64(context, row.id);
+      case out_t:
+        return sqlite3_result_double(context, contact.t);
+      case out_t_end:
+        return sqlite3_result_double(context, contact.t_end);
+      case out_dt:
+        return sqlite3_result_double(context, contact.dt);
+      default:
+        return sqlite3_result_double(context, contact.dt_end);
+    }
+  }
+
+ private:
+  Window window_;
+  std::span<const WindowRow> batch_;
+  std::size_t row_ = 0;
+};
+
+std::unique_ptr<Rows> start(const Call& call) {
+  WindowQuestion question;
+  question.h = call.required_number(in_h);
+  WindowFaces& faces = question.faces;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto j = static_cast<std::size_t>(axis);
+    faces.lower[j] = call.number(in_x0 + 2 * axis).value_or(faces.lower[j]);
+    faces.upper[j] = call.number(in_x0 + 2 * axis + 1).value_or(faces.upper[j]);
+    faces.velocity[j] = call.number(in_wvx + axis).value_or(0);
+  }
+  SearchedTable table = searched_table(call, {in_tbl, in_now, in_method, in_schema});
+  question.objects = std::move(table.objects);
+  question.now = table.now;
+  question.wants.begins = call.reads(out_t) || call.reads(out_dt);
+  question.wants.ends = call.reads(out_t_end) || call.reads(out_dt_end);
+  return std::make_unique<WindowRows>(std::move(question), call.connection().interrupt());
+}
+
+}  // namespace
+
+const TableFunction& predictive_window() {
+  static const TableFunction function = {
+      .name = "predictive_window",
+      .outputs = {"id INTEGER", "t REAL", "t_end REAL", "dt REAL", "dt_end REAL"},
+      .inputs = {"h", "tbl", "x0", "x1", "y0", "y1", "z0", "z1", "now", "wvx", "wvy", "wvz", "method",
+                 "schema"},
+      .key = "id",
+      .hinted = 0,
+      .cost = 1e3,
+      .rows = 100,
+      .start = start};
+  return function;
+}
+
+}  // namespace foresee

@@ -1,0 +1,26 @@
+#include "sqlite/functions/searched_table.h"
+
+#include "index/tpr_tree/tpr_tree.h"
+#include "sqlite/names/open_table.h"
+
+namespace foresee {
+
+SearchedTable searched_table(const Call& call, const SearchInputs& inputs) {
+  const std::string method = call.text(inputs.method).value_or("auto");
+  if (method != "auto" && method != "tree" && method != "scan")
+    throw Error("method must be 'auto', 'tree' or 'scan', not '" + method + "'");
+  const auto now = call.number(inputs.now);
+  Connection& connection = call.connection();
+  const auto table = open_table(connection, {call.text(inputs.tbl), call.text(inputs.schema)});
+  SearchedTable searched{{table.table, nullptr, nullptr}, now.value_or(0)};
+  if (method == "scan") {
+    if (!now) searched.now = table.store->newest_t();
+    searched.objects.scene = connection.scene(table);
+  } else {
+    searched.objects.tree = table.store->snapshot();
+    if (!now) searched.now = newest_t(*searched.objects.tree);
+  }
+  return searched;
+}
+
+}  // namespace foresee

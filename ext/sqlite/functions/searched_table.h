@@ -1,0 +1,22 @@
+// What do predictive_window and predictive_nearest search, and what is `now`?
+#pragma once
+
+#include "query/searched.h"
+#include "sqlite/functions/call.h"
+
+namespace foresee {
+
+/// The inputs that both functions have, by their places.
+struct SearchInputs {
+  int tbl, now, method, schema;
+};
+
+struct SearchedTable {
+  Searched objects;
+  double now;  ///< as given, or the newest t stored
+};
+
+/// Throws Error where no such table is to be found, and for an unknown method.
+SearchedTable searched_table(const Call& call, const SearchInputs& inputs);
+
+}  // namespace foresee

@@ -1,0 +1,59 @@
+// A question that SQL asks as a table: what predictive_join and its sisters have in common.
+//
+//   const TableFunction positions = {
+//       .name = "predictive_position",
+//       .outputs = {"id INTEGER", "x REAL"},
+//       .inputs = {"at", "tbl"},                // hidden columns, in call order; the first one is required
+//       .key = "id",
+//       .hinted = 0,
+//       .cost = 1e6,
+//       .rows = 1e5,
+//       .start = [](const Call& call) -> std::unique_ptr<Rows> { … }};
+//
+// All functions are read-only, need no CREATE, and may be used in views and triggers that nobody vouches for.
+// An input can be given by place or by name in WHERE. Rows are pulled one at a time; whatever start() or
+// next() throws becomes the statement's error, led by the function's name.
+//
+// The key is declared as WITHOUT ROWID does: SQLite uses it to drop the rows that `a = ? OR b = ?` finds
+// twice. The inputs belong to it, because rows of different calls are different rows.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sqlite/functions/call.h"
+
+namespace foresee {
+
+/// The rows of one call, and the tables as they were when it started.
+class Rows {
+ public:
+  virtual ~Rows() = default;
+  /// Steps to the first or next row; false at the end.
+  virtual bool next() = 0;
+  /// Hands an output of the current row to `context`; leaves it alone for NULL.
+  virtual void output(sqlite3_context* context, int output) const = 0;
+};
+
+struct TableFunction {
+  const char* name;
+  std::vector<const char*> outputs;  ///< name and type
+  std::vector<const char*> inputs;   ///< names
+  const char* key;                   ///< the outputs that tell the rows of one call apart
+  std::uint32_t hinted;              ///< bit set: constraints on these outputs may make the call cheaper
+  double cost;                       ///< of a call, in the planner's unit: about one row looked at
+  double rows;                       ///< how many rows a call gives, roughly
+  std::unique_ptr<Rows> (*start)(const Call& call);
+  std::uint32_t probed = 0;                   ///< of those: one value of them makes the call much cheaper
+  std::vector<std::vector<int>> orders = {};  ///< outputs by which rows can come, rising
+};
+
+/// The function with its inputs, as messages show it: predictive_position(at, tbl).
+std::string usage(const TableFunction& function);
+
+/// `function` must live as long as the program.
+int register_table_function(sqlite3* db, const TableFunction& function,
+                            std::shared_ptr<Connection> connection);
+
+}  // namespace foresee

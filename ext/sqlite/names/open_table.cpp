@@ -1,0 +1,100 @@
+#include "sqlite/names/open_table.h"
+
+#include <vector>
+
+#include "sqlite/names/moving_objects_tables.h"
+
+namespace foresee {
+namespace {
+
+bool same_name(const std::string& a, const std::string& b) {
+  return sqlite3_stricmp(a.c_str(), b.c_str()) == 0;
+}
+
+bool in_schema(const VisibleTable& table, const std::optional<std::string>& schema) {
+  return !schema || same_name(table.schema, *schema);
+}
+
+/// " (moving_objects tables here: main.crates, main.ships)".
+std::string list_of(const std::vector<VisibleTable>& tables) {
+  std::string list;
+  for (const VisibleTable& table : tables)
+    if (table.holds_moving_objects) list += (list.empty() ? "" : ", ") + table.schema + "." + table.name;
+  return list.empty()
+             ? " (there is no moving_objects table here; make one with CREATE VIRTUAL TABLE ships USING "
+               "moving_objects(id, x, y, vx, vy))"
+             : " (moving_objects tables here: " + list + ")";
+}
+
+/// The one table that is meant when nobody names one.
+AskedTable only_table(sqlite3* db, const std::optional<std::string>& schema) {
+  const std::vector<VisibleTable> tables = visible_tables(db);
+  const VisibleTable* only = nullptr;
+  for (const VisibleTable& table : tables) {
+    if (!table.holds_moving_objects || !in_schema(table, schema)) continue;
+    if (only) throw Error("tbl is missing, and there is more than one table to ask" + list_of(tables));
+    only = &table;
+  }
+  if (!only) throw Error("there is no table to ask" + list_of(tables));
+  return {only->name, only->schema};
+}
+
+/// What to write instead of 'main.ships'; "" if there is no such table either.
+std::string with_schema_apart(const std::vector<VisibleTable>& tables, const std::string& name) {
+  for (const VisibleTable& table : tables)
+    if (table.holds_moving_objects && same_name(table.schema + "." + table.name, name))
+      return "; give the schema by itself: '" + table.name + "' and schema = '" + table.schema + "'";
+  return "";
+}
+
+/// Says why `name` could not be opened; returns if it is a moving_objects table, so that the fault is
+/// another.
+void explain(sqlite3* db, const std::string& table, const std::optional<std::string>& schema) {
+  const std::string name = schema ? *schema + "." + table : table;
+  const std::vector<VisibleTable> tables = visible_tables(db);
+  for (const VisibleTable& seen : tables) {
+    if (!same_name(seen.name, table) || !in_schema(seen, schema)) continue;
+    if (seen.holds_moving_objects) return;
+    throw Error(name + " is not a moving_objects table" + list_of(tables));
+  }
+  throw Error("no such table: " + name + (schema ? "" : with_schema_apart(tables, table)) + list_of(tables));
+}
+
+/// What the connection knows of the table that the name means; null if it is none of ours.
+const Connection::OpenTable* look_up(Connection& connection, const AskedTable& name) {
+  const auto number = connection.lookups().number_of(name);
+  return number ? connection.find(*number) : nullptr;
+}
+
+/// Nothing if the table that SQLite finds is none of ours.
+std::optional<Connection::OpenTable> ask(Connection& connection, const AskedTable& name) {
+  TableLookups& lookups = connection.lookups();
+  const Connection::OpenTable* open = look_up(connection, name);
+  if (!open) {  // or SQLite has connected it anew since
+    lookups.forget(name);
+    open = look_up(connection, name);
+  }
+  if (!open || !same_name(open->table, *name.table)) return std::nullopt;
+  const Connection::OpenTable found = *open;
+  // A table that is made in main would come before one that is attached from then on; nothing that is kept
+  // would notice.
+  if (name.schema || same_name(found.schema, "main") || same_name(found.schema, "temp"))
+    lookups.keep(name, found.number, found.schema);
+  return found;
+}
+
+}  // namespace
+
+Connection::OpenTable open_table(Connection& connection, const AskedTable& asked) {
+  const AskedTable name = asked.table ? asked : only_table(connection.db(), asked.schema);
+  try {
+    if (auto open = ask(connection, name)) return *open;
+  } catch (const StoreError& error) {
+    if ((error.code & 0xff) == SQLITE_ERROR) explain(connection.db(), *name.table, name.schema);
+    throw;
+  }
+  explain(connection.db(), *name.table, name.schema);
+  throw Error(*name.table + " does not answer as a moving_objects table does");
+}
+
+}  // namespace foresee

@@ -1,0 +1,64 @@
+// What does SQLite find under a table's name? Asked once, and again only when a schema has changed.
+//
+//   const AskedTable name{.table = "ships", .schema = {}};
+//   lookups.number_of(name)          // what the table announced itself as, or nothing
+//   lookups.keep(name, 7, "main")    // and where it was: next time its number is known
+//
+// SQLite is asked by SELECT "ships" FROM "ships" WHERE "ships" MATCH 'foresee-handle', which a
+// moving_objects table answers with its number. What is kept is a witness: a statement that reads the schema
+// in which the table was found. SQLite compiles it anew whenever that schema has changed, and all statements
+// when temp changes or a database is detached; as long as it has not, the name means the same table. A
+// witness begins to read that database, as the table would, but keeps no table connected: one whose database
+// is detached goes with the next statement of any kind, and its memory with it.
+//
+// finalize() must be called when SQLite disconnects a table-valued function: a connection that is being
+// closed disconnects all tables and then refuses while a statement is left. Cost: about a microsecond.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sqlite/names/select.h"
+
+namespace foresee {
+
+struct AskedTable {
+  std::optional<std::string> table;
+  std::optional<std::string> schema;
+
+  friend bool operator==(const AskedTable&, const AskedTable&) = default;
+};
+
+class TableLookups {
+ public:
+  explicit TableLookups(sqlite3* db) : db_(db) {}
+
+  /// What is kept, else what SQLite says. Throws StoreError where SQLite finds no such table, or one of
+  /// another kind. Requires: a table is named.
+  std::optional<std::int64_t> number_of(const AskedTable& name);
+  /// Requires: number_of(name) has just said so of a table in `schema`.
+  void keep(const AskedTable& name, std::int64_t number, const std::string& schema);
+  /// The next time SQLite resolves the name from the start.
+  void forget(const AskedTable& name) noexcept;
+  /// Lets go of all statements that are not running.
+  void finalize() noexcept;
+
+ private:
+  struct Kept {
+    AskedTable name;
+    std::int64_t number;
+    std::unique_ptr<Select> witness;
+  };
+  static constexpr std::size_t most_kept = 8;
+
+  std::optional<std::int64_t> kept_number(const AskedTable& name);
+  std::optional<std::int64_t> ask(const AskedTable& name);
+
+  sqlite3* db_;
+  std::vector<Kept> kept_;  ///< the latest last
+};
+
+}  // namespace foresee

@@ -1,0 +1,34 @@
+#include "sqlite/table/commands.h"
+
+#include <string_view>
+
+#include "sqlite/callback.h"
+
+namespace foresee {
+
+std::string findings_of(Table& table) {
+  constexpr std::size_t most = 5;
+  const std::vector<std::string> findings = table.store().check(table.connection->interrupt());
+  std::string text;
+  for (std::size_t i = 0; i < findings.size() && i < most; ++i) text += (i == 0 ? "" : "; ") + findings[i];
+  if (findings.size() > most) text += "; and " + std::to_string(findings.size() - most) + " more";
+  return text;
+}
+
+void run_command(Table& table, sqlite3_value* command) {
+  const bool is_text = sqlite3_value_type(command) == SQLITE_TEXT;
+  const std::string word = is_text ? reinterpret_cast<const char*>(sqlite3_value_text(command)) : "";
+  if (word == "rebuild") {
+    table.store().rebuild(table.connection->interrupt());
+  } else if (word == "optimize") {
+    table.store().optimize(table.connection->interrupt());
+  } else if (word == "integrity-check") {
+    const std::string findings = findings_of(table);
+    if (!findings.empty()) throw StoreError(SQLITE_CORRUPT_VTAB, table.name + ": " + findings);
+  } else {
+    throw Error(table.name + ": no command " + shown(command) +
+                "; known are 'rebuild', 'optimize' and 'integrity-check'");
+  }
+}
+
+}  // namespace foresee

@@ -1,0 +1,18 @@
+// INSERT INTO ships(ships) VALUES('rebuild'): the commands of a table, as FTS5 has them.
+//
+//   rebuild           writes map and leaves anew from the objects
+//   optimize          packs the leaves, neighbours in space together
+//   integrity-check   fails with SQLITE_CORRUPT_VTAB and the first findings if the stored bytes are broken
+#pragma once
+
+#include "sqlite/table/table.h"
+
+namespace foresee {
+
+/// Throws Error for an unknown command, listing the known.
+void run_command(Table& table, sqlite3_value* command);
+
+/// The first findings of the integrity check, joined; "" if there is nothing to find.
+std::string findings_of(Table& table);
+
+}  // namespace foresee

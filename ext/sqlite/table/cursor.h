@@ -1,0 +1,54 @@
+// Which object is the scan at? A cursor over one moving_objects table.
+//
+// Objects are read leaf by leaf; after a write beneath the scan one by one (see table.h). Memory: one leaf,
+// and after such a write the ids yet to come.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "sqlite/table/plan.h"
+#include "sqlite/table/table.h"
+
+namespace foresee {
+
+class TableCursor : public sqlite3_vtab_cursor {
+ public:
+  explicit TableCursor(Table& table);
+  ~TableCursor();
+  TableCursor(const TableCursor&) = delete;
+  TableCursor& operator=(const TableCursor&) = delete;
+
+  void filter(TablePlan plan, sqlite3_value** arguments);
+  void next();
+  bool at_end() const { return position_ >= ids_.size(); }
+  std::int64_t rowid() const { return ids_[position_]; }
+  void column(sqlite3_context* context, int column) const;
+
+  /// Before a change: makes the rest of the scan independent of leaves.
+  void keep_ids();
+  /// After a rollback: leaves may have come back as they were before the scan, so it cannot go on.
+  void abort_leaves() { aborted_ = by_leaf_; }
+
+ private:
+  void clear();
+  void seek_object(sqlite3_value* id);
+  void require_handle_word(sqlite3_value* word) const;
+  void next_leaf();
+  void read_present();
+
+  Table& table_;
+  std::vector<std::int64_t> ids_;
+  std::vector<double> records_;  ///< of all ids_, or when not by_leaf_ of the one at position_
+  std::size_t position_ = 0;
+  std::int64_t leaf_ = 0;
+  bool by_leaf_ = false;  ///< more leaves may follow
+  bool handle_ = false;   ///< the one row holds the table's number
+  bool aborted_ = false;
+};
+
+inline TableCursor& cursor_of(sqlite3_vtab_cursor* base) {
+  return *static_cast<TableCursor*>(base);
+}
+
+}  // namespace foresee

@@ -1,0 +1,153 @@
+#include "sqlite/table/layout_rules.h"
+
+#include "base/error.h"
+
+namespace foresee {
+namespace {
+
+/// The words by quantity and axis.
+class Mixture {
+ public:
+  explicit Mixture(const std::vector<DeclaredWord>& words) {
+    for (const DeclaredWord& declared : words) slot(declared.word.quantity, declared.word.axis) = &declared;
+    while (axes_ < 3 && has(Quantity::centre, axes_)) ++axes_;
+  }
+
+  Layout layout() const {
+    require_axes();
+    require_known_axes();
+    Layout layout{.axes = axes_, .law = law(), .shape = shape()};
+    layout.has_t = has(Quantity::reference_time);
+    layout.has_until = has(Quantity::until);
+    return layout;
+  }
+
+ private:
+  const DeclaredWord*& slot(Quantity quantity, int axis) { return slots_[static_cast<int>(quantity)][axis]; }
+  const DeclaredWord* at(Quantity quantity, int axis) const {
+    return slots_[static_cast<int>(quantity)][axis];
+  }
+  bool has(Quantity quantity, int axis) const { return at(quantity, axis) != nullptr; }
+  bool has(Quantity quantity) const { return first(quantity) != nullptr; }
+
+  /// The declared word of this quantity along the lowest axis, or null.
+  const DeclaredWord* first(Quantity quantity) const {
+    for (int axis = 0; axis < 3; ++axis)
+      if (has(quantity, axis)) return at(quantity, axis);
+    return nullptr;
+  }
+
+  [[noreturn]] static void refuse(const DeclaredWord* declared, const std::string& why) {
+    throw Error("\"" + declared->argument + "\": " + why);
+  }
+
+  /// "vx, vy" for two axes; only those that are missing if so asked.
+  std::string list(Quantity quantity, bool missing_only = false) const {
+    std::string names;
+    for (int axis = 0; axis < axes_; ++axis) {
+      if (missing_only && has(quantity, axis)) continue;
+      if (!names.empty()) names += ", ";
+      names += word_for(quantity, axis);
+    }
+    return names;
+  }
+
+  void require_axes() const {
+    for (int axis = axes_ + 1; axis < 3; ++axis)
+      if (has(Quantity::centre, axis))
+        refuse(at(Quantity::centre, axis), "there is no " + std::string(word_for(Quantity::centre, axes_)) +
+                                               "; axes are declared in the order x, y, z");
+    if (axes_ == 0) throw Error("no position is declared; add x (and y, z for two or three axes)");
+  }
+
+  void require_known_axes() const {
+    for (Quantity quantity :
+         {Quantity::velocity, Quantity::acceleration, Quantity::force, Quantity::half_extent})
+      for (int axis = axes_; axis < 3; ++axis)
+        if (const DeclaredWord* declared = at(quantity, axis)) {
+          const std::string centre(word_for(Quantity::centre, axis));
+          refuse(declared, "there is no axis " + centre + "; add " + centre + " or leave " +
+                               std::string(declared->word.name) + " out");
+        }
+  }
+
+  /// Whether the quantity is declared; half of it is an error.
+  bool complete(Quantity quantity, const char* what) const {
+    const DeclaredWord* declared = first(quantity);
+    if (declared == nullptr) return false;
+    const std::string missing = list(quantity, true);
+    if (!missing.empty())
+      refuse(declared, std::string(what) + " is declared for all axes or none; add " + missing);
+    return true;
+  }
+
+  Law law() const {
+    const DeclaredWord* force = first(Quantity::force);
+    const DeclaredWord* mass = first(Quantity::mass);
+    if (force != nullptr && has(Quantity::acceleration))
+      refuse(force, "a table has either acceleration (" + list(Quantity::acceleration) +
+                        ") or force and mass (" + list(Quantity::force) + ", m); leave one out");
+    if (mass != nullptr && has(Quantity::acceleration))
+      refuse(mass, "a mass goes with a force (" + list(Quantity::force) +
+                       "), not with an acceleration; leave " + std::string(mass->word.name) + " out");
+    const bool moves = complete(Quantity::velocity, "velocity");
+    if (complete(Quantity::acceleration, "acceleration")) return Law::accelerated;
+    if (complete(Quantity::force, "force")) {
+      if (mass == nullptr) refuse(force, "a force needs a mass; add m");
+      return Law::forced;
+    }
+    if (mass != nullptr)
+      refuse(mass, "a mass needs a force; add " + list(Quantity::force) + " or leave " +
+                       std::string(mass->word.name) + " out");
+    return moves ? Law::uniform : Law::rest;
+  }
+
+  Shape shape() const {
+    const bool flat = has(Quantity::half_extent, 0) || has(Quantity::half_extent, 1);
+    const DeclaredWord* hz = at(Quantity::half_extent, 2);
+    if (const DeclaredWord* radius = first(Quantity::radius)) {
+      if (flat)
+        refuse(radius, "a shape is either a box (" + list(Quantity::half_extent) + ") or round (r" +
+                           (axes_ == 3 ? ", or r and hz for an upright cylinder" : "") + "); leave one out");
+      return hz != nullptr ? Shape::cylinder : Shape::ball;
+    }
+    if (hz != nullptr && !flat)
+      refuse(hz, "hz alone is no shape; add hx, hy for a box, or r for an upright cylinder");
+    return complete(Quantity::half_extent, "half extent") ? Shape::box : Shape::point;
+  }
+
+  const DeclaredWord* slots_[quantity_count][3] = {};
+  int axes_ = 0;
+};
+
+}  // namespace
+
+Layout layout_of(const std::vector<DeclaredWord>& words) {
+  return Mixture(words).layout();
+}
+
+int place_of(const Offsets& at, const Word& word) {
+  switch (word.quantity) {
+    case Quantity::reference_time:
+      return at.t;
+    case Quantity::centre:
+      return at.x + word.axis;
+    case Quantity::velocity:
+      return at.v + word.axis;
+    case Quantity::acceleration:
+      return at.a + word.axis;
+    case Quantity::force:
+      return at.force + word.axis;
+    case Quantity::mass:
+      return at.mass;
+    case Quantity::half_extent:
+      return at.half == Offsets::absent ? at.hz : at.half + word.axis;
+    case Quantity::radius:
+      return at.r;
+    case Quantity::until:
+      return at.until;
+  }
+  return Offsets::absent;
+}
+
+}  // namespace foresee

@@ -1,0 +1,26 @@
+// Which layout do the declared motion columns make, and do they go together?
+//
+// Throws Error for every mixture that is no table of DESIGN's vocabulary; the message quotes an argument and
+// says what to add or to leave out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "shape/layout.h"
+#include "sqlite/table/vocabulary.h"
+
+namespace foresee {
+
+struct DeclaredWord {
+  Word word;
+  std::string argument;  ///< as it was written
+};
+
+/// Requires: no word twice.
+Layout layout_of(const std::vector<DeclaredWord>& words);
+
+/// Where the quantity of `word` stands among a record's doubles.
+int place_of(const Offsets& at, const Word& word);
+
+}  // namespace foresee

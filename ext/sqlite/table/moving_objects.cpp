@@ -1,0 +1,203 @@
+// The virtual table moving_objects: SQLite's callbacks, each of which hands its work to the file that knows.
+//
+//   CREATE  declare.h      plan  table_plan.h      scan  table_cursor.h      write  table_write.h, values.h
+//   transactions, savepoints, rename and drop: ObjectStore, whose methods are named as the callbacks
+#include "sqlite/callback.h"
+#include "sqlite/modules.h"
+#include "sqlite/table/commands.h"
+#include "sqlite/table/cursor.h"
+#include "sqlite/table/declare.h"
+#include "sqlite/table/plan.h"
+#include "sqlite/table/table.h"
+#include "sqlite/table/write.h"
+#include "storage/rows/shadow_schema.h"
+
+namespace foresee {
+namespace {
+
+using OpenStore = StoreOrFault (*)(sqlite3* db, const std::string& schema, const std::string& table,
+                                   const Declaration& declaration);
+
+StoreOrFault create_store(sqlite3* db, const std::string& schema, const std::string& table,
+                          const Declaration& declaration) {
+  return {.store = ObjectStore::create(db, schema, table, declaration)};
+}
+
+/// A table whose bytes cannot be read is connected all the same: or else nobody could drop it.
+StoreOrFault open_store(sqlite3* db, const std::string& schema, const std::string& table,
+                        const Declaration& declaration) try {
+  return {.store = ObjectStore::open(db, schema, table, declaration)};
+} catch (const StoreError& error) {
+  const int code = error.code & 0xff;
+  if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;  // busy, out of memory: it will pass
+  return {.store = nullptr, .fault = error};
+}
+
+int connect(OpenStore open, sqlite3* db, void* aux, int argc, const char* const* argv, sqlite3_vtab** table,
+            char** message) noexcept {
+  return guarded(message, [&] {
+    const std::string schema = argv[1];
+    const std::string name = argv[2];
+    const Declaration declaration = parse_declaration(name, {argv + 3, argv + argc});
+    sqlite3_vtab_config(db, SQLITE_VTAB_CONSTRAINT_SUPPORT, 1);
+    sqlite3_vtab_config(db, SQLITE_VTAB_INNOCUOUS);
+    const int rc = sqlite3_declare_vtab(db, declared_schema(declaration, name).c_str());
+    if (rc != SQLITE_OK) throw StoreError(rc, name + ": " + sqlite3_errmsg(db));
+    *table = new Table(connection_of(aux), declaration, open(db, schema, name, declaration), schema, name);
+    return SQLITE_OK;
+  });
+}
+
+int table_create(sqlite3* db, void* aux, int argc, const char* const* argv, sqlite3_vtab** table,
+                 char** message) noexcept {
+  return connect(create_store, db, aux, argc, argv, table, message);
+}
+
+int table_connect(sqlite3* db, void* aux, int argc, const char* const* argv, sqlite3_vtab** table,
+                  char** message) noexcept {
+  return connect(open_store, db, aux, argc, argv, table, message);
+}
+
+int table_disconnect(sqlite3_vtab* base) noexcept {
+  delete &table_of(base);
+  return SQLITE_OK;
+}
+
+int table_destroy(sqlite3_vtab* base) noexcept {
+  const int rc = guarded(&base->zErrMsg, [&] { table_of(base).drop(); });
+  return rc == SQLITE_OK ? table_disconnect(base) : rc;
+}
+
+int table_best_index(sqlite3_vtab* base, sqlite3_index_info* info) noexcept {
+  return guarded(&base->zErrMsg, [&] { return plan_table(table_of(base), info); });
+}
+
+int cursor_open(sqlite3_vtab* base, sqlite3_vtab_cursor** cursor) noexcept {
+  return guarded(&base->zErrMsg, [&] { *cursor = new TableCursor(table_of(base)); });
+}
+
+int cursor_close(sqlite3_vtab_cursor* base) noexcept {
+  delete &cursor_of(base);
+  return SQLITE_OK;
+}
+
+int cursor_filter(sqlite3_vtab_cursor* base, int plan, const char*, int, sqlite3_value** arguments) noexcept {
+  return guarded(&base->pVtab->zErrMsg,
+                 [&] { cursor_of(base).filter(static_cast<TablePlan>(plan), arguments); });
+}
+
+int cursor_next(sqlite3_vtab_cursor* base) noexcept {
+  return guarded(&base->pVtab->zErrMsg, [&] { cursor_of(base).next(); });
+}
+
+int cursor_eof(sqlite3_vtab_cursor* base) noexcept {
+  return cursor_of(base).at_end() ? 1 : 0;
+}
+
+int cursor_column(sqlite3_vtab_cursor* base, sqlite3_context* context, int column) noexcept {
+  return guarded(&base->pVtab->zErrMsg, [&] { cursor_of(base).column(context, column); });
+}
+
+int cursor_rowid(sqlite3_vtab_cursor* base, sqlite3_int64* rowid) noexcept {
+  *rowid = cursor_of(base).rowid();
+  return SQLITE_OK;
+}
+
+int table_update(sqlite3_vtab* base, int count, sqlite3_value** arguments, sqlite3_int64* rowid) noexcept {
+  return guarded(&base->zErrMsg, [&] { write_table(table_of(base), count, arguments, rowid); });
+}
+
+/// A callback that is one call of the store, or nothing where it cannot be read.
+template <void (ObjectStore::*step)()>
+int forward(sqlite3_vtab* base) noexcept {
+  Table& table = table_of(base);
+  if (!table.has_store()) return SQLITE_OK;
+  return guarded(&base->zErrMsg, [&] { (table.store().*step)(); });
+}
+
+template <void (ObjectStore::*step)(int)>
+int forward(sqlite3_vtab* base, int level) noexcept {
+  Table& table = table_of(base);
+  if (!table.has_store()) return SQLITE_OK;
+  return guarded(&base->zErrMsg, [&] { (table.store().*step)(level); });
+}
+
+void abort_scans(Table& table) noexcept {
+  for (TableCursor* cursor : table.cursors()) cursor->abort_leaves();
+}
+
+int table_rollback(sqlite3_vtab* base) noexcept {
+  abort_scans(table_of(base));
+  return forward<&ObjectStore::rollback>(base);
+}
+
+int table_rollback_to(sqlite3_vtab* base, int level) noexcept {
+  abort_scans(table_of(base));
+  return forward<&ObjectStore::rollback_to>(base, level);
+}
+
+int table_rename(sqlite3_vtab* base, const char* new_name) noexcept {
+  return guarded(&base->zErrMsg, [&] {
+    for (TableCursor* cursor : table_of(base).cursors()) cursor->keep_ids();
+    table_of(base).rename(new_name);
+  });
+}
+
+int is_shadow_name(const char* suffix) noexcept {
+  return is_shadow_suffix(suffix) ? 1 : 0;
+}
+
+/// PRAGMA integrity_check, from SQLite 3.44 on: what is wrong comes as text, not as a result code.
+int table_integrity(sqlite3_vtab* base, const char*, const char*, int, char** finding) noexcept {
+  const int rc = guarded(finding, [&] {
+    Table& table = table_of(base);
+    const std::string findings = findings_of(table);
+    if (!findings.empty()) throw StoreError(SQLITE_CORRUPT_VTAB, table.name + ": " + findings);
+  });
+  return (rc & 0xff) == SQLITE_CORRUPT && *finding != nullptr ? SQLITE_OK : rc;
+}
+
+/// sqlite3_module as SQLite 3.44 knows it; older versions look no further than iVersion 3 goes.
+struct ModuleWithIntegrity {
+  sqlite3_module module;
+  int (*xIntegrity)(sqlite3_vtab*, const char*, const char*, int, char**);
+};
+
+constexpr ModuleWithIntegrity moving_objects_module = {{
+                                                           .iVersion = 4,
+                                                           .xCreate = table_create,
+                                                           .xConnect = table_connect,
+                                                           .xBestIndex = table_best_index,
+                                                           .xDisconnect = table_disconnect,
+                                                           .xDestroy = table_destroy,
+                                                           .xOpen = cursor_open,
+                                                           .xClose = cursor_close,
+                                                           .xFilter = cursor_filter,
+                                                           .xNext = cursor_next,
+                                                           .xEof = cursor_eof,
+                                                           .xColumn = cursor_column,
+                                                           .xRowid = cursor_rowid,
+                                                           .xUpdate = table_update,
+                                                           .xBegin = forward<&ObjectStore::begin>,
+                                                           .xSync = forward<&ObjectStore::sync>,
+                                                           .xCommit = forward<&ObjectStore::commit>,
+                                                           .xRollback = table_rollback,
+                                                           .xFindFunction = nullptr,
+                                                           .xRename = table_rename,
+                                                           .xSavepoint = forward<&ObjectStore::savepoint>,
+                                                           .xRelease = forward<&ObjectStore::release>,
+                                                           .xRollbackTo = table_rollback_to,
+                                                           .xShadowName = is_shadow_name,
+#if SQLITE_VERSION_NUMBER >= 3044000
+                                                           .xIntegrity = table_integrity,
+#endif
+                                                       },
+                                                       table_integrity};
+
+}  // namespace
+
+int register_moving_objects(sqlite3* db, const std::shared_ptr<Connection>& connection) {
+  return register_module(db, "moving_objects", &moving_objects_module.module, connection);
+}
+
+}  // namespace foresee

@@ -1,0 +1,41 @@
+#include "sqlite/table/table.h"
+
+#include "sqlite/table/declare.h"
+#include "storage/rows/shadow_schema.h"
+
+namespace foresee {
+
+Table::Table(std::shared_ptr<Connection> connection_, Declaration declaration, StoreOrFault opened,
+             const std::string& schema_, const std::string& name_)
+    : sqlite3_vtab{},
+      connection(std::move(connection_)),
+      schema(schema_),
+      name(name_),
+      values(declaration, name),
+      number(0),
+      declared_(std::move(declaration)),
+      opened_(std::move(opened)) {
+  number = connection->announce(opened_.store, schema, name);
+}
+
+Table::~Table() {
+  connection->leave(number);
+  sqlite3_free(zErrMsg);  // what nobody asked for: SQLite 3.40 takes no message from xDestroy
+}
+
+void Table::rename(const std::string& new_name) {
+  require_table_name(declaration(), new_name);
+  store().rename(new_name);
+  name = new_name;
+  values.rename(new_name);
+  connection->rename(number, new_name);
+}
+
+void Table::drop() {
+  if (opened_.store)
+    opened_.store->drop();
+  else
+    drop_shadow_tables(connection->db(), {schema, name}, declaration());
+}
+
+}  // namespace foresee

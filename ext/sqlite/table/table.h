@@ -1,0 +1,75 @@
+// One moving_objects table as this connection sees it: SQLite's handle, its storage, and its open cursors.
+//
+// Writes beneath a scan are safe: before the first change every cursor in mid-scan notes the ids that it has
+// yet to visit and reads each object as it is when its turn comes; objects deleted meanwhile are passed over,
+// new ones are not visited.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sqlite/connection.h"
+#include "sqlite/table/values.h"
+#include "storage/table/object_store.h"
+
+namespace foresee {
+
+class TableCursor;
+
+/// The storage of a table, or why it cannot be read: shadow tables are missing or written by a later version.
+struct StoreOrFault {
+  std::shared_ptr<ObjectStore> store;  ///< null: there is a fault
+  StoreError fault{SQLITE_OK, ""};
+};
+
+struct Table : sqlite3_vtab {
+  Table(std::shared_ptr<Connection> connection, Declaration declaration, StoreOrFault opened,
+        const std::string& schema, const std::string& name);
+  ~Table();
+  Table(const Table&) = delete;
+  Table& operator=(const Table&) = delete;
+
+  const Declaration& declaration() const { return declared_; }
+  /// Throws the fault if there is one.
+  ObjectStore& store() {
+    if (!opened_.store) throw opened_.fault;
+    return *opened_.store;
+  }
+  bool has_store() const { return opened_.store != nullptr; }
+
+  void opened(TableCursor& cursor) { connection->opened(opened_.store.get(), cursor); }
+  void closed(TableCursor& cursor) noexcept { connection->closed(opened_.store.get(), cursor); }
+  /// Every scan of this table, also those that began before SQLite connected it anew.
+  std::span<TableCursor* const> cursors() const noexcept { return connection->cursors(opened_.store.get()); }
+
+  /// Drops the shadow tables, as many as there are.
+  void drop();
+
+  // Columns as SQL numbers them: id, motion, auxiliary, command.
+  static constexpr int id_column = 0;
+  static constexpr int first_motion_column = 1;
+  int first_auxiliary_column() const { return 1 + static_cast<int>(declaration().columns.size()); }
+  int command_column() const {
+    return first_auxiliary_column() + static_cast<int>(declaration().auxiliaries.size());
+  }
+
+  void rename(const std::string& new_name);
+
+  std::shared_ptr<Connection> connection;
+  std::string schema;
+  std::string name;
+  Values values;
+  std::int64_t number;  ///< what Connection::find knows it by
+
+ private:
+  Declaration declared_;
+  StoreOrFault opened_;
+};
+
+inline Table& table_of(sqlite3_vtab* base) {
+  return *static_cast<Table*>(base);
+}
+
+}  // namespace foresee

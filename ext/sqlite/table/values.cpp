@@ -1,0 +1,165 @@
+#include "sqlite/table/values.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include "base/float_environment.h"
+#include "sqlite/callback.h"
+
+namespace foresee {
+namespace {
+
+constexpr double two_to_the_63 = 9223372036854775808.0;
+
+std::string shown(double number) {
+  char digits[32];
+  std::string text(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+  const bool looks_integral = text.find_first_not_of("-0123456789") == std::string::npos;
+  return looks_integral ? text + ".0" : text;
+}
+
+/// The integer that a double is, if it is one and fits.
+std::optional<std::int64_t> integer_of(double number) {
+  if (!(number >= -two_to_the_63 && number < two_to_the_63)) return std::nullopt;
+  const auto integer = static_cast<std::int64_t>(number);
+  if (static_cast<double>(integer) != number) return std::nullopt;
+  return integer;
+}
+
+bool is_empty_text(sqlite3_value* value) {
+  return sqlite3_value_type(value) == SQLITE_TEXT && sqlite3_value_bytes(value) == 0;
+}
+
+/// SQLITE_INTEGER or SQLITE_FLOAT for numbers and wholly numeric text, SQLITE_NULL for NULL and '',
+/// SQLITE_TEXT or SQLITE_BLOB for the rest.
+int type_as_number(sqlite3_value* value) {
+  const int type = sqlite3_value_type(value);
+  if (type != SQLITE_TEXT) return type;
+  return is_empty_text(value) ? SQLITE_NULL : sqlite3_value_numeric_type(value);
+}
+
+const char* rule_for_null(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::reference_time:
+      return "a declared reference time is needed; write the moment at which the position holds";
+    case Quantity::mass:
+      return "a force needs a mass; write a number greater than 0";
+    default:
+      return "a position is needed; write a finite number";
+  }
+}
+
+const char* rule_for_infinity(Quantity quantity) {
+  return quantity == Quantity::until ? "not a finite number; write NULL for ever"
+                                     : "not a finite number; write a finite one";
+}
+
+}  // namespace
+
+std::string shown(sqlite3_value* value) {
+  constexpr std::size_t most = 40;
+  switch (sqlite3_value_type(value)) {
+    case SQLITE_NULL:
+      return "NULL";
+    case SQLITE_INTEGER:
+      return std::to_string(sqlite3_value_int64(value));
+    case SQLITE_FLOAT:
+      return shown(sqlite3_value_double(value));
+    case SQLITE_BLOB:
+      return "a blob of " + std::to_string(sqlite3_value_bytes(value)) + " bytes";
+    default: {
+      const auto* text = reinterpret_cast<const char*>(sqlite3_value_text(value));
+      if (text == nullptr) throw std::bad_alloc();
+      std::string_view kept(text);
+      if (kept.size() <= most) return std::string("'").append(kept).append("'");
+      std::size_t cut = most;  // not inside a character
+      while (cut > 0 && (static_cast<unsigned char>(kept[cut]) & 0xC0) == 0x80) --cut;
+      return std::string("'").append(kept.substr(0, cut)).append("...'");
+    }
+  }
+}
+
+Values::Values(const Declaration& declaration, const std::string& table)
+    : table_(table), layout_(declaration.layout), at_(record_offsets(layout_)) {
+  for (const MotionColumn& column : declaration.columns)
+    columns_.push_back({column.name, find_word(column.name)->quantity, column.place});
+  record_.assign(static_cast<std::size_t>(at_.size), 0.0);
+}
+
+std::span<const double> Values::record(std::int64_t id, sqlite3_value** motion) {
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    record_[static_cast<std::size_t>(columns_[i].place)] = stored(columns_[i], id, motion[i]);
+  if (layout_.has_until) require_motion_to_last(id);
+  if (layout_.law == Law::forced) require_finite_acceleration(id);
+  return record_;
+}
+
+double Values::stored(const Column& column, std::int64_t id, sqlite3_value* value) const {
+  const Quantity quantity = column.quantity;
+  const int type = type_as_number(value);
+  if (type == SQLITE_NULL) {
+    if (quantity == Quantity::until) return std::numeric_limits<double>::infinity();
+    if (quantity == Quantity::reference_time || quantity == Quantity::centre || quantity == Quantity::mass)
+      refuse(column.name, id, shown(value), rule_for_null(quantity));
+    return 0;
+  }
+  if (type != SQLITE_INTEGER && type != SQLITE_FLOAT)
+    refuse(column.name, id, shown(value), "not a number; write a finite number");
+  const double number = sqlite3_value_double(value);
+  if (type == SQLITE_INTEGER && integer_of(number) != sqlite3_value_int64(value))
+    refuse(column.name, id, shown(value),
+           "no double holds this integer; write " + shown(number) + " for the nearest that one does");
+  if (!std::isfinite(number)) refuse(column.name, id, shown(value), rule_for_infinity(quantity));
+  if (number < 0 && quantity == Quantity::half_extent)
+    refuse(column.name, id, shown(value), "a half extent is never negative; write 0 or more");
+  if (number < 0 && quantity == Quantity::radius)
+    refuse(column.name, id, shown(value), "a radius is never negative; write 0 or more");
+  if (number <= 0 && quantity == Quantity::mass)
+    refuse(column.name, id, shown(value), "a mass is never 0 or negative; write a number greater than 0");
+  return number;
+}
+
+void Values::require_motion_to_last(std::int64_t id) const {
+  const double t = at_.t == Offsets::absent ? 0 : record_[static_cast<std::size_t>(at_.t)];
+  const double until = record_[static_cast<std::size_t>(at_.until)];
+  if (until < t)
+    refuse("until", id, shown(until),
+           "before the reference time " + shown(t) + "; write that or more, or NULL for ever");
+}
+
+void Values::require_finite_acceleration(std::int64_t id) const {
+  const FloatEnvironment environment;
+  const double mass = record_[static_cast<std::size_t>(at_.mass)];
+  for (int axis = 0; axis < layout_.axes; ++axis) {
+    const double force = record_[static_cast<std::size_t>(at_.force + axis)];
+    if (!std::isfinite(force / mass))
+      refuse(std::string(word_for(Quantity::force, axis)), id, shown(force),
+             "no double holds its quotient by the mass " + shown(mass) +
+                 "; write a smaller force or a greater mass");
+  }
+}
+
+void Values::refuse(const std::string& column, std::int64_t id, const std::string& value,
+                    const std::string& rule) const {
+  throw Refusal(SQLITE_CONSTRAINT,
+                table_ + "." + column + " of row " + std::to_string(id) + " is " + value + ": " + rule);
+}
+
+std::optional<std::int64_t> Values::id(sqlite3_value* value) const {
+  switch (type_as_number(value)) {
+    case SQLITE_NULL:
+      return std::nullopt;
+    case SQLITE_INTEGER:
+      return sqlite3_value_int64(value);
+    case SQLITE_FLOAT:
+      if (const auto integer = integer_of(sqlite3_value_double(value))) return integer;
+      break;
+    default:
+      break;
+  }
+  throw Refusal(SQLITE_MISMATCH, table_ + ".id is " + shown(value) +
+                                     ": not an integer; write an INTEGER, or NULL to have one assigned");
+}
+
+}  // namespace foresee

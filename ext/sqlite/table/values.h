@@ -1,0 +1,59 @@
+// May this be stored, and as which double? From SQL's values to one object's record.
+//
+//   Values values(declaration, "ships");
+//   store.insert(id, values.record(id, argv + 3), auxiliaries);
+//
+// The rules are DESIGN's: integers and wholly numeric text convert, '' is NULL, a NULL velocity, acceleration
+// or extent is 0, a NULL until is for ever. What breaks a rule throws Refusal (SQLITE_CONSTRAINT) with a
+// message that names table, column, row id and value, and says what to write instead.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "sqlite/table/vocabulary.h"
+#include "storage/format/declaration.h"
+#include "storage/rows/sqlite_api.h"
+
+namespace foresee {
+
+class Values {
+ public:
+  Values(const Declaration& declaration, const std::string& table);
+
+  void rename(const std::string& table) { table_ = table; }
+
+  /// `motion`: one value a declared motion column, in their order. Valid until the next call.
+  std::span<const double> record(std::int64_t id, sqlite3_value** motion);
+
+  /// The id that this value means; none for NULL and ''. Throws Refusal (SQLITE_MISMATCH) for what is no
+  /// integer.
+  std::optional<std::int64_t> id(sqlite3_value* value) const;
+
+ private:
+  struct Column {
+    std::string name;
+    Quantity quantity;
+    int place;
+  };
+
+  double stored(const Column& column, std::int64_t id, sqlite3_value* value) const;
+  void require_motion_to_last(std::int64_t id) const;
+  void require_finite_acceleration(std::int64_t id) const;
+  [[noreturn]] void refuse(const std::string& column, std::int64_t id, const std::string& value,
+                           const std::string& rule) const;
+
+  std::string table_;
+  Layout layout_;
+  Offsets at_;
+  std::vector<Column> columns_;
+  std::vector<double> record_;
+};
+
+/// A value as a message shows it: 1.5, 'text', x'00ff', shortened where it is long.
+std::string shown(sqlite3_value* value);
+
+}  // namespace foresee
