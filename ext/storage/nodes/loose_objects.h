@@ -11,7 +11,7 @@
 
 #include <span>
 
-#include "storage/nodes/id_table.h"
+#include "storage/rows/id_table.h"
 
 namespace foresee {
 

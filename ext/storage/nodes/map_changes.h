@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "storage/nodes/id_table.h"
+#include "storage/rows/id_table.h"
 
 namespace foresee {
 

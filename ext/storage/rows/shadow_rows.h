@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "storage/nodes/id_table.h"
+#include "storage/rows/id_table.h"
 #include "storage/rows/shadow_schema.h"
 #include "storage/rows/statement.h"
 

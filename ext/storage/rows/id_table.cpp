@@ -1,4 +1,4 @@
-#include "storage/nodes/id_table.h"
+#include "storage/rows/id_table.h"
 
 #include <algorithm>
 
