@@ -4,7 +4,9 @@
 
 The order: sqlite -> query -> index -> contact -> shape -> motion -> numbers -> base. A room may include rooms to its
 right and no others, with two doors of their own: storage may include shape, motion, base and the page and tree interface
-of index, and only sqlite may include storage. SQLite's headers are for storage and sqlite alone.
+of index, and only sqlite may include storage. SQLite's headers are for storage and sqlite alone. Rooms inside a room
+have an order too; what lies beside them, at the room's door, may include them and be included. No headers include each
+other in a circle.
 """
 import re
 import sys
@@ -17,19 +19,34 @@ MAY_INCLUDE["sqlite"] = {"storage", *ORDER}
 # What the index asks of a place to keep pages, which storage supplies; and the tree that it makes of them.
 PAGE_INTERFACE = {"index/pages.h", "index/tpr_tree/tpr_tree.h"}
 SEES_SQLITE = {"storage", "sqlite"}
+# The rooms inside a room: each may include those to its right.
+INSIDE = {
+    "index": ["paper_grid", "gpcd_grid", "tpr_tree"],
+    "query": ["join", "window", "nearest", "position"],
+    "storage": ["table", "nodes", "rows", "format"],
+    "sqlite": ["functions", "names", "table"],
+}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
-def complaint(room, target):
-    """Why a file of `room` may not include `target`; None if it may."""
+def inner_room(parts):
+    """The room inside a room that a path leads to, or None for what lies at the room's door."""
+    return parts[1] if len(parts) > 2 else None
+
+
+def complaint(source, target):
+    """Why the file `source` may not include `target`, both as paths under ext; None if it may."""
+    room = source.parts[0]
     name = target.rsplit("/", 1)[-1]
     if name.startswith("sqlite3") and room not in SEES_SQLITE:
         return f"only {' and '.join(sorted(SEES_SQLITE))} see SQLite"
     if target.startswith(".") or "/../" in target:
         return "include by room, as in \"motion/vec.h\", not by relative path"
     other = target.split("/", 1)[0] if "/" in target else None
-    if other not in MAY_INCLUDE or other == room:
+    if other == room:
+        return complaint_inside(room, inner_room(source.parts), inner_room(target.split("/")))
+    if other not in MAY_INCLUDE:
         return None
     if room == "storage" and target in PAGE_INTERFACE:
         return None
@@ -38,9 +55,44 @@ def complaint(room, target):
     return None
 
 
+def complaint_inside(room, here, there):
+    """The same for two places of one room."""
+    if here is None or there is None or here == there:
+        return None
+    order = INSIDE.get(room, [])
+    for place in (here, there):
+        if place not in order:
+            return f"{room}/{place} has no place in the order of the rooms inside {room}"
+    if order.index(there) < order.index(here):
+        return f"{room}/{here} may include {', '.join(order[order.index(here) + 1:]) or 'no other room inside'}"
+    return None
+
+
+def circle(includes):
+    """The files of a circle of includes, or []. `includes`: {file: [included files]}."""
+    done, path = set(), []
+
+    def visit(file):
+        if file in path:
+            return path[path.index(file):] + [file]
+        if file in done:
+            return []
+        path.append(file)
+        for other in includes.get(file, []):
+            if found := visit(other):
+                return found
+        done.add(path.pop())
+        return []
+
+    for file in includes:
+        if found := visit(file):
+            return found
+    return []
+
+
 def violations(ext):
     """(sentences, number of files read) for all sources under the folder `ext`."""
-    found, files = [], 0
+    found, files, includes = [], 0, {}
     for path in sorted(p for p in Path(ext).rglob("*") if p.suffix in {".h", ".hpp", ".cpp", ".c", ".inc"}):
         files += 1
         inside = path.relative_to(ext)
@@ -48,11 +100,16 @@ def violations(ext):
         if room not in MAY_INCLUDE or len(inside.parts) < 2:
             found.append(f"{inside}: not in a room")
             continue
+        targets = includes[inside.as_posix()] = []
         for number, line in enumerate(path.read_text().splitlines(), 1):
             match = INCLUDE.match(line)
-            reason = match and complaint(room, match.group(2))
+            if match and match.group(1) == '"':
+                targets.append(match.group(2))
+            reason = match and complaint(inside, match.group(2))
             if reason:
                 found.append(f"{inside}:{number}: includes {match.group(2)}: {reason}")
+    if files_of_circle := circle(includes):
+        found.append("a circle of includes: " + " -> ".join(files_of_circle))
     return found, files
 
 

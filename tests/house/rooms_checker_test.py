@@ -46,6 +46,20 @@ class RoomGuard(unittest.TestCase):
         self.catches("storage/pages.cpp", '#include "index/candidates.h"', "storage may include base, motion")
         self.catches("storage/pages.cpp", '#include "contact/contact.h"', "storage may include base, motion")
 
+    def test_rooms_inside_a_room_have_an_order(self):
+        self.passes("storage/table/store.h", '#include "storage/nodes/node_cache.h"\n#include "storage/rows/statement.h"')
+        self.passes("query/scene.h", '#include "query/join/join.h"')
+        self.passes("query/join/join.h", '#include "query/scene.h"')
+        self.catches("storage/nodes/marks.h", '#include "storage/table/store.h"', "storage/nodes may include rows, format")
+        self.catches("query/window/window.h", '#include "query/join/join.h"', "query/window may include nearest, position")
+        self.catches("query/window/window.h", '#include "query/annex/join.h"', "query/annex has no place")
+
+    def test_headers_include_each_other_in_no_circle(self):
+        files = {"motion/a.h": '#include "motion/b.h"\n', "motion/b.h": '#include "motion/c.h"\n', "motion/c.h": ""}
+        self.assertEqual(tree(files), [])
+        files["motion/c.h"] = '#include "motion/a.h"\n'
+        self.assertEqual(tree(files), ["a circle of includes: motion/a.h -> motion/b.h -> motion/c.h -> motion/a.h"])
+
     def test_only_storage_and_sqlite_see_sqlite(self):
         self.passes("storage/rows/sqlite_api.h", "#include <sqlite3ext.h>")
         self.catches("query/join/join.h", "#include <sqlite3.h>", "see SQLite")
