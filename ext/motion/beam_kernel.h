@@ -66,7 +66,8 @@ void find_beams_here(BeamLanes<D>& lanes, std::size_t count, const double (&marg
       for (std::size_t l = first; l < first + block; ++l) {
         const double x = lanes.x[k][l], v = lanes.v[k][l], a = bent ? lanes.a[k][l] : 0;
         const double from = lanes.from[l], to = lanes.to[l], reach = lanes.reach[l], parts = lanes.parts[l];
-        const double size = lanes.half[k][l] + margin[k], time = to - from;
+        const double below = lanes.below[k][l] + margin[k], above = lanes.above[k][l] + margin[k];
+        const double time = to - from;
         const bool still = (v == 0) & (a == 0);  // also where a time is infinite
         const double begins = x + from * (bent ? v + a * from * 0.5 : v);
         const double ends = x + to * (bent ? v + a * to * 0.5 : v);
@@ -74,13 +75,12 @@ void find_beams_here(BeamLanes<D>& lanes, std::size_t count, const double (&marg
         const double bow = still ? 0 : bent ? a * time * time * 0.125 : 0;
         const double travel = (end - begin) * parts;
         const double speed = bent ? size_of(v) + size_of(a) * reach : size_of(v);
-        const double weight = size_of(x) + size;
+        const double weight = size_of(x) + greatest(size_of(below), size_of(above));
         const double moving_error = 24 * u * (weight + reach * speed) + (reach + 4) * 0x1p-1020;
         const double error = still ? 8 * u * weight + 0x1p-1020 : moving_error;
         const double lost = parts == 1 ? 0 : 0x1p-40 * size_of(travel);
-        const double grow = size + error + lost;
-        const double lower = (least(begin, end) + least(-bow, 0)) - grow;
-        const double upper = (greatest(begin, end) + greatest(-bow, 0)) + grow;
+        const double lower = (least(begin, end) + least(-bow, 0)) - (below + error + lost);
+        const double upper = (greatest(begin, end) + greatest(-bow, 0)) + (above + error + lost);
         const bool sound = upper - lower < forever, none = parts < 0;
         lanes.lower[k][l] = none ? forever : sound ? lower : -forever;
         lanes.upper[k][l] = none ? -forever : sound ? upper : forever;

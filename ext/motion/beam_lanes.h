@@ -13,9 +13,10 @@ struct BeamLanes {
   double lower[D][width] = {}, upper[D][width] = {}, travel[D][width] = {}, begin[width] = {},
          end[width] = {};
 
-  // Courses; when they are flown, as time since t; how often the life fits into the horizon: 0 if that is too
-  // short to say, below 0 for none.
-  double x[D][width] = {}, v[D][width] = {}, a[D][width] = {}, half[D][width] = {};
+  // Courses, and how far there is something below and above; when they are flown, as time since t; how often
+  // the life fits into the horizon: 0 if that is too short to say, below 0 for none.
+  double x[D][width] = {}, v[D][width] = {}, a[D][width] = {};
+  double below[D][width] = {}, above[D][width] = {};
   double t[width] = {}, until[width] = {};
   double from[width] = {}, to[width] = {}, reach[width] = {}, parts[width] = {};
 };

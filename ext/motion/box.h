@@ -27,7 +27,28 @@ struct Box {
 template <int D>
 struct Extents {
   Vec<D> lower, upper;
+
+  /// Of the position alone.
+  static Extents none() { return {Vec<D>::Zero(), Vec<D>::Zero()}; }
 };
+
+/// What reaches equally far to both sides.
+template <int D>
+Extents<D> symmetric(const Vec<D>& half) {
+  return {-half, half};
+}
+
+/// Grown by `margin` on both sides of every axis.
+template <int D>
+Extents<D> grown(const Extents<D>& extents, const Vec<D>& margin) {
+  return {extents.lower - margin, extents.upper + margin};
+}
+
+/// How far the farther side is.
+template <int D>
+Vec<D> reach_of(const Extents<D>& extents) {
+  return extents.lower.abs().max(extents.upper.abs());
+}
 
 struct Ends {
   double lower, upper;

@@ -7,6 +7,7 @@
 #include "motion/beam_kernel.h"
 #include "motion/beam_variants.h"
 #include "motion/life.h"
+#include "shape/shapes.h"
 
 namespace foresee {
 namespace {
@@ -48,12 +49,13 @@ struct Rows {
 };
 
 template <int D>
-void copy_half_extents(const Rows& rows, const Layout& layout, const Offsets& at, BeamLanes<D>& lanes) {
-  for (int k = 0; k < D; ++k) {
-    const bool upright = layout.shape == Shape::cylinder && k == D - 1;
-    const int round = upright ? at.hz : at.r;
-    rows.copy(layout.shape == Shape::box ? at.half + k : round, lanes.half[k], 0);
-  }
+void copy_extents(const Bodies& bodies, std::size_t first, std::size_t count, BeamLanes<D>& lanes) {
+  with_shape(bodies.layout.shape, [&](auto shape) {
+    for (std::size_t l = 0; l < count; ++l) {
+      const Extents<D> extents = shape.template extents<D>(bodies.row(first + l), bodies.at);
+      for (int k = 0; k < D; ++k) lanes.below[k][l] = -extents.lower[k], lanes.above[k][l] = extents.upper[k];
+    }
+  });
 }
 
 /// One life for all where neither t nor until is declared.
@@ -80,7 +82,7 @@ void beams(const Bodies& bodies, std::size_t first, std::size_t count, const Hor
     rows.copy(at.v == Offsets::absent ? at.v : at.v + k, out.v[k], 0);
     if (at.a != Offsets::absent) rows.copy(at.a + k, out.a[k]);
   }
-  copy_half_extents(rows, bodies.layout, at, out);
+  copy_extents(bodies, first, count, out);
   find_all_lives(rows, at, horizon, out);
   double grow[D];
   std::copy_n(margin.data(), D, grow);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shape/shapes.h"
+
 namespace foresee {
 namespace {
 
@@ -22,9 +24,10 @@ Offsets offsets_of(const Layout& layout, bool stored) {
   } else if (layout.law == Law::accelerated || layout.law == Law::forced) {
     at.a = take(layout.axes);
   }
-  if (layout.shape == Shape::box) at.half = take(layout.axes);
-  if (layout.shape == Shape::ball || layout.shape == Shape::cylinder) at.r = take(1);
-  if (layout.shape == Shape::cylinder) at.hz = take(1);
+  with_shape(layout.shape, [&](auto shape) {
+    for (const SizeColumn& column : shape.sizes)
+      at.*column.place = take(column.on_all_axes ? layout.axes : 1);
+  });
   if (layout.has_until) at.until = take(1);
   at.size = next;
   return at;

@@ -51,7 +51,8 @@ struct Offsets {
   friend bool operator==(const Offsets&, const Offsets&) = default;
 };
 
-/// The order of the doubles as they are stored: t, x…, v…, a… or force… and mass, half… or r and hz, until.
+/// The order of the doubles as they are stored: t, x…, v…, a… or force… and mass, the sizes of the shape,
+/// until.
 Offsets record_offsets(const Layout& layout);
 
 /// The order of the doubles that queries read: the same, with the acceleration in place of force and mass.

@@ -56,7 +56,7 @@ TEST(TreeBounds, LieOutsideTheExactMotionAtEveryEpoch) {
   Random random(1);
   for (int i = 0; i < 500; ++i) {
     const Case c = random_case(random);
-    const Bounds<1> bounds = bounds_at(c.motion, c.half, c.epoch);
+    const Bounds<1> bounds = bounds_at(c.motion, symmetric<1>(c.half), c.epoch);
     expect_outside(bounds, c, c.epoch);
     expect_outside(carried(bounds, c.epoch, c.later), c, c.later);
   }
@@ -81,16 +81,17 @@ TEST(TreeBounds, MovingBoxesLieOutsideTheExactMotion) {
     const Horizon horizon{c.now, h};
     Motion<1> motion = c.motion;
     motion.t = std::min(motion.t, c.now);  // it exists all the time
-    const Bounds<1> at_epoch = bounds_at(motion, c.half, c.epoch);
+    const Bounds<1> at_epoch = bounds_at(motion, symmetric<1>(c.half), c.epoch);
     const Case moved{motion, c.half, c.epoch, c.later, c.now};
     expect_outside(moving_box<1>(at_epoch, c.epoch, {0, h}, horizon), moved, horizon, 0);
-    expect_outside(moving_box<1>(motion, c.half, horizon, Vec<1>::Constant(1)), moved, horizon, 1);
+    expect_outside(moving_box<1>(motion, symmetric<1>(c.half), horizon, Vec<1>::Constant(1)), moved, horizon,
+                   1);
   }
 }
 
 TEST(TreeBounds, AreTightForEverydayNumbers) {
   const Motion<1> motion{0, Vec<1>::Constant(100), Vec<1>::Constant(2), Vec<1>::Constant(0.5), 1e9};
-  const Bounds<1> bounds = bounds_at(motion, Vec<1>(Vec<1>::Constant(1)), 10);
+  const Bounds<1> bounds = bounds_at(motion, symmetric<1>(Vec<1>::Constant(1)), 10);
   EXPECT_NEAR(bounds.x_lower[0], 100 + 20 + 25 - 1, 1e-11);
   EXPECT_NEAR(bounds.v_upper[0], 7, 1e-12);
 }

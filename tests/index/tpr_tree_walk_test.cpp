@@ -198,7 +198,7 @@ TEST(LeastDistance, OfPointsHoldsAtEverySizeOfNumbers) {
                                infinity};
         const Vec<2> point = random_vec<2>(random, -size, size), speed = random_vec<2>(random, -slow, slow);
         const double bound =
-            least_point_distance(moving_box<2>(motion, Vec<2>::Zero(), horizon, Vec<2>::Zero()),
+            least_point_distance(moving_box<2>(motion, Extents<2>::none(), horizon, Vec<2>::Zero()),
                                  moving_window<2>(point, point, speed, horizon));
         long double sampled = infinity;
         for (int step = 0; step <= 100; ++step) {

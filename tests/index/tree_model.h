@@ -8,7 +8,7 @@
 
 #include "index/memory_pages.h"
 #include "index/tpr_tree/tpr_tree.h"
-#include "shape/extents.h"
+#include "shape/swept_boxes.h"
 #include "tests/scenes.h"
 
 namespace foresee::testing {
@@ -96,12 +96,12 @@ bool box_at(const Layout& layout, const std::vector<double>& record, long double
   row_from_record(layout, record.data(), row.data());
   const Bodies body(layout, row.data(), 1);
   const Motion<D> motion = motion_of<D>(body, 0);
-  const Vec<D> half = half_extents_of<D>(body, 0);
+  const Extents<D> extents = extents_of<D>(body, 0);
   if (moment < motion.t || moment > motion.until) return false;
   const long double s = moment - motion.t;
   for (int axis = 0; axis < D; ++axis) {
     const long double centre = motion.x[axis] + motion.v[axis] * s + motion.a[axis] * s * s / 2;
-    lower[axis] = centre - half[axis], upper[axis] = centre + half[axis];
+    lower[axis] = centre + extents.lower[axis], upper[axis] = centre + extents.upper[axis];
   }
   return true;
 }

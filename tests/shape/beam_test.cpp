@@ -9,7 +9,7 @@
 #include <random>
 
 #include "base/simd.h"
-#include "shape/extents.h"
+#include "shape/swept_boxes.h"
 
 namespace foresee {
 namespace {
@@ -139,7 +139,7 @@ void expect_as_declared_in_full(const Layout& layout, double now) {
   for (std::size_t i = 0; i < count; ++i) {
     std::vector<double> row(static_cast<std::size_t>(at.size));
     const Motion<D> motion = motion_of<D>(bodies, i);
-    const Vec<D> half = half_extents_of<D>(bodies, i);
+    const Vec<D> half = extents_of<D>(bodies, i).upper;
     for (int k = 0; k < D; ++k) {
       const auto put = [&row, k](int place, double x) { row[static_cast<std::size_t>(place + k)] = x; };
       put(at.x, motion.x[k]), put(at.v, motion.v[k]), put(at.a, motion.a[k]), put(at.half, half[k]);

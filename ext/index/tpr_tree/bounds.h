@@ -1,7 +1,7 @@
 // Bounds that move: between which motions does everything beneath an entry lie?
 //
 //   Bounds<2> around = Bounds<2>::nothing();
-//   around.include(bounds_at(motion, half_extents, epoch));    // for every object
+//   around.include(bounds_at(motion, extents, epoch));    // for every object
 //   around = carried(around, epoch, later);                    // the same motions, seen from another moment
 //
 // Bounds are a box in the space of motions (Saltenis et al. 2000, with acceleration added): position,
@@ -19,7 +19,8 @@
 
 #include <limits>
 
-#include "shape/bodies.h"
+#include "motion/box.h"
+#include "motion/motion.h"
 
 namespace foresee {
 
@@ -78,17 +79,17 @@ struct Bounds {
 
 /// Bounds of one object at `epoch`, padded outward by `pad` times the magnitudes that went in.
 template <int D>
-Bounds<D> bounds_at(const Motion<D>& motion, const Vec<D>& half_extents, double epoch,
+Bounds<D> bounds_at(const Motion<D>& motion, const Extents<D>& extents, double epoch,
                     double pad = rounding_pad) {
   const double s = epoch - motion.t;
   const Vec<D> by_velocity = motion.v * s, gained = motion.a * s, by_acceleration = gained * s * 0.5;
   const Vec<D> centre = motion.x + by_velocity + by_acceleration, velocity = motion.v + gained;
   const double least = pad > 0 ? smallest_pad : 0;
   const Vec<D> x_pad =
-      (motion.x.abs() + by_velocity.abs() + by_acceleration.abs() + half_extents) * pad + least;
+      (motion.x.abs() + by_velocity.abs() + by_acceleration.abs() + reach_of(extents)) * pad + least;
   const Vec<D> v_pad = (motion.v.abs() + gained.abs()) * pad + least, none = Vec<D>::Zero();
-  return {lower_end<D>(centre - half_extents, x_pad),
-          upper_end<D>(centre + half_extents, x_pad),
+  return {lower_end<D>(centre + extents.lower, x_pad),
+          upper_end<D>(centre + extents.upper, x_pad),
           lower_end<D>(velocity, v_pad),
           upper_end<D>(velocity, v_pad),
           lower_end<D>(motion.a, none),

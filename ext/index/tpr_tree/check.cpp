@@ -1,5 +1,6 @@
 #include <set>
 
+#include "base/axes.h"
 #include "index/tpr_tree/node.h"
 #include "index/tpr_tree/tpr_tree.h"
 
@@ -86,7 +87,7 @@ class TreeCheck {
     const Motion<D>& motion = mover.motion;
     for (const Above& above : above_) {
       const Entry<D> own{{motion.t, motion.t, motion.until},
-                         known(bounds_at(motion, mover.half_extents, above.epoch, 0.0))};
+                         known(bounds_at(motion, mover.extents, above.epoch, 0.0))};
       if (!above.entry.contains(own))
         problem(number, "holds object " + std::to_string(id) + ", which an entry above does not contain");
     }
@@ -114,14 +115,7 @@ class TreeCheck {
 }  // namespace
 
 TreeReport check_tree(Pages& pages, Interrupt& interrupt) {
-  switch (pages.layout().axes) {
-    case 1:
-      return TreeCheck<1>(pages, interrupt).run();
-    case 2:
-      return TreeCheck<2>(pages, interrupt).run();
-    default:
-      return TreeCheck<3>(pages, interrupt).run();
-  }
+  return with_axes(pages.layout().axes, [&]<int D>(Axes<D>) { return TreeCheck<D>(pages, interrupt).run(); });
 }
 
 }  // namespace foresee

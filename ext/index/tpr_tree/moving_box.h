@@ -1,6 +1,6 @@
 // When can two boxes meet whose faces move? A moving box is what a question sees of bounds or of an object.
 //
-//   MovingBox<2> ship = moving_box(motion, half_extents, horizon, margin), zone = …;
+//   MovingBox<2> ship = moving_box(motion, extents, horizon, margin), zone = …;
 //   TimeSpan when = shared_span(ship, zone);
 //   if (narrow_to_contact(ship, zone, when)) …                // they may meet, during `when` only
 //
@@ -80,18 +80,20 @@ MovingBox<D> moving_box(const Bounds<D>& bounds, double epoch, const TimeSpan& s
 
 /// An object as a moving box, grown by `margin` on both sides of every axis.
 template <int D>
-MovingBox<D> moving_box(const Motion<D>& motion, const Vec<D>& half_extents, const Horizon& horizon,
+MovingBox<D> moving_box(const Motion<D>& motion, const Extents<D>& extents, const Horizon& horizon,
                         const Vec<D>& margin) {
   const TimeSpan span = span_between(motion.t, motion.until, horizon);
   const double s = horizon.now - motion.t, duration = std::max(span.end, 0.0), reach = std::abs(s) + duration;
-  const Vec<D> centre = motion.x + s * (motion.v + (0.5 * s) * motion.a), half = half_extents + margin;
+  const Vec<D> centre = motion.x + s * (motion.v + (0.5 * s) * motion.a);
+  const Vec<D> below = margin - extents.lower, above = margin + extents.upper;
   const double eighth = 0.125 * duration;  // its square may overflow where there is no acceleration
   MovingBox<D> box;
   box.span = span;
-  box.lower = centre - (half + eighth * (duration * motion.a.max(0.0)));
-  box.upper = centre + (half - eighth * (duration * motion.a.min(0.0)));
+  box.lower = centre - (below + eighth * (duration * motion.a.max(0.0)));
+  box.upper = centre + (above - eighth * (duration * motion.a.min(0.0)));
   box.v_lower = box.v_upper = motion.v + (s + 0.5 * duration) * motion.a;
-  pad_outward<D>(box, motion.x.abs() + half + reach * (motion.v.abs() + (0.5 * reach) * motion.a.abs()));
+  pad_outward<D>(box, motion.x.abs() + reach_of(extents) + margin +
+                          reach * (motion.v.abs() + (0.5 * reach) * motion.a.abs()));
   return box;
 }
 

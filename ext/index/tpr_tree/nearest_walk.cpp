@@ -143,7 +143,7 @@ template <int D>
   near_.clear();
   for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
     const Motion<D> motion = reader_.motion(reader_.record(leaf, slot));
-    const MovingBox<D> box = moving_box<D>(motion, Vec<D>::Zero(), horizon_, Vec<D>::Zero());
+    const MovingBox<D> box = moving_box<D>(motion, Extents<D>::none(), horizon_, Vec<D>::Zero());
     if (box.span.is_empty()) continue;
     const double distance = least_point_distance(box, question_);
     if (distance <= reach) near_.emplace_back(distance, static_cast<std::uint32_t>(slot));

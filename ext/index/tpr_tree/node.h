@@ -8,6 +8,7 @@
 
 #include "index/pages.h"
 #include "index/tpr_tree/bounds.h"
+#include "shape/shapes.h"
 
 namespace foresee {
 
@@ -26,14 +27,7 @@ class LeafReader {
     if (at_.force != Offsets::absent) motion.a = vector(record, at_.force) / record[at_.mass];
     return motion;
   }
-  /// Of the smallest axis-aligned box around the shape.
-  Vec<D> half_extents(const double* record) const {
-    if (shape_ == Shape::point) return Vec<D>::Zero();
-    if (shape_ == Shape::box) return vector(record, at_.half);
-    Vec<D> half = Vec<D>::Constant(record[at_.r]);
-    if (shape_ == Shape::cylinder) half[D - 1] = record[at_.hz];
-    return half;
-  }
+  Extents<D> extents(const double* record) const { return extents_of<D>(shape_, record, at_); }
   double t(const double* record) const { return at_.t == Offsets::absent ? 0 : record[at_.t]; }
   const double* record(const Node& leaf, std::size_t slot) const {
     return leaf.values.data() + slot * record_size();
@@ -53,12 +47,12 @@ class LeafReader {
 template <int D>
 struct Mover {
   Motion<D> motion;
-  Vec<D> half_extents;
+  Extents<D> extents;
 
   Mover(const LeafReader<D>& reader, const double* record)
-      : motion(reader.motion(record)), half_extents(reader.half_extents(record)) {}
+      : motion(reader.motion(record)), extents(reader.extents(record)) {}
 
-  Bounds<D> bounds(double epoch) const { return bounds_at(motion, half_extents, epoch); }
+  Bounds<D> bounds(double epoch) const { return bounds_at(motion, extents, epoch); }
 };
 
 /// When the objects beneath an entry begin and end.

@@ -54,7 +54,7 @@ class LeafOrder {
         items_[i].place[static_cast<std::size_t>(axis + D)] = clamped(v[axis]);
       }
       items_[i].index = static_cast<std::uint32_t>(i);
-      reach_[i] = clamped((v.abs() + mover.half_extents).maxCoeff());
+      reach_[i] = clamped((v.abs() + reach_of(mover.extents)).maxCoeff());
     }
   }
 

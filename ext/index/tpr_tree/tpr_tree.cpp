@@ -1,5 +1,6 @@
 #include "index/tpr_tree/tpr_tree.h"
 
+#include "base/axes.h"
 #include "index/tpr_tree/grow.h"
 #include "index/tpr_tree/load.h"
 #include "index/tpr_tree/repack.h"
@@ -132,27 +133,16 @@ class Tree final : public TprTree {
 }  // namespace
 
 std::unique_ptr<TprTree> make_tpr_tree(Pages& pages, double horizon) {
-  switch (pages.layout().axes) {
-    case 1:
-      return std::make_unique<Tree<1>>(pages, horizon);
-    case 2:
-      return std::make_unique<Tree<2>>(pages, horizon);
-    default:
-      return std::make_unique<Tree<3>>(pages, horizon);
-  }
+  return with_axes(pages.layout().axes, [&]<int D>(Axes<D>) -> std::unique_ptr<TprTree> {
+    return std::make_unique<Tree<D>>(pages, horizon);
+  });
 }
 
 double newest_t(NodeSource& source) {
   if (source.root() == 0) return 0;
   const auto root = read(source, unread_root(source));
-  switch (source.layout().axes) {
-    case 1:
-      return newest_in(*root, LeafReader<1>(source.layout()));
-    case 2:
-      return newest_in(*root, LeafReader<2>(source.layout()));
-    default:
-      return newest_in(*root, LeafReader<3>(source.layout()));
-  }
+  return with_axes(source.layout().axes,
+                   [&]<int D>(Axes<D>) { return newest_in(*root, LeafReader<D>(source.layout())); });
 }
 
 double objects_about(NodeSource& source) {

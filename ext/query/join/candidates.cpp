@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/axes.h"
 #include "base/float_environment.h"
 #include "index/all_pairs.h"
 #include "index/gpcd_grid/gpcd_grid.h"
@@ -70,14 +71,8 @@ std::unique_ptr<DividedCandidates> divided(const JoinQuestion& question, const H
 std::unique_ptr<DividedCandidates> divided_candidates(const JoinQuestion& question, const Horizon& horizon,
                                                       const Contact::Reach& reach, Interrupt& interrupt) {
   const FloatEnvironment environment;
-  switch (question.a->layout.axes) {
-    case 1:
-      return divided<1>(question, horizon, reach, interrupt);
-    case 2:
-      return divided<2>(question, horizon, reach, interrupt);
-    default:
-      return divided<3>(question, horizon, reach, interrupt);
-  }
+  return with_axes(question.a->layout.axes,
+                   [&]<int D>(Axes<D>) { return divided<D>(question, horizon, reach, interrupt); });
 }
 
 std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMethod method,
@@ -89,14 +84,8 @@ std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMe
   if (question.only_a) return one_row(a, *question.only_a, Side::a, b.size(), interrupt);
   if (question.only_b) return one_row(b, *question.only_b, Side::b, a.size(), interrupt);
   if (method == JoinMethod::scan) return scan(a, question.b.get(), interrupt);
-  switch (a.layout.axes) {
-    case 1:
-      return by_index<1>(question, method, horizon, reach, interrupt);
-    case 2:
-      return by_index<2>(question, method, horizon, reach, interrupt);
-    default:
-      return by_index<3>(question, method, horizon, reach, interrupt);
-  }
+  return with_axes(a.layout.axes,
+                   [&]<int D>(Axes<D>) { return by_index<D>(question, method, horizon, reach, interrupt); });
 }
 
 }  // namespace foresee

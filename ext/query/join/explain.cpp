@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/axes.h"
 #include "base/float_environment.h"
 #include "index/paper_grid/paper_grid.h"
 #include "index/paper_grid/paper_stages.h"
@@ -55,14 +56,7 @@ class Explanation {
   bool to_the_letter() const { return plan_.method == JoinMethod::gpcd; }
 
   void open_axes() {
-    switch (a_.layout.axes) {
-      case 1:
-        return open<1>();
-      case 2:
-        return open<2>();
-      default:
-        return open<3>();
-    }
+    with_axes(a_.layout.axes, [&]<int D>(Axes<D>) { open<D>(); });
   }
 
   template <int D>

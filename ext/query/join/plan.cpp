@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "base/axes.h"
 #include "base/float_environment.h"
 #include "query/join/question.h"
 
@@ -105,14 +106,9 @@ struct SlabChoice {
 };
 
 double expected_contacts(const JoinQuestion& question, const Contact::Reach& reach, double moment) {
-  switch (question.a->layout.axes) {
-    case 1:
-      return pairs_of(question) * share_that_touches<1>(question, moment, margin_of<1>(reach));
-    case 2:
-      return pairs_of(question) * share_that_touches<2>(question, moment, margin_of<2>(reach));
-    default:
-      return pairs_of(question) * share_that_touches<3>(question, moment, margin_of<3>(reach));
-  }
+  return with_axes(question.a->layout.axes, [&]<int D>(Axes<D>) {
+    return pairs_of(question) * share_that_touches<D>(question, moment, margin_of<D>(reach));
+  });
 }
 
 /// More slabs while that makes the grid cheaper. Each costs its objects again, so it is soon seen where more
@@ -139,17 +135,9 @@ SlabChoice choose_slabs(const JoinQuestion& question, const Contact::Reach& reac
 }  // namespace
 
 double expected_meetings(const JoinQuestion& question, const Contact::Reach& reach, const Horizon& horizon) {
-  const auto share = [&]<int D>(std::integral_constant<int, D>) {
-    return share_that_meets<D>(question, horizon, margin_of<D>(reach));
-  };
-  switch (question.a->layout.axes) {
-    case 1:
-      return pairs_of(question) * share(std::integral_constant<int, 1>{});
-    case 2:
-      return pairs_of(question) * share(std::integral_constant<int, 2>{});
-    default:
-      return pairs_of(question) * share(std::integral_constant<int, 3>{});
-  }
+  return with_axes(question.a->layout.axes, [&]<int D>(Axes<D>) {
+    return pairs_of(question) * share_that_meets<D>(question, horizon, margin_of<D>(reach));
+  });
 }
 
 JoinPlan plan_join(const JoinQuestion& question, const Contact::Reach& reach) {

@@ -1,9 +1,10 @@
 #include "query/join/probe.h"
 
+#include "base/axes.h"
 #include "base/float_environment.h"
 #include "index/tpr_tree/window_walk.h"
 #include "query/join/question.h"
-#include "shape/extents.h"
+#include "shape/swept_boxes.h"
 
 namespace foresee {
 namespace {
@@ -23,8 +24,7 @@ void walk(const Scene& one, NodeSource& tree, const Horizon& horizon, const Cont
   const Bodies body = one.bodies();
   // The object's box grows by one half of the reach, those in the tree by the other.
   const Vec<D> margin = margin_of<D>(reach);
-  WindowWalk<D> found(tree,
-                      moving_box<D>(motion_of<D>(body, 0), half_extents_of<D>(body, 0), horizon, margin),
+  WindowWalk<D> found(tree, moving_box<D>(motion_of<D>(body, 0), extents_of<D>(body, 0), horizon, margin),
                       horizon, margin, interrupt);
   for (LeafHits hits; found.next(hits);)
     for (const std::uint32_t slot : hits.slots)
@@ -41,16 +41,8 @@ std::shared_ptr<const Scene> objects_near(const Scene& one, NodeSource& tree, co
   auto near = std::make_shared<Scene>();
   near->name = name, near->layout = tree.layout();
   if (one.size() == 0) return near;
-  switch (near->layout.axes) {
-    case 1:
-      walk<1>(one, tree, horizon, reach, interrupt, keep, *near);
-      break;
-    case 2:
-      walk<2>(one, tree, horizon, reach, interrupt, keep, *near);
-      break;
-    default:
-      walk<3>(one, tree, horizon, reach, interrupt, keep, *near);
-  }
+  with_axes(near->layout.axes,
+            [&]<int D>(Axes<D>) { walk<D>(one, tree, horizon, reach, interrupt, keep, *near); });
   return near;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <tuple>
 
+#include "base/axes.h"
 #include "base/float_environment.h"
 #include "contact/closest_approach.h"
 #include "contact/window_contact.h"
@@ -70,7 +71,7 @@ class Search {
     for (std::size_t i = 0; i < bodies.count; ++i) {
       if (i % 256 == 0) interrupt_.check();
       const MovingBox<D> box =
-          moving_box<D>(motion_of<D>(bodies, i), Vec<D>::Zero(), horizon_, Vec<D>::Zero());
+          moving_box<D>(motion_of<D>(bodies, i), Extents<D>::none(), horizon_, Vec<D>::Zero());
       if (box.span.is_empty() || least_distance(box, question, box.span) > best_.reach()) continue;
       offer(scene.ids[i], bodies.row(i));
     }
@@ -148,14 +149,8 @@ void check(const NearestQuestion& question) {
 std::vector<NearestRow> nearest(const NearestQuestion& question, Interrupt& interrupt) {
   const FloatEnvironment environment;
   check(question);
-  switch (question.objects.layout().axes) {
-    case 1:
-      return search<1>(question, interrupt);
-    case 2:
-      return search<2>(question, interrupt);
-    default:
-      return search<3>(question, interrupt);
-  }
+  return with_axes(question.objects.layout().axes,
+                   [&]<int D>(Axes<D>) { return search<D>(question, interrupt); });
 }
 
 }  // namespace foresee

@@ -1,5 +1,6 @@
 #include "query/position/position.h"
 
+#include "base/axes.h"
 #include "base/float_environment.h"
 #include "motion/position.h"
 #include "query/checks.h"
@@ -20,14 +21,8 @@ bool position_of(const Bodies& bodies, std::size_t i, double moment, PositionRow
 }
 
 bool position_of(const Bodies& bodies, std::size_t i, double moment, PositionRow& row) {
-  switch (bodies.layout.axes) {
-    case 1:
-      return position_of<1>(bodies, i, moment, row);
-    case 2:
-      return position_of<2>(bodies, i, moment, row);
-    default:
-      return position_of<3>(bodies, i, moment, row);
-  }
+  return with_axes(bodies.layout.axes,
+                   [&]<int D>(Axes<D>) { return position_of<D>(bodies, i, moment, row); });
 }
 
 }  // namespace

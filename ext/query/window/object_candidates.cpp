@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/axes.h"
 #include "base/float_environment.h"
 #include "index/tpr_tree/window_walk.h"
 
@@ -86,7 +87,7 @@ class WindowOfTree final : public ObjectCandidates {
   /// Where its centre is within the faces, any shape touches the window. False where that is not certain.
   [[gnu::flatten]] bool is_inside(const Motion<D>& motion) const {
     if (now_ < motion.t || motion.until < now_) return false;
-    const Bounds<D> centre = bounds_at<D>(motion, Vec<D>::Zero(), now_);
+    const Bounds<D> centre = bounds_at<D>(motion, Extents<D>::none(), now_);
     return (lower_ <= centre.x_lower && centre.x_upper <= upper_).all();
   }
 
@@ -108,14 +109,9 @@ std::unique_ptr<ObjectCandidates> window_candidates(const Searched& objects, con
                                                     const Horizon& horizon, Interrupt& interrupt) {
   const FloatEnvironment environment;
   if (objects.scene) return std::make_unique<AllOfScene>(objects.scene, interrupt);
-  switch (objects.layout().axes) {
-    case 1:
-      return std::make_unique<WindowOfTree<1>>(objects.tree, faces, horizon, interrupt);
-    case 2:
-      return std::make_unique<WindowOfTree<2>>(objects.tree, faces, horizon, interrupt);
-    default:
-      return std::make_unique<WindowOfTree<3>>(objects.tree, faces, horizon, interrupt);
-  }
+  return with_axes(objects.layout().axes, [&]<int D>(Axes<D>) -> std::unique_ptr<ObjectCandidates> {
+    return std::make_unique<WindowOfTree<D>>(objects.tree, faces, horizon, interrupt);
+  });
 }
 
 }  // namespace foresee

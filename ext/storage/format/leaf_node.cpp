@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "shape/shapes.h"
+
 namespace foresee {
 namespace {
 
@@ -23,13 +25,12 @@ bool all_finite(const std::byte* numbers, std::size_t count) {
 }
 
 const char* extent_fault(const NodeFormat& format, const std::byte* record) {
-  const Offsets& at = format.at;
-  if (at.half != Offsets::absent)
-    for (int axis = 0; axis < format.layout.axes; ++axis)
-      if (number_at(record, at.half + axis) < 0) return "a half extent is negative";
-  if (at.r != Offsets::absent && number_at(record, at.r) < 0) return "a radius is negative";
-  if (at.hz != Offsets::absent && number_at(record, at.hz) < 0) return "a half extent is negative";
-  return nullptr;
+  return with_shape(format.layout.shape, [&](auto shape) -> const char* {
+    for (const SizeColumn& column : shape.sizes)
+      for (int axis = 0; axis < (column.on_all_axes ? format.layout.axes : 1); ++axis)
+        if (number_at(record, format.at.*column.place + axis) < 0) return column.when_negative;
+    return nullptr;
+  });
 }
 
 const char* force_fault(const NodeFormat& format, const std::byte* record) {

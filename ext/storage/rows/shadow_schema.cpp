@@ -5,6 +5,7 @@
 #include <map>
 #include <span>
 
+#include "shape/shapes.h"
 #include "storage/rows/statement.h"
 #include "storage/rows/store_error.h"
 
@@ -95,9 +96,11 @@ std::string describe_columns(const Declaration& declaration) {
     on_all_axes("f");
     text += ", m";
   }
-  if (layout.shape == Shape::box) on_all_axes("h");
-  if (layout.shape == Shape::ball || layout.shape == Shape::cylinder) text += ", r";
-  if (layout.shape == Shape::cylinder) text += ", hz";
+  with_shape(layout.shape, [&](auto shape) {
+    for (const SizeColumn& column : shape.sizes)
+      column.on_all_axes ? on_all_axes(column.name)
+                         : static_cast<void>(text += std::string(", ") + column.name);
+  });
   if (layout.has_until) text += ", until";
   for (const AuxiliaryColumn& column : declaration.auxiliaries) text += ", +" + column.name;
   return text;
