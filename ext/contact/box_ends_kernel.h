@@ -74,29 +74,5 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
   }
 }
 
-template <int D, int Degree>
-constexpr BoxKernel<D, Degree> kernel_here{settle_here<D, Degree>,
-                                           settle_rows_here<D, Degree>,
-                                           take_crossings<D, Degree, BoxLanes<D, Degree>>,
-                                           find_crossings<Way::in, Degree>,
-                                           settle_ends_here<D, Degree>,
-                                           take_crossings<D, Degree, EndLanes>,
-                                           find_crossings<Way::out, Degree>};
-
 }  // namespace
 }  // namespace foresee
-
-/// Defines what `name` answers for every kind of boxes, compiled as the file that says so is.
-#define FORESEE_BOX_KERNELS(name)         \
-  namespace foresee {                     \
-  template <int D, int Degree>            \
-  const BoxKernel<D, Degree>& name() {    \
-    return kernel_here<D, Degree>;        \
-  }                                       \
-  template const BoxKernel<1, 1>& name(); \
-  template const BoxKernel<1, 2>& name(); \
-  template const BoxKernel<2, 1>& name(); \
-  template const BoxKernel<2, 2>& name(); \
-  template const BoxKernel<3, 1>& name(); \
-  template const BoxKernel<3, 2>& name(); \
-  }

@@ -18,6 +18,8 @@
 // Bernstein polynomial basis: a centennial retrospective" (2012), section 5.
 #pragma once
 
+#include "base/simd.h"
+
 namespace foresee {
 
 constexpr int lanes_width = 16;  // two of the widest registers: one computes while the other waits
@@ -96,16 +98,14 @@ struct BoxKernel {
   void (*find_ends)(MeetingLanes& lanes, double now);
 };
 
-/// Of the widest instructions in use (base/simd.h).
-template <int D, int Degree>
+template <int D, int Degree, Simd simd>
 const BoxKernel<D, Degree>& box_kernel();
 
-#if defined(__x86_64__)
-// For CPUs that have more than the build asks for; each in a file compiled for that CPU.
+/// Of the widest instructions in use.
 template <int D, int Degree>
-const BoxKernel<D, Degree>& box_kernel_avx2();
-template <int D, int Degree>
-const BoxKernel<D, Degree>& box_kernel_avx512();
-#endif
+const BoxKernel<D, Degree>& box_kernel() {
+  return with_simd_in_use(
+      []<Simd simd>(Level<simd>) -> const BoxKernel<D, Degree>& { return box_kernel<D, Degree, simd>(); });
+}
 
 }  // namespace foresee

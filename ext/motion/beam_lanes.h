@@ -3,6 +3,8 @@
 
 #include <cstddef>
 
+#include "base/simd.h"
+
 namespace foresee {
 
 /// Beams, and what they are computed from.
@@ -20,5 +22,19 @@ struct BeamLanes {
   double t[width] = {}, until[width] = {};
   double from[width] = {}, to[width] = {}, reach[width] = {}, parts[width] = {};
 };
+
+/// The loops over lanes, compiled for one level of instructions each.
+template <int D>
+struct BeamKernels {
+  /// from, to, reach, parts, begin and end of what has t and until; life_of() of life.h, side by side.
+  void (*find_lives)(BeamLanes<D>& lanes, std::size_t count, double now, double h);
+  /// lower, upper and travel, from courses without acceleration and lives.
+  void (*find_beams)(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D]);
+  /// The same with acceleration.
+  void (*find_bent_beams)(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D]);
+};
+
+template <int D, Simd simd>
+const BeamKernels<D>& beam_kernels();
 
 }  // namespace foresee

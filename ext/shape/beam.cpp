@@ -1,11 +1,9 @@
-// The loops for the CPU that the build asks for, the choice of wider ones, and the columns that they read.
+// The columns that the kernel reads, and what it finds.
 #include "shape/beam.h"
 
 #include <algorithm>
 
 #include "base/simd.h"
-#include "motion/beam_kernel.h"
-#include "motion/beam_variants.h"
 #include "motion/life.h"
 #include "shape/shapes.h"
 
@@ -15,21 +13,9 @@ namespace {
 constexpr std::size_t objects_per_check = 8192;
 
 template <int D>
-void find_lives(BeamLanes<D>& lanes, std::size_t count, const Horizon& horizon) {
-#if defined(__x86_64__)
-  if (simd_in_use() == Simd::avx512) return find_lives_avx512(lanes, count, horizon.now, horizon.h);
-  if (simd_in_use() == Simd::avx2) return find_lives_avx2(lanes, count, horizon.now, horizon.h);
-#endif
-  find_lives_here(lanes, count, horizon.now, horizon.h);
-}
-
-template <int D, bool bent>
-void find_beams(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D]) {
-#if defined(__x86_64__)
-  if (simd_in_use() == Simd::avx512) return find_beams_avx512<D, bent>(lanes, count, margin);
-  if (simd_in_use() == Simd::avx2) return find_beams_avx2<D, bent>(lanes, count, margin);
-#endif
-  find_beams_here<D, bent>(lanes, count, margin);
+const BeamKernels<D>& kernels() {
+  return with_simd_in_use(
+      []<Simd simd>(Level<simd>) -> const BeamKernels<D>& { return beam_kernels<D, simd>(); });
 }
 
 /// Some rows, to be read column by column.
@@ -63,8 +49,8 @@ template <int D>
 void find_all_lives(const Rows& rows, const Offsets& at, const Horizon& horizon, BeamLanes<D>& lanes) {
   const bool alike = at.t == Offsets::absent && at.until == Offsets::absent;
   rows.copy(at.t, lanes.t, 0);
-  rows.copy(at.until, lanes.until, forever);
-  find_lives(lanes, alike ? 1 : rows.count, horizon);
+  rows.copy(at.until, lanes.until, std::numeric_limits<double>::infinity());
+  kernels<D>().find_lives(lanes, alike ? 1 : rows.count, horizon.now, horizon.h);
   if (!alike) return;
   for (double* column : {lanes.from, lanes.to, lanes.reach, lanes.parts, lanes.begin, lanes.end})
     std::fill_n(column, rows.count, column[0]);
@@ -86,7 +72,8 @@ void beams(const Bodies& bodies, std::size_t first, std::size_t count, const Hor
   find_all_lives(rows, at, horizon, out);
   double grow[D];
   std::copy_n(margin.data(), D, grow);
-  at.a == Offsets::absent ? find_beams<D, false>(out, count, grow) : find_beams<D, true>(out, count, grow);
+  const auto find = at.a == Offsets::absent ? kernels<D>().find_beams : kernels<D>().find_bent_beams;
+  find(out, count, grow);
 }
 
 bool all_exist_at_begin(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt) {

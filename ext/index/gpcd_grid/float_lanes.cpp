@@ -1,29 +1,31 @@
-// The loops for the CPU that the build asks for, and the choice of wider ones.
 #include "index/gpcd_grid/float_lanes.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/simd.h"
-#include "index/gpcd_grid/float_lanes_kernel.h"
 #include "shape/beam.h"
 
 namespace foresee::gpcd {
+namespace {
+
+template <int D>
+const FloatKernels<D>& kernels() {
+  return with_simd_in_use(
+      []<Simd simd>(Level<simd>) -> const FloatKernels<D>& { return float_kernels<D, simd>(); });
+}
+
+}  // namespace
 
 template <int D>
 void round_outward(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, Columns columns,
                    FloatLanes<D>& out) {
-#if defined(__x86_64__)
-  if (simd_in_use() == Simd::avx512) return round_outward_avx512(beams, count, frame, columns, out);
-  if (simd_in_use() == Simd::avx2) return round_outward_avx2(beams, count, frame, columns, out);
-#endif
-  round_outward_here(beams, count, frame, columns, out);
+  kernels<D>().round_outward(beams, count, frame, columns, out);
 }
 
 template <int D>
 void find_stripes(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition) {
-#if defined(__x86_64__)
-  if (simd_in_use() == Simd::avx512) return find_stripes_avx512(lanes, count, partition);
-  if (simd_in_use() == Simd::avx2) return find_stripes_avx2(lanes, count, partition);
-#endif
-  find_stripes_here(lanes, count, partition);
+  kernels<D>().find_stripes(lanes, count, partition);
 }
 
 template <int D>
@@ -46,7 +48,7 @@ FloatBox<D> round_inward(const Box<D>& box, const Frame<D>& frame) {
   for (int axis = 0; axis < D; ++axis) {
     const double scale = frame.scale[axis], origin = frame.scaled_origin[axis];
     const double lower = box.lower[axis] * scale - origin, upper = box.upper[axis] * scale - origin;
-    const double size = greatest(size_of(lower), size_of(upper)), room = size * 0x1p-18 + 0x1p-40;
+    const double size = std::max(std::abs(lower), std::abs(upper)), room = size * 0x1p-18 + 0x1p-40;
     if (!(size < too_large && lower + room < upper - room)) return FloatBox<D>::empty();
     out.lower[axis] = static_cast<float>(lower + room), out.upper[axis] = static_cast<float>(upper - room);
   }

@@ -6,7 +6,7 @@
 //   find_stripes(lanes, count, partition);                // lanes.first[7], lanes.more_y[7], …
 //
 // Guarantee: two boxes that meet have float boxes that meet, and share a stripe unless one of them is a
-// giant. With `columns.travel` there is room for the test of time too (scan_kernel.h). All instruction sets
+// giant. With `columns.travel` there is room for the test of time too (scan.kernel.cpp). All instruction sets
 // give the same bits. Cost: a few nanoseconds a box.
 #pragma once
 
@@ -21,6 +21,8 @@ struct Box;
 }
 
 namespace foresee::gpcd {
+
+constexpr double too_large = 0x1p59;  ///< for the test of time
 
 template <int D>
 struct FloatLanes {
@@ -65,18 +67,15 @@ FloatBox<D> round_inward(const Box<D>& box, const Frame<D>& frame);
 template <int D>
 void find_stripes(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition);
 
-#if defined(__x86_64__)
-// The same for CPUs that have more than the build asks for; each in a file compiled for that CPU.
+/// round_outward() and find_stripes(), compiled for one level of instructions each.
 template <int D>
-void round_outward_avx2(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, Columns columns,
+struct FloatKernels {
+  void (*round_outward)(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, Columns columns,
                         FloatLanes<D>& out);
-template <int D>
-void find_stripes_avx2(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition);
-template <int D>
-void round_outward_avx512(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame,
-                          Columns columns, FloatLanes<D>& out);
-template <int D>
-void find_stripes_avx512(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition);
-#endif
+  void (*find_stripes)(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition);
+};
+
+template <int D, Simd simd>
+const FloatKernels<D>& float_kernels();
 
 }  // namespace foresee::gpcd

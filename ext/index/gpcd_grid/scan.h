@@ -5,13 +5,14 @@
 //
 // Each row is compared with the boxes that begin before it ends, as many at a time as a vector register
 // holds: first the boxes (space), then, where something moves, the beams (time). A scan can pause after any
-// step. Every instruction set gives the same pairs in the same order (scan_kernel.h; simd.h chooses).
+// step. Every instruction set gives the same pairs in the same order (scan.kernel.cpp).
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 
 #include "base/pair.h"
+#include "base/simd.h"
 #include "index/gpcd_grid/object_rows.h"
 
 namespace foresee::gpcd {
@@ -72,5 +73,12 @@ Scan<D> scan_between(const LaneView<D>& rows, const LaneView<D>& lanes, bool swa
 /// writes the pairs to `out` and answers how many. A step is a row begun, or lanes_max boxes looked at.
 template <int D>
 std::size_t run(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps);
+
+/// run(), compiled for one level of instructions each.
+template <int D>
+using ScanKernel = std::size_t (*)(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps);
+
+template <int D, Simd simd>
+ScanKernel<D> scan_kernel();
 
 }  // namespace foresee::gpcd

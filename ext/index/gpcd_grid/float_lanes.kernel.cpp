@@ -1,12 +1,9 @@
-// The loops of float_lanes.h, for files compiled for one CPU each. Everything here is local to the file that
-// includes it: a copy made for one CPU must not end up in the place of another's. No branches, so that
-// compilers use vector instructions.
+// The loops of float_lanes.h: a kernel (base/simd.h). No branches, so that compilers use vector instructions.
 //
 // The room on both sides, 2^-20 of extent and travel, 2^-22 of the coordinate and 2^-40 of the frame's unit,
-// is many times what conversion to float (2^-24) and the float arithmetic of the test of time (scan_kernel.h)
-// can lose together. What lies beyond the range of a float is moved to its end, which keeps the order.
-#pragma once
-
+// is many times what conversion to float (2^-24) and the float arithmetic of the test of time
+// (scan.kernel.cpp) can lose together. What lies beyond the range of a float is moved to its end, which keeps
+// the order.
 #include "index/gpcd_grid/float_lanes.h"
 
 namespace foresee::gpcd {
@@ -14,7 +11,6 @@ namespace {
 
 constexpr std::size_t block = 16;           // lanes at a time: the floats of the widest register
 constexpr double largest = 0x1.fffffep127;  // float
-constexpr double too_large = 0x1p59;        // for the test of time
 constexpr double never = __builtin_inf(), no_number = __builtin_nan("");
 
 // Both pass on a second argument where one is NaN.
@@ -72,8 +68,8 @@ void round_lives(const BeamLanes<D>& beams, std::size_t count, FloatLanes<D>& ou
 }
 
 template <int D>
-void round_outward_here(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, Columns columns,
-                        FloatLanes<D>& out) {
+void round_outward_all(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, Columns columns,
+                       FloatLanes<D>& out) {
   columns.travel ? round_boxes<D, true>(beams, count, frame, out)
                  : round_boxes<D, false>(beams, count, frame, out);
   if (columns.life) round_lives(beams, count, out);
@@ -85,7 +81,7 @@ inline std::int32_t index_of(float x, float from, float per_unit, float last) {
 }
 
 template <int D>
-void find_stripes_here(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition) {
+void find_stripes_all(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition) {
   float from[D], per_unit[D], last[D], large[D];
   for (int k = 0; k < D; ++k) {
     from[k] = partition.axis[k].from, per_unit[k] = partition.axis[k].per_unit;
@@ -117,4 +113,15 @@ void find_stripes_here(FloatLanes<D>& lanes, std::size_t count, const Partition<
 }
 
 }  // namespace
+
+template <int D, Simd simd>
+const FloatKernels<D>& float_kernels() {
+  static constexpr FloatKernels<D> kernels{round_outward_all<D>, find_stripes_all<D>};
+  return kernels;
+}
+
+template const FloatKernels<1>& float_kernels<1, Simd::FORESEE_SIMD>();
+template const FloatKernels<2>& float_kernels<2, Simd::FORESEE_SIMD>();
+template const FloatKernels<3>& float_kernels<3, Simd::FORESEE_SIMD>();
+
 }  // namespace foresee::gpcd

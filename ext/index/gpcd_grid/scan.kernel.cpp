@@ -1,5 +1,4 @@
-// The scan kernel, once for every instruction set: a file that is compiled for one includes this and gives a
-// Vector type (lanes as floats, their comparisons as a mask; scan_avx2.cpp is an example).
+// The scan kernel (base/simd.h), written once for all widths of a vector (scan_vectors.h).
 //
 // The test of time
 // ----------------
@@ -17,15 +16,12 @@
 // Nothing is lost to rounding. All terms are sums of at most three products of at most three factors, and a
 // pair that touches has |m_i| <= r_i + |d_i|: so each side is off by less than 2^-21 (r_i + |w_i|)(|d_j|) and
 // the same for i and j exchanged, w being the travel of both. r contains 2^-20 of all this already
-// (float_lanes_kernel.h). There too, travel below 2^-40 is 0 and r at least 2^-40, which keeps products from
-// vanishing, and numbers beyond 2^60 are NaN, which keeps them from overflowing.
+// (float_lanes.kernel.cpp). There too, travel below 2^-40 is 0 and r at least 2^-40, which keeps products
+// from vanishing, and numbers beyond 2^60 are NaN, which keeps them from overflowing.
 //
 // Every operation is one of IEEE 754 and none is contracted, so all instruction sets keep the same pairs.
-// Only pointers and built-in types are used here: a function shared with code for older CPUs must not be
-// emitted with newer instructions.
-#pragma once
-
-#include "index/gpcd_grid/scan.h"
+#include "base/simd.h"
+#include "index/gpcd_grid/scan_vectors.h"
 
 namespace foresee::gpcd {
 namespace {
@@ -89,8 +85,8 @@ template <class V, int D, Time time>
 
 /// Those that lie in the core of row i when the horizon begins; none whose numbers are NaN. What is lost
 /// here, some 2^-22 of coordinate, extent and travel, is a part of the room that the lane has on its own side
-/// (2^-20 of extent and travel; float_lanes_kernel.h) and the core on its (2^-18 of the coordinates). So what
-/// counts as covered is: it touches, and its box begins before the core ends.
+/// (2^-20 of extent and travel; float_lanes.kernel.cpp) and the core on its (2^-18 of the coordinates). So
+/// what counts as covered is: it touches, and its box begins before the core ends.
 template <class V, int D, Time time>
 [[gnu::always_inline]] inline void keep_covered(const LaneView<D>& rows, std::size_t i,
                                                 const Beams<V, D, time>& lanes, typename V::Mask& kept) {
@@ -193,28 +189,30 @@ std::size_t run_kept(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
   return run_rows<V, D, time, Keep::all>(scan, out, room, steps);
 }
 
-/// run() of scan.h with the instructions of V.
-template <class V, int D>
-std::size_t run_with(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
+template <int D>
+std::size_t run_scan(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
   if (room < lanes_max) return 0;
   std::size_t written;
   if (!scan.lanes->travel[0])
-    written = run_kept<V, D, Time::none>(scan, out, room, steps);
+    written = run_kept<Vector, D, Time::none>(scan, out, room, steps);
   else if (!scan.lanes->begin)
-    written = run_kept<V, D, Time::horizon>(scan, out, room, steps);
+    written = run_kept<Vector, D, Time::horizon>(scan, out, room, steps);
   else
-    written = run_kept<V, D, Time::life>(scan, out, room, steps);
+    written = run_kept<Vector, D, Time::life>(scan, out, room, steps);
   if (scan.swap)
     for (std::size_t i = 0; i < written; ++i) out[i] = {out[i].b, out[i].a};
   return written;
 }
 
-/// Writes the pair of `row` and each lane whose bit is set, lowest first.
-[[gnu::always_inline]] inline Pair* emit_bits(unsigned bits, std::uint32_t row, const std::uint32_t* ids,
-                                              Pair* out) {
-  for (; bits != 0; bits &= bits - 1) *out++ = {row, ids[__builtin_ctz(bits)]};
-  return out;
+}  // namespace
+
+template <int D, Simd simd>
+ScanKernel<D> scan_kernel() {
+  return run_scan<D>;
 }
 
-}  // namespace
+template ScanKernel<1> scan_kernel<1, Simd::FORESEE_SIMD>();
+template ScanKernel<2> scan_kernel<2, Simd::FORESEE_SIMD>();
+template ScanKernel<3> scan_kernel<3, Simd::FORESEE_SIMD>();
+
 }  // namespace foresee::gpcd

@@ -1,6 +1,4 @@
-// The loops of beams(), for files compiled for one CPU each. Everything here is local to the file that
-// includes it: a copy made for one CPU must not end up in the place of another's. No branches, so that
-// compilers use vector instructions.
+// The loops of beams(): a kernel (base/simd.h). No branches, so that compilers use vector instructions.
 //
 // How the bounds are made safe
 // ----------------------------
@@ -16,8 +14,7 @@
 //
 // What overflows anywhere makes M infinite or NaN, and with it the extent of the box: then both ends are
 // infinite. least() and greatest() pass on a second argument that is NaN.
-#pragma once
-
+#include "base/simd.h"
 #include "motion/beam_lanes.h"
 
 namespace foresee {
@@ -39,7 +36,7 @@ inline double greatest(double a, double b) {
 
 /// from, to, reach, parts, begin and end of what has t and until; life_of() of life.h, side by side.
 template <int D>
-void find_lives_here(BeamLanes<D>& lanes, std::size_t count, double now, double h) {
+void find_lives(BeamLanes<D>& lanes, std::size_t count, double now, double h) {
   const double unit = h > 0 ? h : 1, least_end = h > 0 ? 0 : 1;
   for (std::size_t first = 0; first < count; first += block)
     for (std::size_t l = first; l < first + block; ++l) {
@@ -60,7 +57,7 @@ void find_lives_here(BeamLanes<D>& lanes, std::size_t count, double now, double 
 
 /// lower, upper and travel, from courses and lives; `bent` where there is acceleration.
 template <int D, bool bent>
-void find_beams_here(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D]) {
+void find_beams(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D]) {
   for (int k = 0; k < D; ++k)
     for (std::size_t first = 0; first < count; first += block)
       for (std::size_t l = first; l < first + block; ++l) {
@@ -89,4 +86,15 @@ void find_beams_here(BeamLanes<D>& lanes, std::size_t count, const double (&marg
 }
 
 }  // namespace
+
+template <int D, Simd simd>
+const BeamKernels<D>& beam_kernels() {
+  static constexpr BeamKernels<D> kernels{find_lives<D>, find_beams<D, false>, find_beams<D, true>};
+  return kernels;
+}
+
+template const BeamKernels<1>& beam_kernels<1, Simd::FORESEE_SIMD>();
+template const BeamKernels<2>& beam_kernels<2, Simd::FORESEE_SIMD>();
+template const BeamKernels<3>& beam_kernels<3, Simd::FORESEE_SIMD>();
+
 }  // namespace foresee
