@@ -30,19 +30,33 @@ struct Writer {
   }
 };
 
-Workload plane(const std::string& name, std::size_t count, Law law, double h) {
-  Workload w{name, {2, law, Shape::box}, {}, 0, h};
+/// What is left out is what S-<n> has.
+struct EvenScene {
+  std::size_t count;
+  int axes = 2;
+  Shape shape = Shape::box;
+  double space_per_object = 14;  ///< area or volume
+  Law law = Law::accelerated;
+  double h = 3;
+  std::uint64_t seed = count;
+};
+
+/// A square or a cube full of objects of half extents 0.5.
+Workload even_scene(const std::string& name, const EvenScene& scene) {
+  Workload w{name, {scene.axes, scene.law, scene.shape}, {}, 0, scene.h};
   Writer writer{w};
-  Random random(count);
-  const double side = std::sqrt(14 * static_cast<double>(count));
-  for (std::size_t i = 0; i < count; ++i) {
+  Random random(scene.seed);
+  const double space = scene.space_per_object * static_cast<double>(scene.count);
+  const double side = scene.axes == 2 ? std::sqrt(space) : std::cbrt(space);
+  for (std::size_t i = 0; i < scene.count; ++i) {
     double* row = writer.add();
-    for (int axis = 0; axis < 2; ++axis) {
+    for (int axis = 0; axis < scene.axes; ++axis) {
       row[writer.at.x + axis] = random.in(0, side);
       row[writer.at.v + axis] = random.in(-3, 3);
-      if (law == Law::accelerated) row[writer.at.a + axis] = random.in(-0.5, 0.5);
-      row[writer.at.half + axis] = 0.5;
+      if (scene.law == Law::accelerated) row[writer.at.a + axis] = random.in(-0.5, 0.5);
     }
+    const int sizes = writer.at.half != Offsets::absent ? writer.at.half : writer.at.r;
+    std::fill(row + sizes, row + writer.at.size, 0.5);
   }
   return w;
 }
@@ -125,21 +139,13 @@ class Centres {
   double cities_[100];
 };
 
-Workload cube(const std::string& name, std::size_t count) {
-  Workload w{name, {3, Law::accelerated, Shape::box}, {}, 0, 3};
-  Writer writer{w};
-  Random random(count);
-  const double side = std::cbrt(40 * static_cast<double>(count));
-  for (std::size_t i = 0; i < count; ++i) {
-    double* row = writer.add();
-    for (int axis = 0; axis < 3; ++axis) {
-      row[writer.at.x + axis] = random.in(0, side);
-      row[writer.at.v + axis] = random.in(-3, 3);
-      row[writer.at.a + axis] = random.in(-0.5, 0.5);
-      row[writer.at.half + axis] = 0.5;
-    }
-  }
-  return w;
+/// Half of the objects are boxes, the others discs; twice as dense as S, since only half of the pairs count.
+Workload boxes_and_discs(const std::string& name, std::size_t count) {
+  const std::size_t half = count / 2;
+  Workload boxes = even_scene(name, {.count = half});
+  boxes.other = std::make_shared<Workload>(
+      even_scene(name + " discs", {.count = half, .shape = Shape::ball, .seed = half + 1}));
+  return boxes;
 }
 
 }  // namespace
@@ -172,19 +178,24 @@ Workload paper_workload(const PaperScene& scene, const std::string& name) {
 Workload make_workload(const std::string& name) {
   const double number = number_at_end(name);
   const auto count = static_cast<std::size_t>(number);
-  if (name.starts_with("S-")) return plane(name, count, Law::accelerated, 3);
+  if (name.starts_with("S-")) return even_scene(name, {.count = count});
+  if (name.starts_with("D-")) return even_scene(name, {.count = count, .shape = Shape::ball});
+  if (name.starts_with("C-"))
+    return even_scene(name, {.count = count, .axes = 3, .shape = Shape::cylinder, .space_per_object = 28});
+  if (name.starts_with("X-")) return boxes_and_discs(name, count);
   if (name.starts_with("G-")) {
-    Workload w = plane(name, 100000, Law::accelerated, 3);
+    Workload w = even_scene(name, {.count = 100000});
     add_giants(w, number);
     return w;
   }
-  if (name.starts_with("L-")) return plane(name, 100000, Law::uniform, number);
+  if (name.starts_with("L-")) return even_scene(name, {.count = 100000, .law = Law::uniform, .h = number});
   for (Spread spread : all_spreads)
     if (name.starts_with("P-" + name_of(spread) + "-"))
       return paper_workload({.spread = spread, .count = count}, name);
-  if (name.starts_with("P-cube-")) return cube(name, count);
+  if (name.starts_with("P-cube-"))
+    return even_scene(name, {.count = count, .axes = 3, .space_per_object = 40});
   if (!name.starts_with("K-") && !name.starts_with("M-")) throw Error("unknown workload '" + name + "'");
-  Workload w = plane(name, count, Law::accelerated, 3);
+  Workload w = even_scene(name, {.count = count});
   name.starts_with("K-") ? cluster(w) : mix(w);
   return w;
 }

@@ -18,9 +18,18 @@
 //           cities
 //
 //   P-cube-<n>  a cube of side (40 n)^(1/3), half extents 0.5
+//
+//   D-<n>   S-<n>, but discs of radius 0.5 with the same motions
+//
+//   C-<n>   a cube of side (28 n)^(1/3), upright cylinders of radius 0.5 and half height 0.5, |v| <= 3,
+//           |a| <= 0.5, h = 3: about a pair an object
+//
+//   X-<n>   n/2 boxes as those of S and n/2 discs as those of D in two tables, on a plane of side sqrt(7 n),
+//           asked for the pairs of a box and a disc: about a pair an object
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,11 +40,16 @@ namespace foresee::bench {
 struct Workload {
   std::string name;
   Layout layout;
-  std::vector<double> rows;  ///< row_offsets(layout): x, v, a (unless uniform), half extents
+  std::vector<double> rows;  ///< row_offsets(layout): x, v, a (unless uniform), then what the shape has
   std::size_t count = 0;
   double h = 3;
+  std::shared_ptr<const Workload> other = nullptr;  ///< the second table of a join of two; else null
 
   Bodies bodies() const { return {layout, rows.data(), count}; }
+  /// What the objects are joined with: those of the other table, or themselves.
+  const Workload& second() const { return other ? *other : *this; }
+  /// In both tables.
+  std::size_t objects() const { return count + (other ? other->count : 0); }
 };
 
 enum class Spread { uniform, zipf, city };
