@@ -3,8 +3,9 @@
 //
 //   bench_contact_cost [--quick] [workload ...]
 //
-// Prints nanoseconds of processor time an object and the ratio of exact to plain (medians over repetitions in
-// which both ran one after the other): for a count and for (a, b, t), of the whole join and of contact alone.
+// Boxes, discs, cylinders, and boxes with discs (workloads.h). Prints nanoseconds of processor time an object
+// and the ratio of exact to plain (medians over repetitions in which both ran one after the other): for a
+// count and for (a, b, t), of the whole join and of contact alone.
 #include <cstdio>
 #include <iterator>
 #include <string>
@@ -26,13 +27,23 @@ struct Cost {
   std::size_t pairs = 0;
 };
 
+template <int D>
+std::unique_ptr<Candidates> candidates_of(const Workload& w) {
+  const auto boxes_of = [&](const Workload& side) {
+    return swept_boxes<D>(side.bodies(), {0, w.h}, Vec<D>::Zero(), never);
+  };
+  const std::vector<Box<D>> boxes = boxes_of(w);
+  if (!w.other) return make_gpcd_grid<D>(std::span<const Box<D>>(boxes), never);
+  const std::vector<Box<D>> others = boxes_of(*w.other);
+  return make_gpcd_grid<D>(boxes, std::span<const Box<D>>(others), never);
+}
+
 /// The grid's candidates in batches, each given to `take`.
 template <int D, class Take>
 Cost joined(const Workload& w, Take&& take) {
   Cost cost;
   cost.whole = seconds_of([&] {
-    const std::vector<Box<D>> boxes = swept_boxes<D>(w.bodies(), {0, w.h}, Vec<D>::Zero(), never);
-    const auto grid = make_gpcd_grid<D>(std::span<const Box<D>>(boxes), never);
+    const auto grid = candidates_of<D>(w);
     std::vector<Pair> hits;
     for (std::vector<Pair> batch; grid->next(batch); batch.clear()) {
       hits.clear();
@@ -45,7 +56,8 @@ Cost joined(const Workload& w, Take&& take) {
 
 template <int D>
 Cost exact_join(const Workload& w, bool with_times) {
-  const auto contact = make_contact(w.bodies(), w.bodies(), {.horizon = {0, w.h}}, w.name, w.name);
+  const Workload& other = w.second();
+  const auto contact = make_contact(w.bodies(), other.bodies(), {.horizon = {0, w.h}}, w.name, other.name);
   std::vector<ContactTimes> times;
   return joined<D>(w, [&](const std::vector<Pair>& candidates, std::vector<Pair>& hits) {
     if (!with_times) return contact->decide(candidates, hits);
@@ -54,14 +66,14 @@ Cost exact_join(const Workload& w, bool with_times) {
   });
 }
 
-template <int D, int Degree>
+template <int D>
 Cost plain_join(const Workload& w, bool with_times) {
-  const PlainContact<D, Degree> contact(w.bodies(), w.h);
+  const auto contact = make_plain_contact(w);
   std::vector<double> times;
   return joined<D>(w, [&](const std::vector<Pair>& candidates, std::vector<Pair>& hits) {
-    if (!with_times) return contact.decide(candidates, hits);
+    if (!with_times) return contact->decide(candidates, hits);
     times.clear();
-    contact.first_contacts(candidates, hits, times);
+    contact->first_contacts(candidates, hits, times);
   });
 }
 
@@ -73,14 +85,13 @@ void compare(const Workload& w, int repetitions) {
     std::vector<double> whole, contact, plain_ns, exact_ns;
     Cost plain, exact;
     for (int repetition = 0; repetition <= repetitions; ++repetition) {  // the first only warms up
-      plain =
-          w.layout.law < Law::accelerated ? plain_join<D, 1>(w, with_times) : plain_join<D, 2>(w, with_times);
+      plain = plain_join<D>(w, with_times);
       exact = exact_join<D>(w, with_times);
       if (repetition == 0) continue;
       whole.push_back(exact.whole / plain.whole);
       contact.push_back(exact.contact / plain.contact);
-      plain_ns.push_back(plain.whole * 1e9 / static_cast<double>(w.count));
-      exact_ns.push_back(exact.whole * 1e9 / static_cast<double>(w.count));
+      plain_ns.push_back(plain.whole * 1e9 / static_cast<double>(w.objects()));
+      exact_ns.push_back(exact.whole * 1e9 / static_cast<double>(w.objects()));
     }
     std::printf(
         "    %-8s plain %7.0f ns, exact %7.0f ns an object: %5.2fx; contact alone %5.2fx; pairs %zu, %zu\n",
@@ -91,9 +102,10 @@ void compare(const Workload& w, int repetitions) {
 
 int main_of(const Options& options) {
   const bool quick = options.has("--quick");
-  for (const std::string& name : options.names({"S-100000", "P-zipf-5000", "L-30", "M-100000"})) {
+  for (const std::string& name :
+       options.names({"S-100000", "P-zipf-5000", "L-30", "M-100000", "D-100000", "C-100000", "X-100000"})) {
     const Workload w = make_workload(name);
-    const int repetitions = (quick ? 5 : 15) * (w.count <= 10000 ? 10 : 1);
+    const int repetitions = (quick ? 5 : 15) * (w.objects() <= 10000 ? 10 : 1);
     w.layout.axes == 2 ? compare<2>(w, repetitions) : compare<3>(w, repetitions);
   }
   return 0;

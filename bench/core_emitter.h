@@ -1,20 +1,21 @@
 // Batches of candidates in, (a, b, t) out, through the textbook's contact in plain double.
 #pragma once
 
+#include <memory>
+#include <type_traits>
 #include <vector>
 
 #include "core_rivals.h"
-#include "shape/swept_boxes.h"
 #include "plain_contact.h"
+#include "shape/swept_boxes.h"
 
 namespace foresee::bench {
 
-template <int D, int Degree>
 class PlainEmitter {
  public:
   static constexpr std::size_t batch_size = 4096;
 
-  explicit PlainEmitter(const Workload& w) : contact_(w.bodies(), w.h) { batch_.reserve(batch_size); }
+  explicit PlainEmitter(const Workload& w) : contact_(make_plain_contact(w)) { batch_.reserve(batch_size); }
 
   void take(std::uint32_t a, std::uint32_t b) {
     batch_.push_back({a, b});
@@ -29,27 +30,22 @@ class PlainEmitter {
   void flush() {
     answer_.candidates += batch_.size();
     hits_.clear(), times_.clear();
-    contact_.first_contacts(batch_, hits_, times_);
+    contact_->first_contacts(batch_, hits_, times_);
     for (std::size_t i = 0; i < hits_.size(); ++i) answer_.add(hits_[i], times_[i]);
     batch_.clear();
   }
 
-  PlainContact<D, Degree> contact_;
+  std::unique_ptr<PlainContact> contact_;
   std::vector<Pair> batch_, hits_;
   std::vector<double> times_;
   Answer answer_;
 };
 
-/// Calls `work` with the dimension and the degree of the workload's motion as constants.
+/// Calls `work` with the dimension as a constant.
 template <class Work>
 Answer typed(const Workload& w, Work&& work) {
-  using std::integral_constant;
-  const bool accelerated = w.layout.law == Law::accelerated;
-  if (w.layout.axes == 2)
-    return accelerated ? work(integral_constant<int, 2>(), integral_constant<int, 2>())
-                       : work(integral_constant<int, 2>(), integral_constant<int, 1>());
-  return accelerated ? work(integral_constant<int, 3>(), integral_constant<int, 2>())
-                     : work(integral_constant<int, 3>(), integral_constant<int, 1>());
+  if (w.layout.axes == 2) return work(std::integral_constant<int, 2>());
+  return work(std::integral_constant<int, 3>());
 }
 
 template <int D>

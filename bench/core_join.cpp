@@ -9,7 +9,8 @@
 // the ratio is to that. "foresee" is the library call of query/join/join.h with method 'auto': it plans, and
 // cuts long horizons into slabs; "one grid" is the grid over the whole horizon, stage by stage; "at rest" is
 // ours with h = 0. On large scenes ours by the clock follows, alone and with helper threads. The program
-// fails if methods differ in a pair; time stepping, which misses pairs, must not have more of them.
+// fails if methods differ in a pair; time stepping, which misses pairs, must not have more of them. It is
+// left out where not all are boxes.
 #include <chrono>
 #include <cstdio>
 #include <functional>
@@ -36,10 +37,12 @@ template <int D>
 Answer by_grid(const Workload& w, double h, Stages& stages) {
   Answer answer;
   std::unique_ptr<Candidates> grid;
-  const auto contact = make_contact(w.bodies(), w.bodies(), {.horizon = {0, h}}, w.name, w.name);
+  const Workload& other = w.second();
+  const auto contact = make_contact(w.bodies(), other.bodies(), {.horizon = {0, h}}, w.name, other.name);
   stages = {};
   stages.enter = seconds_of([&] {
-    grid = make_gpcd_grid<D>({w.bodies(), {0, h}, Vec<D>::Zero()}, nullptr, never, space);
+    const MovingBoxes<D> others{other.bodies(), {0, h}, Vec<D>::Zero()};
+    grid = make_gpcd_grid<D>({w.bodies(), {0, h}, Vec<D>::Zero()}, w.other ? &others : nullptr, never, space);
   });
   const double begin = cpu_seconds();
   std::vector<Pair> batch, hits;
@@ -69,11 +72,21 @@ std::shared_ptr<const Scene> scene_of(const Workload& w) {
   return scene;
 }
 
-Answer by_join(const std::shared_ptr<const Scene>& scene, double h, std::size_t helpers) {
+/// The two sides of a join; b is null for pairs within a.
+struct Sides {
+  explicit Sides(const Workload& w) : a(scene_of(w)), b(w.other ? scene_of(*w.other) : nullptr) {}
+  std::shared_ptr<const Scene> a, b;
+};
+
+Answer by_join(const Sides& sides, double h, std::size_t helpers) {
   Answer answer;
-  Join join(
-      {.a = scene, .h = h, .wants = {.ends = false, .approach = false}, .helpers = helpers, .space = space},
-      never);
+  Join join({.a = sides.a,
+             .b = sides.b,
+             .h = h,
+             .wants = {.ends = false, .approach = false},
+             .helpers = helpers,
+             .space = space},
+            never);
   for (auto rows = join.next(); !rows.empty(); rows = join.next())
     for (const JoinRow& row : rows)
       answer.add({static_cast<std::uint32_t>(row.a), static_cast<std::uint32_t>(row.b)}, row.contact.t);
@@ -81,15 +94,15 @@ Answer by_join(const std::shared_ptr<const Scene>& scene, double h, std::size_t 
 }
 
 /// False if the helpers change the answer.
-bool compare_helpers(const Workload& w, const std::shared_ptr<const Scene>& scene, int repetitions) {
+bool compare_helpers(const Workload& w, const Sides& sides, int repetitions) {
   constexpr std::size_t most = 2;
   std::vector<double> seconds[most + 1], processor[most + 1];
-  const Answer alone = by_join(scene, w.h, 0);
+  const Answer alone = by_join(sides, w.h, 0);
   for (int i = 0; i < repetitions; ++i)
     for (std::size_t helpers = 0; helpers <= most; ++helpers) {
       const auto begin = std::chrono::steady_clock::now();
       const double processor_begin = cpu_seconds();
-      if (!by_join(scene, w.h, helpers).same_as(alone)) return false;
+      if (!by_join(sides, w.h, helpers).same_as(alone)) return false;
       processor[helpers].push_back(cpu_seconds() - processor_begin);
       seconds[helpers].push_back(
           std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
@@ -113,11 +126,10 @@ struct Method {
 };
 
 /// Ours first. Those that would take minutes are left out.
-std::vector<Method> methods_for(const Workload& w, const std::shared_ptr<const Scene>& scene, Stages& stages,
-                                bool quick) {
+std::vector<Method> methods_for(const Workload& w, const Sides& sides, Stages& stages, bool quick) {
   std::vector<Method> methods{
-      {"foresee", [&] { return by_join(scene, w.h, 0); }},
-      {"at rest", [&] { return by_join(scene, 0, 0); }, Method::at_rest},
+      {"foresee", [&] { return by_join(sides, w.h, 0); }},
+      {"at rest", [&] { return by_join(sides, 0, 0); }, Method::at_rest},
       {"one grid", [&] { return by_grid(w, w.h, stages); }},
       {"boost rtree", [&] { return by_boost(w); }},
   };
@@ -125,8 +137,9 @@ std::vector<Method> methods_for(const Workload& w, const std::shared_ptr<const S
 #ifdef FORESEE_CGAL
   if (!quick || w.h <= 30) methods.push_back({"cgal boxes", [&] { return by_cgal(w); }});
 #endif
-  if (w.count <= 5000) methods.push_back({"brute force", [&] { return by_brute_force(w); }});
-  if (w.h > 3 || w.count > 100000) return methods;
+  if (w.objects() <= 5000) methods.push_back({"brute force", [&] { return by_brute_force(w); }});
+  const bool steps = w.layout.shape == Shape::box && !w.other;
+  if (!steps || w.h > 3 || w.count > 100000) return methods;
   methods.push_back({"steps of 1", [&] { return by_stepping(w, 1); }, Method::misses_pairs});
   methods.push_back({"steps of 0.1", [&] { return by_stepping(w, 0.1); }, Method::misses_pairs});
   if (!quick && !w.name.starts_with("M-"))
@@ -135,7 +148,7 @@ std::vector<Method> methods_for(const Workload& w, const std::shared_ptr<const S
 }
 
 void print(const Workload& w, const std::vector<Method>& methods, const Stages& s, std::FILE* csv) {
-  const auto count = static_cast<double>(w.count);
+  const auto count = static_cast<double>(w.objects());
   const Answer &ours = methods[0].answer, &one_grid = methods[2].answer;
   std::printf("%-16s %5.2f pairs, %7.2f candidates an object\n", w.name.c_str(),
               static_cast<double>(ours.pairs) / count, static_cast<double>(one_grid.candidates) / count);
@@ -149,8 +162,8 @@ void print(const Workload& w, const std::vector<Method>& methods, const Stages& 
     if (method.kind == Method::misses_pairs) std::printf("   misses %.2f %% of the pairs", 100 * missed);
     std::printf("\n");
     if (csv)
-      std::fprintf(csv, "%s,%s,%zu,%g,%zu,%zu,%.1f,%.3f,%.6f\n", w.name.c_str(), method.name, w.count, w.h,
-                   method.answer.candidates, method.answer.pairs, ns, ratio, missed);
+      std::fprintf(csv, "%s,%s,%zu,%g,%zu,%zu,%.1f,%.3f,%.6f\n", w.name.c_str(), method.name, w.objects(),
+                   w.h, method.answer.candidates, method.answer.pairs, ns, ratio, missed);
   }
   std::printf("    one grid:      enter %.0f, candidates %.0f, contact %.0f\n\n", s.enter * 1e9 / count,
               s.candidates * 1e9 / count, s.contact * 1e9 / count);
@@ -186,8 +199,8 @@ double seconds_now(Method& method) {
 /// False if two methods disagree.
 bool compare(const Workload& w, int repetitions, bool quick, std::FILE* csv) {
   Stages stages;
-  const auto scene = scene_of(w);
-  std::vector<Method> methods = methods_for(w, scene, stages, quick);
+  const Sides sides(w);
+  std::vector<Method> methods = methods_for(w, sides, stages, quick);
   for (int repetition = 0; repetition <= repetitions; ++repetition) {  // the first only warms up
     for (Method& method : methods) {
       if (method.seconds.size() >= most_runs(method)) continue;
@@ -205,7 +218,7 @@ bool compare(const Workload& w, int repetitions, bool quick, std::FILE* csv) {
     }
   }
   print(w, methods, stages, csv);
-  return w.count < 100000 || compare_helpers(w, scene, repetitions);
+  return w.objects() < 100000 || compare_helpers(w, sides, repetitions);
 }
 
 int main_of(Options options) {
@@ -214,13 +227,15 @@ int main_of(Options options) {
   std::FILE* csv = csv_path ? std::fopen(csv_path->c_str(), "w") : nullptr;
   if (csv) std::fprintf(csv, "workload,method,n,h,candidates,pairs,ns_per_object,ratio_to_foresee,missed\n");
   using Names = std::vector<std::string>;
-  const Names usual =
-      quick ? Names{"P-zipf-5000", "S-10000", "S-100000", "L-30", "M-100000"}
-            : Names{"P-uniform-2000", "P-zipf-5000", "P-city-5000", "P-cube-100000", "S-10000", "S-100000",
-                    "S-1000000",      "K-1000000",   "M-100000",    "L-30",          "L-300"};
+  const Names usual = quick
+                          ? Names{"P-zipf-5000", "S-10000",  "S-100000", "L-30",
+                                  "M-100000",    "D-100000", "C-100000", "X-100000"}
+                          : Names{"P-uniform-2000", "P-zipf-5000", "P-city-5000", "P-cube-100000", "S-10000",
+                                  "S-100000",       "S-1000000",   "K-1000000",   "M-100000",      "L-30",
+                                  "L-300",          "D-100000",    "C-100000",    "X-100000"};
   for (const std::string& name : options.names(usual)) {
     const Workload w = make_workload(name);
-    const int repetitions = quick ? 3 : w.count <= 10000 ? 25 : 5;
+    const int repetitions = quick ? 3 : w.objects() <= 10000 ? 25 : 5;
     if (compare(w, repetitions, quick, csv)) continue;
     std::fprintf(stderr, "%s: the methods disagree\n", name.c_str());
     return 1;

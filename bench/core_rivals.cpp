@@ -22,6 +22,20 @@ BoostPoint<D> boost_point(const Vec<D>& x) {
     return {x[0], x[1], x[2]};
 }
 
+/// A swept box and whose it is.
+template <int D>
+using BoostValue = std::pair<boost::geometry::model::box<BoostPoint<D>>, std::uint32_t>;
+
+template <int D>
+std::vector<BoostValue<D>> boost_values(const Workload& w) {
+  const std::vector<Box<D>> boxes = boxes_swept_by<D>(w);
+  std::vector<BoostValue<D>> values;
+  values.reserve(boxes.size());
+  for (std::uint32_t i = 0; i < boxes.size(); ++i)
+    values.push_back({{boost_point<D>(boxes[i].lower), boost_point<D>(boxes[i].upper)}, i});
+  return values;
+}
+
 /// Where the boxes are at the moment t.
 template <int D>
 void place_boxes(const Workload& w, double t, std::vector<Box<D>>& boxes) {
@@ -42,35 +56,39 @@ void place_boxes(const Workload& w, double t, std::vector<Box<D>>& boxes) {
 }  // namespace
 
 Answer by_brute_force(const Workload& w) {
-  return typed(w, [&](auto axes, auto degree) {
-    PlainEmitter<axes, degree> emitter(w);
-    for (std::uint32_t a = 0; a < w.count; ++a)
-      for (std::uint32_t b = a + 1; b < w.count; ++b) emitter.take(a, b);
-    return emitter.finish();
-  });
+  PlainEmitter emitter(w);
+  const auto others = static_cast<std::uint32_t>(w.second().count);
+  for (std::uint32_t a = 0; a < w.count; ++a)
+    for (std::uint32_t b = w.other ? 0 : a + 1; b < others; ++b) emitter.take(a, b);
+  return emitter.finish();
 }
 
 Answer by_boost(const Workload& w) {
   namespace index = boost::geometry::index;
-  return typed(w, [&](auto axes, auto degree) {
+  return typed(w, [&](auto axes) {
     constexpr int D = axes;
-    using Value = std::pair<boost::geometry::model::box<BoostPoint<D>>, std::uint32_t>;
-    PlainEmitter<axes, degree> emitter(w);
-    const std::vector<Box<D>> boxes = boxes_swept_by<D>(w);
-    std::vector<Value> values;
-    values.reserve(boxes.size());
-    for (std::uint32_t i = 0; i < boxes.size(); ++i)
-      values.push_back({{boost_point<D>(boxes[i].lower), boost_point<D>(boxes[i].upper)}, i});
-    const index::rtree<Value, index::rstar<16>> tree(values);
-    for (const Value& value : values)
+    PlainEmitter emitter(w);
+    const std::vector<BoostValue<D>> values = boost_values<D>(w);
+    const index::rtree<BoostValue<D>, index::rstar<16>> tree(values);
+    const auto ask = [&](const BoostValue<D>& value, auto&& take) {
       for (auto hit = tree.qbegin(index::intersects(value.first)); hit != tree.qend(); ++hit)
-        if (value.second < hit->second) emitter.take(value.second, hit->second);
+        take(value.second, hit->second);
+    };
+    if (w.other) {
+      for (const auto& value : boost_values<D>(*w.other))
+        ask(value, [&](std::uint32_t of_other, std::uint32_t hit) { emitter.take(hit, of_other); });
+    } else {
+      for (const auto& value : values)
+        ask(value, [&](std::uint32_t a, std::uint32_t b) {
+          if (a < b) emitter.take(a, b);
+        });
+    }
     return emitter.finish();
   });
 }
 
 Answer by_stepping(const Workload& w, double dt) {
-  return typed(w, [&](auto axes, auto) {
+  return typed(w, [&](auto axes) {
     constexpr int D = axes;
     NeverInterrupt never;
     Answer answer;

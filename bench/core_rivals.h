@@ -3,7 +3,8 @@
 //
 //   Answer answer = by_boost(make_workload("S-100000"));      // answer.pairs, answer.sum
 //
-// Workloads of boxes of two or three axes with now = 0. Every method but stepping gives the same pairs.
+// Workloads of two or three axes with now = 0, and shapes that plain_contact.h knows. Every method but
+// stepping gives the same pairs.
 #pragma once
 
 #include <algorithm>
@@ -20,6 +21,7 @@ struct Answer {
   std::uint64_t sum = 0;
   double t_sum = 0;  ///< so that no compiler leaves the times out
 
+  /// Which of the two objects comes first does not matter.
   void add(const Pair& pair, double t) {
     const std::uint64_t low = std::min(pair.a, pair.b), high = std::max(pair.a, pair.b);
     std::uint64_t mixed = (low << 32 | high) * 0x9e3779b97f4a7c15u;
@@ -34,15 +36,15 @@ struct Answer {
 /// Every pair.
 Answer by_brute_force(const Workload& w);
 
-/// Boost.Geometry: a packed R-tree of the swept boxes, asked with every box.
+/// Boost.Geometry: a packed R-tree of the swept boxes, asked with every box (of the other side).
 Answer by_boost(const Workload& w);
 
 /// Moves everything on by dt and looks who overlaps, with a tuned static join; a pair counts at the first
-/// step that sees it. What touches between two steps only is missed.
+/// step that sees it. What touches between two steps only is missed. Boxes joined with themselves only.
 Answer by_stepping(const Workload& w, double dt);
 
 #ifdef FORESEE_CGAL
-/// CGAL's box_self_intersection_d over the swept boxes.
+/// CGAL's box_self_intersection_d over the swept boxes, box_intersection_d over those of two sides.
 Answer by_cgal(const Workload& w);
 #endif
 
