@@ -194,7 +194,8 @@ int main_of(Options options) {
   const auto csv_path = options.value("--csv");
   std::FILE* csv = csv_path ? std::fopen(csv_path->c_str(), "w") : nullptr;
   using Names = std::vector<std::string>;
-  const Names usual = quick ? Names{"S-100000"} : Names{"S-100000", "S-1000000", "L-30", "M-100000"};
+  const Names usual =
+      quick ? Names{"S-100000"} : Names{"S-100000", "S-1000000", "L-30", "M-100000", "D-100000"};
   Report report(csv);
   for (const std::string& name : options.names(usual))
     if (!compare(make_workload(name), quick, report)) {

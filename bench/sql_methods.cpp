@@ -89,8 +89,8 @@ int main_of(int count, char** arguments) {
       names.push_back(arguments[i]);
   }
   if (names.empty()) {
-    names = {"S-10",           "S-30",        "S-100",       "S-300",        "S-1000",  "S-10000",
-             "P-uniform-2000", "P-zipf-5000", "P-city-5000", "P-cube-10000", "M-10000", "S-100000"};
+    names = {"S-10",        "S-30",        "S-100",        "S-300",   "S-1000",  "S-10000", "P-uniform-2000",
+             "P-zipf-5000", "P-city-5000", "P-cube-10000", "M-10000", "D-10000", "C-10000", "S-100000"};
     if (!quick) names.insert(names.end(), {"K-100000", "L-30", "L-300", "M-100000", "S-1000000"});
   }
   if (csv) std::fprintf(csv, "workload,auto,grid,tree,scan,auto_to_best\n");

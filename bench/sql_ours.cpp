@@ -13,7 +13,10 @@ std::string columns_of(const Workload& w) {
   add("");
   add("v");
   if (w.layout.law == Law::accelerated) add("a");
-  add("h");
+  const Shape shape = w.layout.shape;
+  if (shape == Shape::box) add("h");
+  if (shape == Shape::ball || shape == Shape::cylinder) columns += ", r";
+  if (shape == Shape::cylinder) columns += ", hz";
   return columns;
 }
 
@@ -28,6 +31,7 @@ void register_foresee(Database& db) {
 }
 
 void create_ours(Database& db, const Workload& w) {
+  if (w.other) throw Error("'" + w.name + "' has two tables: joined without SQL only");
   register_foresee(db);
   db.run("CREATE VIRTUAL TABLE ships USING moving_objects(id, " + columns_of(w) + ")");
 }

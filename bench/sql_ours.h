@@ -9,13 +9,13 @@ namespace foresee::bench {
 /// Registers the extension; no table yet.
 void register_foresee(Database& db);
 
-/// CREATE VIRTUAL TABLE ships with the columns that the workload has.
+/// CREATE VIRTUAL TABLE ships with the columns that the workload has. Throws Error for one of two tables.
 void create_ours(Database& db, const Workload& w);
 
 /// Prepared single-row INSERTs in one transaction; ids count from 1.
 void load_ours(Database& db, const Workload& w);
 
-/// "x, y, vx, vy, …": the columns that a workload's rows have, in their order. Boxes, without times.
+/// "x, y, vx, vy, …": the columns that a workload's rows have, in their order. Without times.
 std::string columns_of(const Workload& w);
 
 /// "(?, ?, …)" for an id and those columns.

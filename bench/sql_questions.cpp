@@ -2,11 +2,11 @@
 //
 //   bench_sql_questions [--quick]
 //
-//   window  S-100000 and S-1000000: prepared windows of about 100 objects over the next 3 seconds, ids only
-//           and with t, against base table + R*Tree of swept boxes + a textbook's test in plain double as an
-//           SQL function. Both stand ready in memory.
+//   window  S-100000, S-1000000 and D-100000: prepared windows of about 100 objects over the next 3 seconds,
+//           ids only and with t, against base table + R*Tree of swept boxes + a textbook's test in plain
+//           double as an SQL function. Both stand ready in memory.
 //   nearest the 10 nearest during the next 3 seconds (the R*Tree has no such question).
-//   open    the same tables and S-10000 in files: open, ask one window, take one row. Warm file cache.
+//   open    S-10000, S-100000 and S-1000000 in files: open, ask one window, take one row. Warm file cache.
 //
 // Processor time, medians; a ratio is the rival's time over ours in the same repetition. Fails if a window
 // holds other objects there than here. (--quick: without S-1000000.)
@@ -16,6 +16,7 @@
 
 #include "files.h"
 #include "measure.h"
+#include "plain_shapes.h"
 #include "program.h"
 #include "sql_ours.h"
 #include "sql_rival.h"
@@ -55,16 +56,29 @@ void first_in_window(sqlite3_context* context, int, sqlite3_value** values) {
   if (earliest <= h) sqlite3_result_double(context, earliest);
 }
 
-const char* rival_sql(bool with_t) {
+/// The same for a disc (x, y, vx, vy, ax, ay, r).
+void first_disc_in_window(sqlite3_context* context, int, sqlite3_value** values) {
+  static const Offsets at_box = row_offsets({2, Law::accelerated, Shape::box});
+  static const Offsets at_disc = row_offsets({2, Law::accelerated, Shape::ball});
+  double in[12];
+  for (int i = 0; i < 12; ++i) in[i] = sqlite3_value_double(values[i]);
+  const double* side = in + 7;
+  const double window[] = {0.5 * (side[0] + side[1]), 0.5 * (side[2] + side[3]), 0, 0, 0, 0,
+                           0.5 * (side[1] - side[0]), 0.5 * (side[3] - side[2])};
+  const double first = BoxAndDisc<2>(at_box, at_disc, in[11]).first<true>(window, in);
+  if (first >= 0) sqlite3_result_double(context, first);
+}
+
+/// LIMIT -1 keeps SQLite from calling the function twice.
+std::string rival_sql(const Workload& w, bool with_t) {
+  const std::string first = (w.layout.shape == Shape::box ? "first_in_window(" : "first_disc_in_window(") +
+                            columns_of(w) + ", ?1, ?2, ?3, ?4, 3)";
+  const std::string found =
+      " FROM boxes i CROSS JOIN base p WHERE i.x0 <= ?2 AND i.x1 >= ?1 AND i.y0 <= ?4 AND i.y1 >= ?3"
+      " AND p.id = i.id";
   return with_t
-             ? "SELECT id, t FROM (SELECT p.id, first_in_window(x, y, vx, vy, ax, ay, hx, hy, ?1, ?2, ?3, "
-               "?4, 3)"
-               " AS t FROM boxes i CROSS JOIN base p WHERE i.x0 <= ?2 AND i.x1 >= ?1 AND i.y0 <= ?4 AND i.y1 "
-               ">= ?3"
-               " AND p.id = i.id LIMIT -1) WHERE t IS NOT NULL"
-             : "SELECT p.id FROM boxes i CROSS JOIN base p WHERE i.x0 <= ?2 AND i.x1 >= ?1 AND i.y0 <= ?4 AND"
-               " i.y1 >= ?3 AND p.id = i.id"
-               " AND first_in_window(x, y, vx, vy, ax, ay, hx, hy, ?1, ?2, ?3, ?4, 3) IS NOT NULL";
+             ? "SELECT id, t FROM (SELECT p.id, " + first + " AS t" + found + " LIMIT -1) WHERE t IS NOT NULL"
+             : "SELECT p.id" + found + " AND " + first + " IS NOT NULL";
 }
 
 const char* our_sql(bool with_t) {
@@ -85,9 +99,12 @@ struct Tables {
   Rival rival;
 };
 
-void add_rival_function(Database& db) {
-  db.check(sqlite3_create_function(db.handle(), "first_in_window", 13, SQLITE_UTF8 | SQLITE_DETERMINISTIC,
-                                   nullptr, first_in_window, nullptr, nullptr));
+void add_rival_functions(Database& db) {
+  constexpr int flags = SQLITE_UTF8 | SQLITE_DETERMINISTIC;
+  db.check(sqlite3_create_function(db.handle(), "first_in_window", 13, flags, nullptr, first_in_window,
+                                   nullptr, nullptr));
+  db.check(sqlite3_create_function(db.handle(), "first_disc_in_window", 12, flags, nullptr,
+                                   first_disc_in_window, nullptr, nullptr));
 }
 
 class Places {
@@ -112,17 +129,24 @@ Answer ask(Statement& window, double x, double y) {
   return answer;
 }
 
-void print(const char* what, double ours, double rivals, double ratio, double mark) {
-  std::printf("%-28s foresee %8.1f   rival %8.1f us   %6.2fx (mark: %gx)\n", what, ours * 1e6, rivals * 1e6,
-              ratio, mark);
+/// The marks are those of boxes.
+bool has_marks(const Workload& w) {
+  return w.layout.shape == Shape::box;
+}
+
+void print(const std::string& what, const Workload& w, double ours, double rivals, double ratio,
+           double mark) {
+  std::printf("%-28s foresee %8.1f   rival %8.1f us   %6.2fx", what.c_str(), ours * 1e6, rivals * 1e6, ratio);
+  if (has_marks(w)) std::printf(" (mark: %gx)", mark);
+  std::printf("\n");
   std::fflush(stdout);
 }
 
 bool compare_windows(Tables& tables, const Workload& w, int repetitions) {
   constexpr int windows = 1000;
-  add_rival_function(tables.rival_db);
+  add_rival_functions(tables.rival_db);
   for (const bool with_t : {false, true}) {
-    Statement ours(tables.our_db, our_sql(with_t)), rivals(tables.rival_db, rival_sql(with_t));
+    Statement ours(tables.our_db, our_sql(with_t)), rivals(tables.rival_db, rival_sql(w, with_t));
     std::vector<double> our_times, rival_times, ratios;
     std::int64_t rows = 0;
     for (int i = 0; i < repetitions; ++i) {
@@ -143,8 +167,8 @@ bool compare_windows(Tables& tables, const Workload& w, int repetitions) {
       rows = 0;
       for (const Answer& answer : here) rows += answer.rows;
     }
-    print(("window " + w.name + (with_t ? ", id and t" : ", id")).c_str(), median(our_times),
-          median(rival_times), median(ratios), 2.5);
+    print("window " + w.name + (with_t ? ", id and t" : ", id"), w, median(our_times), median(rival_times),
+          median(ratios), 2.5);
     std::printf("  %.1f rows a window, equal\n", static_cast<double>(rows) / windows);
   }
   return true;
@@ -165,8 +189,8 @@ void measure_nearest(Tables& tables, const Workload& w, int repetitions) {
                     }) /
                     questions);
   }
-  std::printf("%-28s foresee %8.1f us: %.0f questions a second (mark: 20000)\n",
-              ("nearest 10, " + w.name).c_str(), median(times) * 1e6, 1 / median(times));
+  std::printf("%-28s foresee %8.1f us: %.0f questions a second%s\n", ("nearest 10, " + w.name).c_str(),
+              median(times) * 1e6, 1 / median(times), has_marks(w) ? " (mark: 20000)" : "");
 }
 
 /// From opening the file to the first row of a window.
@@ -180,8 +204,8 @@ void compare_opening(const Workload& w, int repetitions) {
       if (is_ours)
         register_foresee(db);
       else
-        add_rival_function(db);
-      Statement window(db, is_ours ? our_sql(true) : rival_sql(true));
+        add_rival_functions(db);
+      Statement window(db, is_ours ? our_sql(true) : rival_sql(w, true));
       const double x = 0.4 * std::sqrt(14.0 * static_cast<double>(w.count));
       window.bind(1, x), window.bind(2, x + window_side), window.bind(3, x), window.bind(4, x + window_side);
       window.step();
@@ -192,23 +216,23 @@ void compare_opening(const Workload& w, int repetitions) {
     rival_times.push_back(first_row(files.theirs, false));
     ratios.push_back(rival_times.back() / our_times.back());
   }
-  print(("first row, " + w.name).c_str(), median(our_times), median(rival_times), median(ratios), 0.5);
+  print("first row, " + w.name, w, median(our_times), median(rival_times), median(ratios), 0.5);
 }
 
 int main_of(const Options& options) {
   const bool quick = options.has("--quick");
-  for (const std::size_t count : {10000, 100000, 1000000}) {
-    if (quick && count > 100000) break;
-    const Workload w = make_workload("S-" + std::to_string(count));
-    if (count > 10000) {
+  for (const std::string name : {"S-10000", "S-100000", "S-1000000", "D-100000"}) {
+    if (quick && name == "S-1000000") continue;
+    const Workload w = make_workload(name);
+    if (w.count > 10000) {
       Tables tables(w, ":memory:", ":memory:");
       if (!compare_windows(tables, w, quick ? 3 : 9)) {
-        std::fprintf(stderr, "the windows differ\n");
+        std::fprintf(stderr, "%s: the windows differ\n", name.c_str());
         return 1;
       }
       measure_nearest(tables, w, quick ? 3 : 9);
     }
-    compare_opening(w, quick ? 9 : 25);
+    if (w.layout.shape == Shape::box) compare_opening(w, quick ? 9 : 25);
   }
   return 0;
 }

@@ -14,7 +14,7 @@
 
 namespace foresee::bench {
 
-/// Boxes of two axes (the workloads S, K, L and M).
+/// Objects of two axes (the workloads S, K, L, M and D).
 class Rival {
  public:
   enum Tables { makes_tables, stands_ready };
