@@ -4,6 +4,7 @@ SQLITE_EXTENSION_INIT1
 
 #include "sqlite/callback.h"
 #include "sqlite/foresee.h"
+#include "sqlite/host.h"
 #include "sqlite/modules.h"
 #include "sqlite/names/select.h"
 
@@ -24,6 +25,7 @@ extern "C" __attribute__((visibility("default"))) int sqlite3_foresee_init(sqlit
   SQLITE_EXTENSION_INIT2(api);
   (void)api;
   return foresee::guarded(message, [db] {
+    foresee::require_version(sqlite3_libversion_number(), sqlite3_libversion());
     // Loaded again, functions would know nothing of the tables that are connected by then.
     if (is_registered(db)) return SQLITE_OK;
     const auto connection = std::make_shared<foresee::Connection>(db);

@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "sqlite/callback.h"
+#include "sqlite/host.h"
 
 namespace foresee {
 namespace {
@@ -131,11 +132,11 @@ void take(Plan& plan, const FunctionTable& table, sqlite3_index_info& info, int 
   if (probes) plan.about_ids = true;
   if (!constraint.usable) return;
   // `t IN (…)` would be one call a value; compared with the rows of one call it costs next to nothing.
-  if (!is_input && !probes && sqlite3_vtab_in(&info, i, -1)) return;
-  sqlite3_value* right = nullptr;
-  if (is_input && input > 0 &&
-      (sqlite3_vtab_rhs_value(&info, i, &right) != SQLITE_OK || sqlite3_value_type(right) == SQLITE_NULL))
-    plan.null_inputs = true;
+  if (!is_input && !probes && letter == '=' && may_be_list(info, i)) return;
+  if (is_input && input > 0) {
+    sqlite3_value* written = written_value(info, i);
+    plan.null_inputs |= !written || sqlite3_value_type(written) == SQLITE_NULL;
+  }
   if (!is_input) ++(probes ? plan.equalities : plan.inequalities);
   plan.arguments += {static_cast<char>('A' + constraint.iColumn), letter};
   info.aConstraintUsage[i].argvIndex = static_cast<int>(plan.arguments.size() / 2);

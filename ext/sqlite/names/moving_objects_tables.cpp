@@ -5,6 +5,7 @@
 #include <cstring>
 #include <string_view>
 
+#include "sqlite/host.h"
 #include "sqlite/names/select.h"
 
 namespace foresee {
@@ -79,7 +80,7 @@ class Words {
 };
 
 void add_tables(sqlite3* db, const std::string& schema, std::vector<VisibleTable>& tables) {
-  Select select(db, "SELECT name, sql FROM \"%w\".sqlite_schema WHERE type IN ('table', 'view')",
+  Select select(db, "SELECT name, sql FROM \"%w\".sqlite_master WHERE type IN ('table', 'view')",
                 schema.c_str());
   while (select.step()) tables.push_back({schema, select.text(0), uses_moving_objects(select.text(1))});
 }
@@ -95,11 +96,7 @@ bool uses_moving_objects(const std::string& sql) {
 
 std::vector<VisibleTable> visible_tables(sqlite3* db) {
   std::vector<VisibleTable> tables;
-  // SQLite numbers main 0 and temp 1, and looks into temp first.
-  for (int place : {1, 0})
-    if (const char* schema = sqlite3_db_name(db, place)) add_tables(db, schema, tables);
-  for (int place = 2; const char* schema = sqlite3_db_name(db, place); ++place)
-    add_tables(db, schema, tables);
+  for (const std::string& schema : schema_names(db)) add_tables(db, schema, tables);
   return tables;
 }
 

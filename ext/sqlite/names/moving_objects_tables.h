@@ -1,6 +1,6 @@
 // Which tables does this connection see, and which of them hold moving objects?
 //
-// Read from each schema's sqlite_schema in the order in which SQLite resolves a bare name: temp, main, then
+// Read from each schema's sqlite_master in the order in which SQLite resolves a bare name: temp, main, then
 // the attached databases. Cost: one scan of each schema.
 #pragma once
 
@@ -19,7 +19,7 @@ struct VisibleTable {
 /// All tables and views.
 std::vector<VisibleTable> visible_tables(sqlite3* db);
 
-/// Is this the text of a CREATE VIRTUAL TABLE … USING moving_objects, as sqlite_schema keeps it?
+/// Is this the text of a CREATE VIRTUAL TABLE … USING moving_objects, as sqlite_master keeps it?
 bool uses_moving_objects(const std::string& sql);
 
 }  // namespace foresee

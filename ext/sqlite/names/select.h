@@ -1,6 +1,6 @@
 // A SELECT that the extension asks of its own connection, finalized when it goes out of scope.
 //
-//   Select select(db, "SELECT name FROM \"%w\".sqlite_schema", schema.c_str());
+//   Select select(db, "SELECT name FROM \"%w\".sqlite_master", schema.c_str());
 //   while (select.step()) use(select.text(0));
 //
 // Names are quoted with %w, strings with %Q, as sqlite3_mprintf has them. A failure is a StoreError with
