@@ -18,12 +18,16 @@ void Connection::rename(std::int64_t number, const std::string& table) {
 }
 
 void Connection::leave(std::int64_t number) noexcept {
+  interrupt_.finalize();  // a command of this table may have asked
   const auto open = tables_.find(number);
   if (open == tables_.end()) return;
   scenes_.erase(open->second.store.get());
   tables_.erase(open);
-  // sqlite3_close disconnects the tables first and then refuses while a statement is left.
-  if (tables_.empty()) interrupt_.finalize();
+}
+
+void Connection::finalize() noexcept {
+  lookups_.finalize();
+  interrupt_.finalize();
 }
 
 const Connection::OpenTable* Connection::find(std::int64_t number) const {

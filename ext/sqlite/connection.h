@@ -42,6 +42,11 @@ class Connection {
   void rename(std::int64_t number, const std::string& table);
   void leave(std::int64_t number) noexcept;
 
+  /// Lets go of our own statements that are at rest. To be called when SQLite disconnects a table-valued
+  /// function, as leave() does for a table: sqlite3_close() disconnects all, then refuses while a statement
+  /// is left, and a question may outlive the tables that it reads.
+  void finalize() noexcept;
+
   struct OpenTable {
     std::shared_ptr<ObjectStore> store;
     std::string schema, table;

@@ -1,4 +1,7 @@
 // A cursor of predictive_join sees the tables as they were when it started; the next one as they are.
+#include <chrono>
+#include <thread>
+
 #include "sqlite/harbour.h"
 #include "sqlite/scene_table.h"
 
@@ -124,6 +127,27 @@ TEST_F(JoinSnapshot, OutlivesADropOrMakesItWait) {
   EXPECT_EQ(join.count_rest(), 189);
   db.exec("DROP TABLE IF EXISTS ships");
   EXPECT_EQ(db.rows("SELECT name FROM sqlite_schema"), "");
+}
+
+// The connection is closed at the end of each round, which a statement of ours that is left would prevent.
+TEST(SchemaChanges, UnderAQuestionLetTheConnectionClose) {
+  for (const std::string question : {"predictive_join(9)", "predictive_join(9, 'ships', 0, NULL, 0, 'scan')",
+                                     "predictive_join(9, 'ships', 0, NULL, 0, 'tree')",
+                                     "predictive_window(9)", "predictive_position(0)"}) {
+    Database db;
+    db.exec(
+        "CREATE TABLE plain(a); CREATE VIRTUAL TABLE ships USING moving_objects(id, x, r);"
+        "WITH RECURSIVE i(n) AS (VALUES (1) UNION ALL SELECT n + 1 FROM i WHERE n < 300)"
+        "INSERT INTO ships SELECT n, 0, 1 FROM i");
+    Stepped asked(db, "SELECT 1 FROM " + question);
+    int rows = 0;
+    while (asked.step() == SQLITE_ROW)
+      if (++rows % 100 == 1 && rows < 300) {
+        db.exec("ALTER TABLE plain ADD COLUMN b" + std::to_string(rows));
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));  // the next check asks SQLite
+      }
+    EXPECT_EQ(rows, question.starts_with("predictive_join") ? 300 * 299 / 2 : 300) << question;
+  }
 }
 
 TEST_F(JoinSnapshot, SeesWhatATransactionHasNotCommitted) {

@@ -77,7 +77,7 @@ int function_connect(sqlite3* db, void* aux, int, const char* const*, sqlite3_vt
 }
 
 int function_disconnect(sqlite3_vtab* table) noexcept {
-  table_of(table).registration->connection->lookups().finalize();
+  table_of(table).registration->connection->finalize();
   delete &table_of(table);
   return SQLITE_OK;
 }

@@ -2,6 +2,7 @@
 
 #include <new>
 #include <string>
+#include <utility>
 
 #include "storage/rows/store_error.h"
 
@@ -12,14 +13,18 @@ void StatementInterrupt::finalize() noexcept {
   statement_ = nullptr;
 }
 
+// While the statement runs it is nobody's but this function's: SQLite may compile it anew and before that
+// disconnect tables, which finalizes what is kept.
 void StatementInterrupt::ask() {
+  sqlite3_stmt* statement = std::exchange(statement_, nullptr);
   int rc = SQLITE_OK;
-  if (statement_ == nullptr)
-    rc = sqlite3_prepare_v3(db_, "SELECT 1", -1, SQLITE_PREPARE_PERSISTENT, &statement_, nullptr);
+  if (statement == nullptr)
+    rc = sqlite3_prepare_v3(db_, "SELECT 1", -1, SQLITE_PREPARE_PERSISTENT, &statement, nullptr);
   if (rc == SQLITE_OK) {
-    sqlite3_step(statement_);
-    rc = sqlite3_reset(statement_);
+    sqlite3_step(statement);
+    rc = sqlite3_reset(statement);
   }
+  statement_ = statement;
   if (rc == SQLITE_OK) return;
   next_ = {};  // an answer that nobody heeds is given again
   if (rc == SQLITE_INTERRUPT) throw Interrupted();
