@@ -73,6 +73,23 @@ TEST_F(JoinErrors, RefuseWithinZWhereHeightMeansNothing) {
             "predictive_join: within_z must be a finite number >= 0, not -5");
 }
 
+TEST_F(JoinErrors, ANameDoesNotEndAtANul) {
+  const auto with_nul = [](const std::string& text) { return "'" + text + "' || char(0) || 'x'"; };
+  EXPECT_TRUE(error("predictive_join(1, " + with_nul("ships") + ")")
+                  .starts_with("predictive_join: no such table: ships\\0x (moving_objects tables here: "));
+  EXPECT_TRUE(error("predictive_join(1, 'ships', 0, NULL, 0, 'auto', NULL, " + with_nul("main") + ")")
+                  .starts_with("predictive_join: no such table: main\\0x.ships"));
+  EXPECT_EQ(error("predictive_join(1, 'ships', 0, NULL, 0, " + with_nul("scan") + ")"),
+            "predictive_join: method must be 'auto', 'grid', 'tree', 'scan' or 'gpcd', not 'scan\\0x'");
+  EXPECT_EQ(error("predictive_window(1, 'ships') WHERE method = " + with_nul("scan")),
+            "predictive_window: method must be 'auto', 'tree' or 'scan', not 'scan\\0x'");
+  EXPECT_EQ(error("predictive_join(" + with_nul("1") + ", 'ships')"),
+            "predictive_join: h must be a number, not '1\\0x'");
+  EXPECT_TRUE(db.error_of("INSERT INTO ships(ships) VALUES (" + with_nul("rebuild") + ")")
+                  .starts_with("ships: no command 'rebuild\\0x';"));
+  EXPECT_NE(db.error_of("SELECT ships FROM ships WHERE ships MATCH " + with_nul("foresee-handle")), "");
+}
+
 TEST_F(JoinErrors, StopALoopOfCallsAtTheWrongOne) {
   EXPECT_EQ(db.rows("WITH horizons(v) AS (VALUES (20), (-1)) SELECT a FROM horizons, predictive_join(v)"),
             "error: predictive_join: h must be a finite number >= 0, not -1");

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <new>
 
 #include "sqlite/functions/table_function.h"
+#include "storage/rows/text.h"
 
 namespace foresee {
 namespace {
@@ -14,9 +14,7 @@ namespace {
 std::string written(sqlite3_value* value) {
   if (sqlite3_value_type(value) == SQLITE_BLOB) return "a blob";
   const char* quote = sqlite3_value_type(value) == SQLITE_TEXT ? "'" : "";
-  const auto* text = reinterpret_cast<const char*>(sqlite3_value_text(value));
-  if (!text) throw std::bad_alloc();
-  return std::string(quote).append(text).append(quote);
+  return quote + without_nul(text_of(value)) + quote;
 }
 
 constexpr double two_to_63 = 0x1p63;
@@ -59,9 +57,7 @@ std::optional<std::string> Call::text(int input) const {
   sqlite3_value* value = inputs_[static_cast<std::size_t>(input)];
   if (!value) return std::nullopt;
   if (sqlite3_value_type(value) != SQLITE_TEXT) reject(input, "a name in quotes");
-  const auto* text = reinterpret_cast<const char*>(sqlite3_value_text(value));
-  if (!text) throw std::bad_alloc();
-  return text;
+  return text_of(value);
 }
 
 std::optional<std::int64_t> Call::only(int output) const {

@@ -6,6 +6,7 @@
 #include "query/join/probe.h"
 #include "query/join/question.h"
 #include "sqlite/names/open_table.h"
+#include "storage/rows/text.h"
 
 namespace foresee {
 namespace {
@@ -94,7 +95,7 @@ JoinQuestion read_join_inputs(const Call& call, const AskedIds& ids) {
   question.h = call.required_number(in_h);
   question.within = call.number(in_within).value_or(0);
   question.within_z = call.number(in_within_z);
-  if (const auto method = call.text(in_method)) question.method = join_method(*method);
+  if (const auto method = call.text(in_method)) question.method = join_method(without_nul(*method));
   const auto now = call.number(in_now);
   const Tables tables = open_tables(call);
   question.now = now ? *now : newest_t_of(tables);

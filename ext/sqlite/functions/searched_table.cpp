@@ -2,13 +2,14 @@
 
 #include "index/tpr_tree/tpr_tree.h"
 #include "sqlite/names/open_table.h"
+#include "storage/rows/text.h"
 
 namespace foresee {
 
 SearchedTable searched_table(const Call& call, const SearchInputs& inputs) {
   const std::string method = call.text(inputs.method).value_or("auto");
   if (method != "auto" && method != "tree" && method != "scan")
-    throw Error("method must be 'auto', 'tree' or 'scan', not '" + method + "'");
+    throw Error("method must be 'auto', 'tree' or 'scan', not '" + without_nul(method) + "'");
   const auto now = call.number(inputs.now);
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(inputs.tbl), call.text(inputs.schema)});

@@ -3,12 +3,13 @@
 #include <vector>
 
 #include "sqlite/names/moving_objects_tables.h"
+#include "storage/rows/text.h"
 
 namespace foresee {
 namespace {
 
 bool same_name(const std::string& a, const std::string& b) {
-  return sqlite3_stricmp(a.c_str(), b.c_str()) == 0;
+  return a.size() == b.size() && sqlite3_stricmp(a.c_str(), b.c_str()) == 0;
 }
 
 bool in_schema(const VisibleTable& table, const std::optional<std::string>& schema) {
@@ -50,7 +51,7 @@ std::string with_schema_apart(const std::vector<VisibleTable>& tables, const std
 /// Says why `name` could not be opened; returns if it is a moving_objects table, so that the fault is
 /// another.
 void explain(sqlite3* db, const std::string& table, const std::optional<std::string>& schema) {
-  const std::string name = schema ? *schema + "." + table : table;
+  const std::string name = without_nul(schema ? *schema + "." + table : table);
   const std::vector<VisibleTable> tables = visible_tables(db);
   for (const VisibleTable& seen : tables) {
     if (!same_name(seen.name, table) || !in_schema(seen, schema)) continue;
@@ -58,6 +59,12 @@ void explain(sqlite3* db, const std::string& table, const std::optional<std::str
     throw Error(name + " is not a moving_objects table" + list_of(tables));
   }
   throw Error("no such table: " + name + (schema ? "" : with_schema_apart(tables, table)) + list_of(tables));
+}
+
+/// SQL's text ends at a NUL: no name has one.
+bool can_be_named(const AskedTable& name) {
+  const std::string text = *name.table + name.schema.value_or("");
+  return text.find('\0') == std::string::npos;
 }
 
 /// What the connection knows of the table that the name means; null if it is none of ours.
@@ -88,7 +95,8 @@ std::optional<Connection::OpenTable> ask(Connection& connection, const AskedTabl
 Connection::OpenTable open_table(Connection& connection, const AskedTable& asked) {
   const AskedTable name = asked.table ? asked : only_table(connection.db(), asked.schema);
   try {
-    if (auto open = ask(connection, name)) return *open;
+    if (can_be_named(name))
+      if (auto open = ask(connection, name)) return *open;
   } catch (const StoreError& error) {
     if ((error.code & 0xff) == SQLITE_ERROR) explain(connection.db(), *name.table, name.schema);
     throw;

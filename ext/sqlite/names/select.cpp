@@ -5,6 +5,7 @@
 #include <new>
 
 #include "storage/rows/store_error.h"
+#include "storage/rows/text.h"
 
 namespace foresee {
 
@@ -24,8 +25,7 @@ bool Select::step() {
 }
 
 std::string Select::text(int column) const {
-  const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
-  return text ? text : "";
+  return text_of(statement_, column);
 }
 
 std::optional<std::int64_t> Select::integer(int column) const {

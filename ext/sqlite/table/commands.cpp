@@ -3,6 +3,7 @@
 #include <string_view>
 
 #include "sqlite/callback.h"
+#include "storage/rows/text.h"
 
 namespace foresee {
 
@@ -16,8 +17,7 @@ std::string findings_of(Table& table) {
 }
 
 void run_command(Table& table, sqlite3_value* command) {
-  const bool is_text = sqlite3_value_type(command) == SQLITE_TEXT;
-  const std::string word = is_text ? reinterpret_cast<const char*>(sqlite3_value_text(command)) : "";
+  const std::string word = sqlite3_value_type(command) == SQLITE_TEXT ? text_of(command) : "";
   if (word == "rebuild") {
     table.store().rebuild(table.connection->interrupt());
   } else if (word == "optimize") {

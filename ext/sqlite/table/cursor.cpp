@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
+
+#include "storage/rows/text.h"
 
 namespace foresee {
 
@@ -52,8 +53,7 @@ void TableCursor::seek_object(sqlite3_value* value) {
 }
 
 void TableCursor::require_handle_word(sqlite3_value* word) const {
-  const auto* text = reinterpret_cast<const char*>(sqlite3_value_text(word));
-  if (text == nullptr || std::strcmp(text, handle_word) != 0)
+  if (text_of(word) != handle_word)
     throw Error(table_.name +
                 " MATCH: a table of moving objects has no text to search; ask predictive_join or "
                 "another of foresee's functions");

@@ -6,6 +6,7 @@
 
 #include "base/float_environment.h"
 #include "sqlite/callback.h"
+#include "storage/rows/text.h"
 
 namespace foresee {
 namespace {
@@ -69,9 +70,8 @@ std::string shown(sqlite3_value* value) {
     case SQLITE_BLOB:
       return "a blob of " + std::to_string(sqlite3_value_bytes(value)) + " bytes";
     default: {
-      const auto* text = reinterpret_cast<const char*>(sqlite3_value_text(value));
-      if (text == nullptr) throw std::bad_alloc();
-      std::string_view kept(text);
+      const std::string text = without_nul(text_of(value));
+      const std::string_view kept = text;
       if (kept.size() <= most) return std::string("'").append(kept).append("'");
       std::size_t cut = most;  // not inside a character
       while (cut > 0 && (static_cast<unsigned char>(kept[cut]) & 0xC0) == 0x80) --cut;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "storage/rows/store_error.h"
+#include "storage/rows/text.h"
 
 namespace foresee {
 namespace {
@@ -104,15 +105,15 @@ bool Statement::Run::step() {
 }
 
 std::string Statement::Run::text(int column) {
-  const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_, column));
-  const int size = sqlite3_column_bytes(statement_, column);
-  return text ? std::string(text, static_cast<std::size_t>(size)) : std::string();
+  return text_of(statement_, column);
 }
 
 std::span<const std::byte> Statement::Run::blob(int column) {
   if (sqlite3_column_type(statement_, column) != SQLITE_BLOB) return {};
   const auto* bytes = static_cast<const std::byte*>(sqlite3_column_blob(statement_, column));
-  return {bytes, bytes ? static_cast<std::size_t>(sqlite3_column_bytes(statement_, column)) : 0};
+  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(statement_, column));
+  if (!bytes && size > 0) throw std::bad_alloc();
+  return {bytes, size};
 }
 
 }  // namespace foresee

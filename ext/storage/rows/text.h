@@ -1,0 +1,21 @@
+// Text that comes out of SQLite, as long as it is: a NUL does not end it.
+//
+//   text_of(argument) == "ships"            // false for 'ships' || char(0) || 'x'
+//
+// A text in UTF-16 becomes UTF-8 when it is asked for, which takes memory.
+#pragma once
+
+#include <string>
+
+#include "storage/rows/sqlite_api.h"
+
+namespace foresee {
+
+/// A value as text, "" for NULL. Throws std::bad_alloc out of memory.
+std::string text_of(sqlite3_value* value);
+std::string text_of(sqlite3_stmt* row, int column);
+
+/// For a message, which a NUL would end: each one as \0.
+std::string without_nul(std::string text);
+
+}  // namespace foresee

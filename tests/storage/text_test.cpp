@@ -1,0 +1,52 @@
+#include "storage/rows/text.h"
+
+#include <gtest/gtest.h>
+
+#include <new>
+
+#include "storage/database.h"
+
+namespace foresee {
+namespace {
+
+/// What text_of() says of an SQL function's argument; `starved`: while SQLite gets no memory.
+struct Reading {
+  bool starved = false;
+  std::string text;
+};
+
+void read_argument(sqlite3_context* context, int, sqlite3_value** arguments) {
+  auto& reading = *static_cast<Reading*>(sqlite3_user_data(context));
+  const sqlite3_int64 limit = reading.starved ? sqlite3_hard_heap_limit64(sqlite3_memory_used()) : -1;
+  try {
+    reading.text = text_of(arguments[0]);
+  } catch (const std::bad_alloc&) {
+    reading.text = "no memory";
+  }
+  if (reading.starved) sqlite3_hard_heap_limit64(limit);
+}
+
+TEST(Text, IsAsLongAsItIs) {
+  Database db;
+  Reading reading;
+  sqlite3_create_function(db, "reading_of", 1, SQLITE_UTF8, &reading, read_argument, nullptr, nullptr);
+  db.run("SELECT reading_of('s' || char(0) || 'x')");
+  EXPECT_EQ(reading.text, std::string("s\0x", 3));
+  EXPECT_EQ(without_nul(reading.text), "s\\0x");
+  db.run("SELECT reading_of(NULL)");
+  EXPECT_EQ(reading.text, "");
+  db.run("SELECT reading_of(1.5)");
+  EXPECT_EQ(reading.text, "1.5");
+}
+
+TEST(Text, IsNotEmptyWhereMemoryIsOut) {
+  Database db;
+  Reading reading{.starved = true, .text = ""};
+  // In UTF-16 as the function asks for it: reading it as UTF-8 takes memory.
+  sqlite3_create_function(db, "reading_of", 1, SQLITE_UTF16, &reading, read_argument, nullptr, nullptr);
+  sqlite3_exec(db, "SELECT reading_of(hex(zeroblob(5000)))", nullptr, nullptr, nullptr);
+  EXPECT_EQ(reading.text, "no memory");
+}
+
+}  // namespace
+}  // namespace foresee
