@@ -24,6 +24,8 @@ struct Faults {
   }
 } faults;
 
+std::size_t bytes_asked = 0;  // by our own code, ever
+
 }  // namespace
 
 // GCC takes free() of what our own operator new has given for a mismatch.
@@ -32,6 +34,7 @@ struct Faults {
 #pragma GCC diagnostic ignored "-Wunknown-warning-option"
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 void* operator new(std::size_t size) {
+  bytes_asked += size;
   if (!faults.fails())
     if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
   throw std::bad_alloc();
@@ -82,17 +85,22 @@ struct MemoryFaults : ::testing::Test {
 
   /// Runs `sql` with the nth allocation failing, for n = 0, 1, … until it does its work undisturbed. `table`
   /// holds the rows to compare.
-  static void run(const std::string& sql, const std::string& table = "ships") {
+  static void run(const std::string& sql, const std::string& table = "ships", bool utf_16 = false) {
     for (const bool for_good : {false, true}) {
       long n = 0;
       for (bool fired = true; fired && !HasFailure(); n = next_fault(n))
-        fired = run_once(sql, table, n, for_good);
+        fired = run_once(sql, table, n, for_good, utf_16);
       EXPECT_GT(n, 2) << "no allocation failed: " << sql;
     }
   }
 
-  static bool run_once(const std::string& sql, const std::string& table, long n, bool for_good) {
+  static bool run_once(const std::string& sql, const std::string& table, long n, bool for_good, bool utf_16) {
     Database db;
+    if (utf_16) {
+      db.exec("PRAGMA encoding = 'UTF-16'");
+      // Else small texts would come from memory that SQLite has put aside.
+      EXPECT_EQ(sqlite3_db_config(db.handle(), SQLITE_DBCONFIG_LOOKASIDE, nullptr, 0, 0), SQLITE_OK);
+    }
     db.exec(
         "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, +name);"
         "INSERT INTO ships VALUES(1, 0, 1, 1, 0, 0, 'a'), (2, 0, 2, 2, 0, 0, 'b'), (3, 0, 3, 3, 0, 0, NULL)");
@@ -139,6 +147,19 @@ TEST_F(MemoryFaults, Transaction) {
       "RELEASE a");
 }
 
+/// What is there is not copied for each one more.
+TEST(Memory, SavepointsInsideEachOtherTakeTheSameEach) {
+  constexpr std::size_t deep = 2000;
+  Database db;
+  db.exec("CREATE VIRTUAL TABLE ships USING moving_objects(id, x); BEGIN; INSERT INTO ships VALUES(1, 0)");
+  const std::size_t before = bytes_asked;
+  for (std::size_t i = 0; i < deep; ++i) db.exec("SAVEPOINT s");
+  EXPECT_LT((bytes_asked - before) / deep, 2000U);
+  for (std::size_t i = 0; i < deep; ++i) db.exec("RELEASE s");
+  EXPECT_LT((bytes_asked - before) / deep, 2000U);
+  db.exec("COMMIT");
+}
+
 TEST_F(MemoryFaults, Commands) {
   run("INSERT INTO ships(ships) VALUES('rebuild')");
   run("INSERT INTO ships(ships) VALUES('optimize')");
@@ -148,6 +169,14 @@ TEST_F(MemoryFaults, Commands) {
 TEST_F(MemoryFaults, CreateAndDrop) {
   run("CREATE VIRTUAL TABLE boats USING moving_objects(id, x, vx, +n TEXT, horizon = 5)");
   run("CREATE VIRTUAL TABLE IF NOT EXISTS boats USING moving_objects(id, x); DROP TABLE boats");
+}
+
+/// Texts in UTF-16 take memory when they are read.
+TEST_F(MemoryFaults, TextsInUtf16) {
+  run("INSERT INTO ships(ships) VALUES('rebuild')", "ships", true);
+  run("INSERT INTO ships VALUES('7', '0', '1', '1', '0', '0', 'new')", "ships", true);
+  run("SELECT count(*) FROM predictive_join(9, 'ships', 0, 'ships', 0, 'scan')", "ships", true);
+  run("SELECT count(*) FROM predictive_window(9) WHERE tbl = 'ships' AND method = 'tree'", "ships", true);
 }
 
 TEST_F(MemoryFaults, SmallQuestions) {

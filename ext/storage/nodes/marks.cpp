@@ -2,6 +2,7 @@
 
 #include <iterator>
 #include <new>
+#include <utility>
 
 namespace foresee {
 
@@ -17,14 +18,17 @@ void Marks::give_up(Handle mark) noexcept {
   mark->given_up = true;
   if (mark != marks_.begin()) {
     const auto older = std::prev(mark);
-    if (older->before.size() < mark->before.size() && older->before.empty()) {
+    if (older->before.size() < mark->before.size()) {
+      // The fewer go to the more; of a node that both know the older state counts.
+      for (auto& [number, state] : older->before)
+        if (const auto both = mark->before.find(number); both != mark->before.end())
+          std::swap(both->second, state);
       older->before.swap(mark->before);
-    } else {
-      try {
-        older->before.merge(mark->before);
-      } catch (const std::bad_alloc&) {
-        return;  // it stays as a mark that nobody goes back to
-      }
+    }
+    try {
+      older->before.merge(mark->before);
+    } catch (const std::bad_alloc&) {
+      return;  // it stays as a mark that nobody goes back to
     }
     marks_.erase(mark);
   }

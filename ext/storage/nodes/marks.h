@@ -6,7 +6,8 @@
 //
 // A savepoint and a question's snapshot are both a mark. A node that changes is kept once, by the newest
 // mark; an older one finds it there, because the node did not change in between. A mark that is given up
-// leaves what it keeps to the mark before it. Cost: one entry for each node that changes, none for a mark.
+// leaves what it keeps to the mark before it. Cost: one entry for each node that changes, none for a mark;
+// leaving what two marks keep to one of them: the fewer entries of both.
 #pragma once
 
 #include <cstdint>

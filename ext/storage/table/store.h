@@ -130,6 +130,7 @@ class Store final : public ObjectStore, public std::enable_shared_from_this<Stor
   void back_to(const Savepoint& savepoint);
   void back_to_begin() noexcept;
   void go_by(const std::string& table);
+  std::size_t savepoints_before(int level) const noexcept;
   void give_up_savepoints(std::size_t from) noexcept;
   void end_transaction() noexcept;
   void note_change() noexcept { ++change_, changed_ = true; }

@@ -1,5 +1,7 @@
 // Making, opening, transactions, savepoints, renaming and dropping.
+#include <algorithm>
 #include <atomic>
+#include <utility>
 
 #include "storage/table/open_stores.h"
 #include "storage/table/store.h"
@@ -159,9 +161,12 @@ void Store::savepoint(int level) {
   rows();
   // Two virtual tables that share this store are both told.
   if (!savepoints_.empty() && savepoints_.back().level >= level) return;
-  savepoints_.reserve(savepoints_.size() + 1);
+  // Room first, by doubling: once the mark is set nothing may throw.
+  if (savepoints_.size() == savepoints_.capacity())
+    savepoints_.reserve(std::max<std::size_t>(8, 2 * savepoints_.size()));
+  std::string table = name_.table;
   savepoints_.push_back({level, cache_.mark(false), cache_.map_position(), loose_, loose_->position(),
-                         largest_, change_, own_stamp_, name_.table, waits()});
+                         largest_, change_, own_stamp_, std::move(table), waits()});
 }
 
 void Store::give_up_savepoints(std::size_t from) noexcept {
@@ -171,18 +176,23 @@ void Store::give_up_savepoints(std::size_t from) noexcept {
   }
 }
 
+/// How many savepoints are older than this level.
+std::size_t Store::savepoints_before(int level) const noexcept {
+  const auto first = std::lower_bound(savepoints_.begin(), savepoints_.end(), level,
+                                      [](const Savepoint& one, int other) { return one.level < other; });
+  return static_cast<std::size_t>(first - savepoints_.begin());
+}
+
 void Store::release(int level) {
   if (own_statements_ > 0) return;
-  std::size_t kept = 0;
-  while (kept < savepoints_.size() && savepoints_[kept].level < level) ++kept;
+  const std::size_t kept = savepoints_before(level);
   give_up_savepoints(kept);
   if (kept == 0) loose_->forget_past();
 }
 
 void Store::rollback_to(int level) {
   if (own_statements_ > 0) return;
-  std::size_t first = 0;
-  while (first < savepoints_.size() && savepoints_[first].level < level) ++first;
+  const std::size_t first = savepoints_before(level);
   const bool is_marked = first < savepoints_.size() && savepoints_[first].level == level;
   if (is_marked || first > 0) {
     if (first < savepoints_.size()) back_to(savepoints_[first]);
