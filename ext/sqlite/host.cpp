@@ -31,6 +31,10 @@ bool may_be_list(sqlite3_index_info& info, int i) {
   return !host_has(tells_constraints) || sqlite3_vtab_in(&info, i, -1) != 0;
 }
 
+bool tells_written_values() {
+  return host_has(tells_constraints);
+}
+
 sqlite3_value* written_value(sqlite3_index_info& info, int i) {
   sqlite3_value* value = nullptr;
   if (!host_has(tells_constraints) || sqlite3_vtab_rhs_value(&info, i, &value) != SQLITE_OK) return nullptr;

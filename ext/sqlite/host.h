@@ -22,6 +22,9 @@ void require_version(int number, const char* version);
 /// Is constraint `i` a list, `column IN (…)`? Before 3.38 SQLite does not tell, and it may be one.
 bool may_be_list(sqlite3_index_info& info, int i);
 
+/// Before 3.38: no.
+bool tells_written_values();
+
 /// What constraint `i` compares with, where the statement writes it out; else, and before 3.38, null.
 sqlite3_value* written_value(sqlite3_index_info& info, int i);
 

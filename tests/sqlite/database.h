@@ -106,6 +106,13 @@ class Database {
     sqlite3_stmt* statement = nullptr;
     if (sqlite3_prepare_v2(db_, sql.c_str(), -1, &statement, nullptr) != SQLITE_OK)
       return std::string("error: ") + sqlite3_errmsg(db_);
+    const std::string text = rows_of(statement);
+    sqlite3_finalize(statement);
+    return text;
+  }
+
+  /// The same of a statement that is prepared and bound.
+  std::string rows_of(sqlite3_stmt* statement) {
     std::string text;
     int rc;
     for (int row = 0; (rc = sqlite3_step(statement)) == SQLITE_ROW; ++row) {
@@ -115,9 +122,7 @@ class Database {
         text += printable(sqlite3_column_value(statement, column));
       }
     }
-    if (rc != SQLITE_DONE) text = std::string("error: ") + sqlite3_errmsg(db_);
-    sqlite3_finalize(statement);
-    return text;
+    return rc == SQLITE_DONE ? text : std::string("error: ") + sqlite3_errmsg(db_);
   }
 
  private:

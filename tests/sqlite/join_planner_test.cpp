@@ -1,5 +1,8 @@
 // What the planner does with predictive_join: ids asked for, orders, limits, views, lateral calls.
 #include <algorithm>
+#include <cctype>
+#include <cstdlib>
+#include <vector>
 
 #include "sqlite/harbour.h"
 #include "sqlite/scene_table.h"
@@ -21,6 +24,20 @@ struct JoinPlanner : ::testing::Test {
     const std::string asked = db.rows("SELECT * FROM predictive_join(3) " + where);
     EXPECT_EQ(asked, db.rows("SELECT * FROM whole " + where)) << where;
     return asked;
+  }
+  /// As db.rows(), with numbers, texts and NULL bound.
+  std::string bound(const std::string& sql, const std::vector<const char*>& values) {
+    sqlite3_stmt* statement = nullptr;
+    EXPECT_EQ(sqlite3_prepare_v2(db.handle(), sql.c_str(), -1, &statement, nullptr), SQLITE_OK) << sql;
+    int place = 0;
+    for (const char* value : values)
+      if (++place, value && std::isdigit(*value))
+        sqlite3_bind_int(statement, place, std::atoi(value));
+      else
+        sqlite3_bind_text(statement, place, value, -1, SQLITE_STATIC);
+    const std::string rows = db.rows_of(statement);
+    sqlite3_finalize(statement);
+    return rows;
   }
   std::string plan(const std::string& sql) { return db.rows("EXPLAIN QUERY PLAN " + sql); }
 
@@ -72,6 +89,52 @@ TEST_F(JoinPlanner, FindsEveryPairOfAnId) {
 TEST_F(JoinPlanner, ProbesOneObjectWhenItsIdIsAskedFor) {
   EXPECT_NE(plan("SELECT * FROM predictive_join(3) WHERE a = 42 OR b = 42").find("MULTI-INDEX OR"),
             std::string::npos);
+}
+
+TEST_F(JoinPlanner, ProbesOneObjectAlsoWhereInputsAreBound) {
+  const std::string sides = "(a = ?3 OR b = ?3) ORDER BY a, b";
+  const std::string by_place = "SELECT a, b, t FROM predictive_join(?1, ?2) WHERE " + sides,
+                    by_name = "SELECT a, b, t FROM predictive_join WHERE h = ?1 AND tbl = ?2 AND " + sides,
+                    computed = "SELECT a, b, t FROM predictive_join(?1, lower(?2), 0 + 0) WHERE " + sides;
+  for (const std::string& sql : {by_place, by_name, computed}) {
+    EXPECT_NE(plan(sql).find("MULTI-INDEX OR"), std::string::npos) << sql;
+    for (const std::string id : {"7", "42", "100000"})
+      EXPECT_EQ(bound(sql, {"3", "ships", id.c_str()}),
+                db.rows("SELECT a, b, t FROM whole WHERE a = " + id + " OR b = " + id + " ORDER BY a, b"));
+  }
+  const char* const lost = "error: predictive_join: tbl is NULL, which SQLite compares again";
+  for (const std::string& sql : {by_place, by_name, computed})
+    EXPECT_TRUE(bound(sql, {"3", nullptr, "42"}).starts_with(lost)) << bound(sql, {"3", nullptr, "42"});
+  const std::string one = "SELECT a, b, tbl FROM predictive_join(?1, ?2) WHERE a = ?3 ORDER BY b";
+  EXPECT_EQ(bound(one, {"3", nullptr, "42"}),
+            db.rows("SELECT a, b, NULL FROM whole WHERE a = 42 ORDER BY b"));
+}
+
+TEST_F(JoinPlanner, KeepsEveryRowWhereAnInputIsNull) {
+  const std::string expected = db.rows("SELECT a, b FROM whole WHERE a = 42 OR b = 42 ORDER BY a, b");
+  EXPECT_NE(expected, "");
+  const auto rows = [this](const std::string& from) {
+    return db.rows("SELECT a, b FROM " + from + " (a = 42 OR b = 42) ORDER BY a, b");
+  };
+  EXPECT_EQ(rows("predictive_join(3, 'ships', NULL) WHERE"), expected);
+  EXPECT_EQ(rows("predictive_join WHERE h = 3 AND tbl = NULL AND"), expected);
+  EXPECT_EQ(rows("(SELECT 3 AS h, NULL AS who) q, predictive_join(q.h, q.who) WHERE"), expected);
+  db.exec("CREATE TEMP TABLE questions(h, who); INSERT INTO questions VALUES (3, NULL)");
+  EXPECT_EQ(rows("questions q, predictive_join(q.h, q.who) WHERE"), expected);
+  EXPECT_EQ(rows("questions q, predictive_join j WHERE j.h = q.h AND j.tbl = q.who AND"), expected);
+  EXPECT_EQ(db.rows("SELECT a, b FROM predictive_join(3, 'ships', NULL) WHERE a = 42 UNION ALL SELECT a, b "
+                    "FROM predictive_join(3, 'ships', NULL) WHERE b = 42 ORDER BY a, b"),
+            expected);
+}
+
+// SQLite leaves out no comparison beyond its sixteenth constraint, and a comparison with NULL is never true.
+TEST_F(JoinPlanner, LosesNoRowBehindManyConditions) {
+  std::string nulls, conditions = "dt > -1";
+  for (int i = 0; i < 12; ++i) nulls += ", NULL";
+  for (int i = 2; i < 9; ++i) conditions += " AND dt > -" + std::to_string(i);
+  EXPECT_TRUE(db.rows("SELECT count(*) FROM predictive_window(9, 'ships'" + nulls + ") WHERE " + conditions)
+                  .starts_with("error: predictive_window: "));
+  EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_window(9, 'ships') WHERE " + conditions), "400");
 }
 
 TEST_F(JoinPlanner, OrdersAndLimits) {

@@ -1,4 +1,4 @@
-#include "storage/marks.h"
+#include "storage/nodes/marks.h"
 
 #include <gtest/gtest.h>
 

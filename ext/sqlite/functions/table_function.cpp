@@ -3,9 +3,11 @@
 // Plan of one call, from xBestIndex to xFilter:
 //   idxNum   the outputs that the statement reads, one bit each; from bit 16 on the order that rows must come
 //            in: how many of its outputs, and from bit 20 on which of the function's orders
-//   idxStr   two letters per argument: 'A' + column, then the comparison ('=' '>' 'G' '<' 'L')
-// Constraints on inputs are consumed; those on outputs are hints that SQLite checks again. LIMIT is left to
-// SQLite: 3.40 offers it even where other constraints remain to be checked.
+//   idxStr   two letters per argument: 'A' + column, then the comparison ('=' '>' 'G' '<' 'L'), or '!' for an
+//            input that SQLite compares once more
+// Constraints on inputs are consumed; those on outputs are hints that SQLite checks again. Where it does so
+// with an input, a NULL would lose every row, since no comparison with NULL is true: reading that column is
+// an error. LIMIT is left to SQLite: 3.40 offers it even where other constraints remain to be checked.
 #include "sqlite/functions/table_function.h"
 
 #include <algorithm>
@@ -23,7 +25,9 @@ struct Registration {
 
 struct FunctionTable : sqlite3_vtab {
   const Registration* registration = nullptr;
-  bool or_loses_rows = false;  ///< see estimate()
+  // What xBestIndex was asked before, in planning the same statement: see estimate().
+  bool or_loses_rows = false;
+  bool one_side_was_planned = false;
 
   const TableFunction& function() const { return registration->function; }
   int output_count() const { return static_cast<int>(function().outputs.size()); }
@@ -32,6 +36,7 @@ struct FunctionTable : sqlite3_vtab {
 struct FunctionCursor : sqlite3_vtab_cursor {
   std::unique_ptr<Rows> rows;      ///< null at the end
   std::vector<OwnedValue> inputs;  ///< copies, one per input, null where it was left out
+  std::uint32_t lose_rows = 0;     ///< bit set: this input was given as NULL, and SQLite compares it again
 };
 
 FunctionTable& table_of(sqlite3_vtab* table) {
@@ -110,7 +115,9 @@ int op_of(char letter) {
 struct Plan {
   std::string arguments;
   std::uint32_t inputs_given = 0, inputs_unusable = 0;
-  bool null_inputs = false;              ///< one of them is NULL, or may be
+  std::uint32_t inputs_unknown = 0;      ///< not written out in the statement: bound, or computed
+  std::uint32_t inputs_compared = 0;     ///< SQLite compares them once more
+  bool null_inputs = false;              ///< one of them is written out as NULL
   bool about_ids = false;                ///< an output is compared with a value, known yet or not
   int equalities = 0, inequalities = 0;  ///< hints: ids, and other
 };
@@ -123,7 +130,11 @@ void take(Plan& plan, const FunctionTable& table, sqlite3_index_info& info, int 
   const bool is_input = input >= 0;
   if (is_input) {
     const std::uint32_t bit = 1u << input;
-    if (letter != '=' || (plan.inputs_given & bit)) return;
+    if (letter != '=') return;
+    // One side of an OR gets the arguments of a call twice; and SQLite leaves out no check beyond the
+    // sixteenth.
+    if ((plan.inputs_given & bit) || i >= 16) plan.inputs_compared |= bit;
+    if (plan.inputs_given & bit) return;
     (constraint.usable ? plan.inputs_given : plan.inputs_unusable) |= bit;
   } else if (!(table.function().hinted >> constraint.iColumn & 1)) {
     return;
@@ -135,7 +146,8 @@ void take(Plan& plan, const FunctionTable& table, sqlite3_index_info& info, int 
   if (!is_input && !probes && letter == '=' && may_be_list(info, i)) return;
   if (is_input && input > 0) {
     sqlite3_value* written = written_value(info, i);
-    plan.null_inputs |= !written || sqlite3_value_type(written) == SQLITE_NULL;
+    if (!written) plan.inputs_unknown |= 1u << input;
+    plan.null_inputs |= written ? sqlite3_value_type(written) == SQLITE_NULL : !tells_written_values();
   }
   if (!is_input) ++(probes ? plan.equalities : plan.inequalities);
   plan.arguments += {static_cast<char>('A' + constraint.iColumn), letter};
@@ -144,24 +156,40 @@ void take(Plan& plan, const FunctionTable& table, sqlite3_index_info& info, int 
 }
 
 /// A join about one id looks into the tree. Without its first input a call fails, so any other plan is
-/// better; but to plan `a = 42 OR b = 42` SQLite 3.40 shows one side of the OR alone and adds the inputs only
-/// when it runs the plan.
+/// better; but to plan `a = 42 OR b = 42` SQLite shows one side of the OR alone and adds the inputs only when
+/// it writes that side's program.
 ///
 /// Having run it, SQLite looks at `input = NULL` once more, finds it not true and loses every row. So where
-/// an input may be NULL there must be no such plan. It is known by what comes before it: a call as a whole
-/// that says nothing of ids. (A question about one id that follows such a call may be planned worse than need
-/// be.)
-void estimate(FunctionTable& table, const Plan& plan, sqlite3_index_info& info) {
+/// an input is written out as NULL, or comes from another table and may be NULL in some row, there must be no
+/// such plan. It is known by what comes before it: a call as a whole that says nothing of ids. (A question
+/// about one id that follows such a call may be planned worse than need be.) What is bound later is taken for
+/// no NULL; if it is one, that is an error.
+void estimate(FunctionTable& table, Plan& plan, sqlite3_index_info& info) {
   const TableFunction& function = table.function();
   const bool whole = (plan.inputs_given & 1) != 0;
-  if (whole && !plan.about_ids) table.or_loses_rows = plan.null_inputs;
+  if (whole && !plan.about_ids) {
+    table.or_loses_rows = plan.null_inputs;
+    table.one_side_was_planned = false;
+  }
   if (plan.about_ids && plan.equalities == 0) table.or_loses_rows = false;
+  if (plan.equalities > 0 && !whole) table.one_side_was_planned = true;
+  if (table.one_side_was_planned) plan.inputs_compared |= plan.inputs_unknown;
   double cost = function.cost, rows = function.rows;
   if (plan.equalities > 0) cost = 1e3, rows = plan.equalities > 1 ? 1 : 10;
   if (plan.inequalities > 0) rows = std::max(1.0, rows / 4);
   if (plan.equalities > 0 ? table.or_loses_rows : !whole) cost = 1e50;
   info.estimatedCost = cost;
   info.estimatedRows = static_cast<sqlite3_int64>(rows);
+}
+
+/// The arguments as idxStr has them.
+std::string described(const Plan& plan, int output_count) {
+  std::string text = plan.arguments;
+  for (std::size_t at = 0; at < text.size(); at += 2) {
+    const int input = text[at] - 'A' - output_count;
+    if (input >= 0 && (plan.inputs_compared >> input & 1)) text[at + 1] = '!';
+  }
+  return text;
 }
 
 constexpr int order_length_at = 16, order_at = 20;  // in idxNum
@@ -195,18 +223,22 @@ int function_best_index(sqlite3_vtab* vtab, sqlite3_index_info* info) noexcept {
     FunctionTable& table = table_of(vtab);
     Plan plan;
     for (int i = 0; i < info->nConstraint; ++i) take(plan, table, *info, i);
-    if (plan.inputs_unusable & ~plan.inputs_given) return SQLITE_CONSTRAINT;
+    if (const std::uint32_t missing = plan.inputs_unusable & ~plan.inputs_given) {
+      table.or_loses_rows |= (missing & ~1u) != 0;  // they come from another table
+      return SQLITE_CONSTRAINT;
+    }
     info->idxNum = static_cast<int>(info->colUsed & ((1u << table.output_count()) - 1)) |
                    take_order(table.function(), *info);
-    info->idxStr = sqlite3_mprintf("%s", plan.arguments.c_str());
+    estimate(table, plan, *info);
+    info->idxStr = sqlite3_mprintf("%s", described(plan, table.output_count()).c_str());
     if (!info->idxStr) return SQLITE_NOMEM;
     info->needToFreeIdxStr = 1;
-    estimate(table, plan, *info);
     return SQLITE_OK;
   });
 }
 
 int function_open(sqlite3_vtab* table, sqlite3_vtab_cursor** cursor) noexcept {
+  table_of(table).one_side_was_planned = false;  // a statement runs: none is being planned
   return guarded(&table->zErrMsg, [&] { *cursor = std::make_unique<FunctionCursor>().release(); });
 }
 
@@ -225,18 +257,21 @@ void step(FunctionCursor& cursor) {
 bool sort_arguments(FunctionCursor& cursor, const FunctionTable& table, const char* plan,
                     std::span<sqlite3_value*> arguments, std::vector<sqlite3_value*>& inputs,
                     std::vector<Hint>& hints) {
+  cursor.lose_rows = 0;
   cursor.inputs.clear();
   cursor.inputs.resize(table.function().inputs.size());
   inputs.resize(cursor.inputs.size());
   for (sqlite3_value* value : arguments) {
     const int column = *plan++ - 'A';
-    const int op = op_of(*plan++);
+    const char letter = *plan++;
     const bool is_null = sqlite3_value_type(value) == SQLITE_NULL;
     const int input = column - table.output_count();
     if (input < 0) {
       if (is_null) return false;
-      hints.push_back({column, op, value});
-    } else if (!is_null) {
+      hints.push_back({column, op_of(letter), value});
+    } else if (is_null) {
+      if (letter == '!') cursor.lose_rows |= 1u << input;
+    } else {
       OwnedValue copy(sqlite3_value_dup(value));
       if (!copy) throw std::bad_alloc();
       cursor.inputs[static_cast<std::size_t>(input)] = std::move(copy);
@@ -272,11 +307,18 @@ int function_eof(sqlite3_vtab_cursor* cursor) noexcept {
   return !cursor_of(cursor).rows;
 }
 
+[[noreturn]] void refuse_null(const TableFunction& function, int input) {
+  const std::string name = function.inputs[static_cast<std::size_t>(input)];
+  throw Error(name + " is NULL, which SQLite compares again and so would lose this row: leave " + name +
+              " out, write fewer conditions, or in place of a = ... OR b = ... two questions with UNION ALL");
+}
+
 int function_column(sqlite3_vtab_cursor* base, sqlite3_context* context, int column) noexcept {
   return guarded_by_name(base->pVtab, [&] {
     const FunctionCursor& cursor = cursor_of(base);
     const int input = column - table_of(base->pVtab).output_count();
     if (input < 0) return cursor.rows->output(context, column);
+    if (cursor.lose_rows >> input & 1) refuse_null(table_of(base->pVtab).function(), input);
     const OwnedValue& given = cursor.inputs[static_cast<std::size_t>(input)];
     if (given) sqlite3_result_value(context, given.get());
   });
