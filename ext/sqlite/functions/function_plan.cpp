@@ -1,0 +1,172 @@
+#include "sqlite/functions/function_plan.h"
+
+#include <algorithm>
+#include <string>
+
+#include "sqlite/host.h"
+
+namespace foresee {
+namespace {
+
+int output_count(const TableFunction& function) {
+  return static_cast<int>(function.outputs.size());
+}
+
+char letter_of(int op) {
+  switch (op) {
+    case SQLITE_INDEX_CONSTRAINT_EQ:
+      return '=';
+    case SQLITE_INDEX_CONSTRAINT_GT:
+      return '>';
+    case SQLITE_INDEX_CONSTRAINT_GE:
+      return 'G';
+    case SQLITE_INDEX_CONSTRAINT_LT:
+      return '<';
+    case SQLITE_INDEX_CONSTRAINT_LE:
+      return 'L';
+    default:
+      return 0;
+  }
+}
+
+int op_of(char letter) {
+  for (int op : {SQLITE_INDEX_CONSTRAINT_EQ, SQLITE_INDEX_CONSTRAINT_GT, SQLITE_INDEX_CONSTRAINT_GE,
+                 SQLITE_INDEX_CONSTRAINT_LT, SQLITE_INDEX_CONSTRAINT_LE})
+    if (letter_of(op) == letter) return op;
+  return 0;
+}
+
+/// What one xBestIndex call finds out, constraint by constraint.
+struct Plan {
+  std::string arguments;
+  std::uint32_t inputs_given = 0, inputs_unusable = 0;
+  std::uint32_t inputs_unknown = 0;      ///< not written out in the statement: bound, or computed
+  std::uint32_t inputs_compared = 0;     ///< SQLite compares them once more
+  bool null_inputs = false;              ///< one of them is written out as NULL
+  bool about_ids = false;                ///< an output is compared with a value, known yet or not
+  int equalities = 0, inequalities = 0;  ///< hints: ids, and other
+};
+
+void take(Plan& plan, const TableFunction& function, sqlite3_index_info& info, int i) {
+  const auto& constraint = info.aConstraint[i];
+  const char letter = letter_of(constraint.op);
+  const int input = constraint.iColumn - output_count(function);
+  if (!letter || constraint.iColumn < 0) return;
+  const bool is_input = input >= 0;
+  if (is_input) {
+    const std::uint32_t bit = 1u << input;
+    if (letter != '=') return;
+    // One side of an OR gets the arguments of a call twice; and SQLite leaves out no check beyond the
+    // sixteenth.
+    if ((plan.inputs_given & bit) || i >= 16) plan.inputs_compared |= bit;
+    if (plan.inputs_given & bit) return;
+    (constraint.usable ? plan.inputs_given : plan.inputs_unusable) |= bit;
+  } else if (!(function.hinted >> constraint.iColumn & 1)) {
+    return;
+  }
+  const bool probes = !is_input && letter == '=' && (function.probed >> constraint.iColumn & 1);
+  if (probes) plan.about_ids = true;
+  if (!constraint.usable) return;
+  // `t IN (…)` would be one call a value; compared with the rows of one call it costs next to nothing.
+  if (!is_input && !probes && letter == '=' && may_be_list(info, i)) return;
+  if (is_input && input > 0) {
+    sqlite3_value* written = written_value(info, i);
+    if (!written) plan.inputs_unknown |= 1u << input;
+    plan.null_inputs |= written ? sqlite3_value_type(written) == SQLITE_NULL : !tells_written_values();
+  }
+  if (!is_input) ++(probes ? plan.equalities : plan.inequalities);
+  plan.arguments += {static_cast<char>('A' + constraint.iColumn), letter};
+  info.aConstraintUsage[i].argvIndex = static_cast<int>(plan.arguments.size() / 2);
+  info.aConstraintUsage[i].omit = is_input;
+}
+
+/// A join about one id looks into the tree. Without its first input a call fails, so any other plan is
+/// better; but to plan `a = 42 OR b = 42` SQLite shows one side of the OR alone and adds the inputs only when
+/// it writes that side's program.
+///
+/// Having run it, SQLite looks at `input = NULL` once more, finds it not true and loses every row. So where
+/// an input is written out as NULL, or comes from another table and may be NULL in some row, there must be no
+/// such plan. It is known by what comes before it: a call as a whole that says nothing of ids. (A question
+/// about one id that follows such a call may be planned worse than need be.) What is bound later is taken for
+/// no NULL; if it is one, that is an error.
+void estimate(const TableFunction& function, PlansBefore& before, Plan& plan, sqlite3_index_info& info) {
+  const bool whole = (plan.inputs_given & 1) != 0;
+  if (whole && !plan.about_ids) {
+    before.or_loses_rows = plan.null_inputs;
+    before.one_side_was_planned = false;
+  }
+  if (plan.about_ids && plan.equalities == 0) before.or_loses_rows = false;
+  if (plan.equalities > 0 && !whole) before.one_side_was_planned = true;
+  if (before.one_side_was_planned) plan.inputs_compared |= plan.inputs_unknown;
+  double cost = function.cost, rows = function.rows;
+  if (plan.equalities > 0) cost = 1e3, rows = plan.equalities > 1 ? 1 : 10;
+  if (plan.inequalities > 0) rows = std::max(1.0, rows / 4);
+  if (plan.equalities > 0 ? before.or_loses_rows : !whole) cost = 1e50;
+  info.estimatedCost = cost;
+  info.estimatedRows = static_cast<sqlite3_int64>(rows);
+}
+
+/// The arguments as idxStr has them.
+std::string described(const Plan& plan, int output_count) {
+  std::string text = plan.arguments;
+  for (std::size_t at = 0; at < text.size(); at += 2) {
+    const int input = text[at] - 'A' - output_count;
+    if (input >= 0 && (plan.inputs_compared >> input & 1)) text[at + 1] = '!';
+  }
+  return text;
+}
+
+constexpr int order_length_at = 16, order_at = 20;  // in idxNum
+
+/// If ORDER BY is one of the function's orders, or the beginning of one, rows come in that order.
+int take_order(const TableFunction& function, sqlite3_index_info& info) {
+  const auto wanted = std::span(info.aOrderBy, static_cast<std::size_t>(std::max(0, info.nOrderBy)));
+  if (wanted.empty()) return 0;
+  for (std::size_t i = 0; i < function.orders.size(); ++i) {
+    const std::vector<int>& order = function.orders[i];
+    if (wanted.size() > order.size()) continue;
+    const bool fits =
+        std::equal(wanted.begin(), wanted.end(), order.begin(),
+                   [](const auto& term, int output) { return term.iColumn == output && !term.desc; });
+    if (!fits) continue;
+    info.orderByConsumed = 1;
+    return info.nOrderBy << order_length_at | static_cast<int>(i) << order_at;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int plan_call(const TableFunction& function, PlansBefore& before, sqlite3_index_info& info) {
+  Plan plan;
+  for (int i = 0; i < info.nConstraint; ++i) take(plan, function, info, i);
+  if (const std::uint32_t missing = plan.inputs_unusable & ~plan.inputs_given) {
+    before.or_loses_rows |= (missing & ~1u) != 0;  // they come from another table
+    return SQLITE_CONSTRAINT;
+  }
+  info.idxNum =
+      static_cast<int>(info.colUsed & ((1u << output_count(function)) - 1)) | take_order(function, info);
+  estimate(function, before, plan, info);
+  info.idxStr = sqlite3_mprintf("%s", described(plan, output_count(function)).c_str());
+  if (!info.idxStr) return SQLITE_NOMEM;
+  info.needToFreeIdxStr = 1;
+  return SQLITE_OK;
+}
+
+PlannedArgument planned_argument(const char* plan, std::size_t argument) {
+  const char letter = plan[2 * argument + 1];
+  return {plan[2 * argument] - 'A', op_of(letter), letter == '!'};
+}
+
+std::uint32_t planned_outputs(const TableFunction& function, int plan) {
+  return static_cast<std::uint32_t>(plan) & ((1u << output_count(function)) - 1);
+}
+
+std::span<const int> planned_order(const TableFunction& function, int plan) {
+  const int length = plan >> order_length_at & 0xf;
+  if (length == 0) return {};
+  return std::span(function.orders[static_cast<std::size_t>(plan >> order_at)])
+      .first(static_cast<std::size_t>(length));
+}
+
+}  // namespace foresee

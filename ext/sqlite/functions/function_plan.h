@@ -1,0 +1,41 @@
+// In what way will SQLite call a table-valued function? From xBestIndex to xFilter.
+//
+//   idxNum   the outputs that the statement reads, one bit each; from bit 16 on the order that rows must come
+//            in: how many of its outputs, and from bit 20 on which of the function's orders
+//   idxStr   two letters per argument: 'A' + column, then the comparison ('=' '>' 'G' '<' 'L'), or '!' for an
+//            input that SQLite compares once more
+//
+// Constraints on inputs are consumed; those on outputs are hints that SQLite checks again. Where it does so
+// with an input, a NULL would lose every row, since no comparison with NULL is true: then that column must
+// not be read. LIMIT is left to SQLite: 3.40 offers it even where other constraints remain to be checked.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "sqlite/functions/table_function.h"
+
+namespace foresee {
+
+/// What SQLite was told before, in planning the same statement.
+struct PlansBefore {
+  bool or_loses_rows = false;
+  bool one_side_was_planned = false;  ///< of an OR, by itself
+};
+
+/// xBestIndex. A result code: SQLITE_CONSTRAINT where an input comes from a row that is not there yet.
+int plan_call(const TableFunction& function, PlansBefore& before, sqlite3_index_info& info);
+
+// What a plan says.
+struct PlannedArgument {
+  int column;
+  int op;               ///< of an output: SQLITE_INDEX_CONSTRAINT_EQ, GT, GE, LT or LE
+  bool compared_again;  ///< an input, by SQLite
+};
+/// Requires: `argument` is less than the number of arguments that xFilter is given.
+PlannedArgument planned_argument(const char* plan, std::size_t argument);
+std::uint32_t planned_outputs(const TableFunction& function, int plan);
+std::span<const int> planned_order(const TableFunction& function, int plan);
+
+}  // namespace foresee
