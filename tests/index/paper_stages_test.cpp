@@ -17,12 +17,12 @@ using testing::RandomScene;
 
 NeverInterrupt never;
 
-/// Two boxes of half extents 1: x, y, vx, vy, ax, ay each.
+/// Two boxes of equal half extents: x, y, vx, vy, ax, ay each.
 struct TwoBoxes {
   double rows[2][8];
 
-  TwoBoxes(std::array<double, 6> a, std::array<double, 6> b) {
-    for (std::size_t i = 0; i < 8; ++i) rows[0][i] = i < 6 ? a[i] : 1, rows[1][i] = i < 6 ? b[i] : 1;
+  TwoBoxes(std::array<double, 6> a, std::array<double, 6> b, double half = 1) {
+    for (std::size_t i = 0; i < 8; ++i) rows[0][i] = i < 6 ? a[i] : half, rows[1][i] = i < 6 ? b[i] : half;
   }
   Bodies bodies() const { return {{2, Law::accelerated, Shape::box}, rows[0], 2}; }
   std::vector<Trajectory<2>> of(double h) const {
@@ -55,6 +55,13 @@ TEST(TimeIntervalTest, PartsTwoThatCrossTheSameSpotAtDifferentTimes) {
   EXPECT_TRUE(boxes.swept_boxes_meet(10));
   EXPECT_TRUE(boxes.regions_may_meet(10));
   EXPECT_FALSE(boxes.times_may_overlap(10));
+}
+
+/// Twice the acceleration is no double.
+TEST(TimeIntervalTest, KeepsTwoThatTouchWhileOneBrakesAsHardAsDoublesGo) {
+  const double hardest = std::numeric_limits<double>::max();
+  const TwoBoxes boxes({1e-157, 0, -1e136, 0, hardest, 0}, {0, 0, 0, 0, 0, 0}, 0);
+  EXPECT_TRUE(boxes.times_may_overlap(1e-292));  // there at 1e-293
 }
 
 TEST(TimeIntervalTest, KeepsTwoThatTouchAtTheVeryEnd) {

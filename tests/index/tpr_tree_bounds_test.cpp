@@ -5,6 +5,7 @@
 
 #include "index/tpr_tree/bounds.h"
 #include "index/tpr_tree/moving_box.h"
+#include "index/tpr_tree/nearest_walk.h"
 #include "tests/scenes.h"
 
 namespace foresee {
@@ -86,6 +87,49 @@ TEST(TreeBounds, MovingBoxesLieOutsideTheExactMotion) {
     expect_outside(moving_box<1>(at_epoch, c.epoch, {0, h}, horizon), moved, horizon, 0);
     expect_outside(moving_box<1>(motion, symmetric<1>(c.half), horizon, Vec<1>::Constant(1)), moved, horizon,
                    1);
+  }
+}
+
+/// Two points and a window of no size, all at the same place half-way through the horizon.
+template <int D>
+void expect_to_meet(double speed, double other, double h) {
+  const Horizon horizon{0, h};
+  const Vec<D> none = Vec<D>::Zero(), place = Vec<D>::Constant(3), gone = Vec<D>::Constant(other * (h / 2));
+  const auto moving = [&](double v) {
+    return moving_box<D>({h / 2, place, Vec<D>::Constant(v), none, 1e300}, Extents<D>::none(), horizon, none);
+  };
+  const MovingBox<D> a = moving(speed), b = moving(other),
+                     window = moving_window<D>(place - gone, place - gone, Vec<D>::Constant(other), horizon);
+  for (const MovingBox<D>& met : {b, window}) {
+    TimeSpan span = shared_span(a, met), turned = span;
+    EXPECT_TRUE(narrow_to_contact(a, met, span) && span.begin <= h / 2);
+    EXPECT_TRUE(narrow_to_contact(met, a, turned) && turned.begin <= h / 2);
+    EXPECT_EQ(least_distance(a, met, shared_span(a, met)), 0);
+  }
+}
+
+TEST(TreeBounds, BoxesThatMeetAreNotToldApartByAnySpeed) {
+  for (double h : {0.0, 5e-324, 1e-300, 1e-20, 1.0, 1e300})
+    for (double speed : {-1.7e308, -1e308, -1e300, 0.0, 1e299, 1e308, 1.7e308})
+      for (double other : {-1.7e308, 0.0, 1.7e308}) {
+        SCOPED_TRACE(::testing::Message() << h << ", " << speed << ", " << other);
+        expect_to_meet<1>(speed, other, h);
+        expect_to_meet<2>(speed, other, h);
+        expect_to_meet<3>(speed, other, h);
+      }
+}
+
+/// A tree asks again for the moments that it was told, which are rounded.
+TEST(TreeBounds, WhatMeetsBetweenTwoDoublesMeetsStill) {
+  constexpr double moment = 5e-324, speed = 1e299;
+  const Vec<1> none = Vec<1>::Zero();
+  const Horizon horizon{0, 40 * moment};
+  for (double part = 1.125; part < 40; part += 1.125) {
+    const Vec<1> way = Vec<1>::Constant(speed * moment * part), fast = Vec<1>::Constant(speed);
+    const MovingBox<1> a = moving_box<1>({0, none, fast, none, 1}, Extents<1>::none(), horizon, none),
+                       b = moving_box<1>({0, way, none, none, 1}, Extents<1>::none(), horizon, none);
+    TimeSpan span = shared_span(a, b);
+    EXPECT_TRUE(narrow_to_contact(a, b, span) && narrow_to_contact(a, b, span)) << part;
   }
 }
 

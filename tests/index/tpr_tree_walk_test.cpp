@@ -186,9 +186,21 @@ TEST(LeastDistance, IsNeverAboveWhatSamplesFind) {
   }
 }
 
+/// A gap that closes so slowly that the slope of its square is no double, in a time as long.
+TEST(LeastDistance, IsNoneWhereTheSlopeOfASquareVanishes) {
+  for (double gap : {1e-120, 1e-130, 1e-139})
+    for (double pace : {1e-180, 1e-200, 1e-220}) {
+      const Vec<2> none = Vec<2>::Zero(), place(0, gap), speed(0, -pace);
+      const TimeSpan span{0, 1e105};
+      EXPECT_EQ(least_distance<2>({none, none, none, none, span}, {place, place, speed, speed, span}, span),
+                0)
+          << gap << " " << pace;
+    }
+}
+
 TEST(LeastDistance, OfPointsHoldsAtEverySizeOfNumbers) {
   Random random(12);
-  for (double size : {1e-300, 1e-150, 1e-20, 1.0, 1e15, 1e150, 1e290})
+  for (double size : {1e-300, 2e-161, 1e-150, 1e-20, 1.0, 1e15, 1e150, 1e290})
     for (double h : {0.0, 1e-9, 5.0, 1e9})
       for (int i = 0; i < 300; ++i) {
         const Horizon horizon{0, h};

@@ -55,7 +55,7 @@ Solution solve_linear(double v, double c) {
 Solution solve(double a, double v, double c) {
   if (!(std::isfinite(a) && std::isfinite(v) && std::isfinite(c))) return always();
   if (a == 0) return solve_linear(v, c);
-  const double d = v * v - 2 * a * c;
+  const double d = v * v - 2 * (a * c);  // 2 a alone may overflow
   const double doubt = 8 * u * (v * v + 2 * std::abs(a * c)) + least;
   if (d < -2 * doubt) return a > 0 ? Solution{} : always();
   if (!(d > 2 * doubt && d < infinity)) return always();

@@ -12,8 +12,10 @@
 // every intermediate result. The face errs by less than 16 units of 2^-53 of it (place at `now` 7, chord 5,
 // sums 4); the tests below compute with plain doubles (differences, one product, one quotient), which adds
 // some 4 units of the same magnitudes. Padding by 32 units of M therefore loses nothing that can meet; what
-// cannot may pass. Where M is beyond 1e300, overflows or is not a number, there is no bound: the faces are
-// infinite and have velocity 0. Else faces and velocities stay within 1e300, so that no difference overflows.
+// cannot may pass. A moment below 2^-1022 s is off by up to 2^-1075 s, however short the span is, so M counts
+// 2^-1000 s more of every velocity. Where M or a velocity is beyond 1e300, overflows or is not a number,
+// there is no bound: the faces are infinite and have velocity 0. Else both stay within 1e300, so that no
+// difference overflows.
 #pragma once
 
 #include <algorithm>
@@ -21,6 +23,9 @@
 #include "index/tpr_tree/bounds.h"
 
 namespace foresee {
+
+/// What spans of time are longer by where they stand for rounding.
+inline constexpr double shortest_reach = 0x1p-1000;
 
 /// Seconds after `now`.
 struct TimeSpan {
@@ -47,17 +52,20 @@ template <int D>
 void pad_outward(MovingBox<D>& box, const Vec<D>& size) {
   const Vec<D> pad = size * rounding_pad + smallest_pad;
   box.lower -= pad, box.upper += pad;
-  if (size.maxCoeff() <= largest_bound) return;  // as good as always
+  const Eigen::Array<bool, D, 1> bounded =
+      size <= largest_bound && box.v_lower.abs() <= largest_bound && box.v_upper.abs() <= largest_bound;
+  if (bounded.all()) return;  // as good as always
   const double infinity = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < D; ++axis)
-    if (!(size[axis] <= largest_bound))
+    if (!bounded[axis])
       box.lower[axis] = -infinity, box.upper[axis] = infinity, box.v_lower[axis] = box.v_upper[axis] = 0;
 }
 
 /// What lies within `bounds` at `epoch`, as a moving box.
 template <int D>
 MovingBox<D> moving_box(const Bounds<D>& bounds, double epoch, const TimeSpan& span, const Horizon& horizon) {
-  const double s = horizon.now - epoch, duration = std::max(span.end, 0.0), reach = std::abs(s) + duration;
+  const double s = horizon.now - epoch, duration = std::max(span.end, 0.0);
+  const double reach = std::abs(s) + duration + shortest_reach;
   const double half_s = 0.5 * s, half_duration = 0.5 * duration, eighth = 0.125 * duration;
   const bool before = s < 0;  // then the ends of velocity and acceleration change places (bounds.h)
   const Vec<D>&v_lower = before ? bounds.v_upper : bounds.v_lower,
@@ -83,7 +91,8 @@ template <int D>
 MovingBox<D> moving_box(const Motion<D>& motion, const Extents<D>& extents, const Horizon& horizon,
                         const Vec<D>& margin) {
   const TimeSpan span = span_between(motion.t, motion.until, horizon);
-  const double s = horizon.now - motion.t, duration = std::max(span.end, 0.0), reach = std::abs(s) + duration;
+  const double s = horizon.now - motion.t, duration = std::max(span.end, 0.0);
+  const double reach = std::abs(s) + duration + shortest_reach;
   const Vec<D> centre = motion.x + s * (motion.v + (0.5 * s) * motion.a);
   const Vec<D> below = margin - extents.lower, above = margin + extents.upper;
   const double eighth = 0.125 * duration;  // its square may overflow where there is no acceleration
@@ -101,12 +110,12 @@ MovingBox<D> moving_box(const Motion<D>& motion, const Extents<D>& extents, cons
 template <int D>
 MovingBox<D> moving_window(const Vec<D>& lower, const Vec<D>& upper, const Vec<D>& velocity,
                            const Horizon& horizon) {
-  const double infinity = std::numeric_limits<double>::infinity();
+  const double infinity = std::numeric_limits<double>::infinity(), reach = horizon.h + shortest_reach;
   MovingBox<D> box{lower, upper, velocity, velocity, {0, horizon.h}};
   auto settle = [&](Vec<D>& face, Vec<D>& speed) {
-    face = lower_end<D>(face, (face.abs() + speed.abs() * horizon.h) * rounding_pad + smallest_pad);
+    face = lower_end<D>(face, (face.abs() + speed.abs() * reach) * rounding_pad + smallest_pad);
     speed = (face >= -largest_bound).select(speed, 0.0);
-    face = (speed.abs() * horizon.h <= largest_bound).select(face, -infinity);
+    face = (speed.abs() * std::max(1.0, reach) <= largest_bound).select(face, -infinity);
     speed = (face >= -largest_bound).select(speed, 0.0);
   };
   settle(box.lower, box.v_lower);

@@ -36,16 +36,19 @@ Vec<D> least_gaps(const MovingBox<D>& a, const MovingBox<D>& b, const TimeSpan& 
 inline constexpr double shrink = 1 - 0x1p-44;  // more than the rounding of what it is applied to
 
 /// The squared distance is a convex function of time: it lies above its tangents. Halve the span towards the
-/// minimum some times; where the tangents at both ends cross is a lower bound.
+/// minimum some times; where the tangents at both ends cross is a lower bound. Slopes so small that products
+/// in them may have vanished say nothing (nor do those that are 0: then the gaps along each axis say all).
 template <int D>
 double tangent_bound(const MovingBox<D>& a, const MovingBox<D>& b, TimeSpan span) {
   constexpr int halvings = 5;
+  constexpr double least_slope = 1e-290;
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (span.begin + span.end);
     (Gap<D>(a, b, middle).growth() > 0 ? span.end : span.begin) = middle;
   }
   const Gap<D> first(a, b, span.begin), last(a, b, span.end);
   const double f = first.squared(), down = first.growth(), g = last.squared(), up = last.growth();
+  if (std::abs(down) < least_slope || std::abs(up) < least_slope) return 0;
   if (down >= 0) return f * shrink;
   if (up <= 0) return g * shrink;
   const double tau = (g - f - up * (span.end - span.begin)) / (down - up);
@@ -89,7 +92,7 @@ double least_point_distance(const MovingBox<D>& point, const MovingBox<D>& quest
   if (fastest > 0)
     tau = std::clamp(-(gap * speed).sum() / speed.square().sum(), point.span.begin, point.span.end);
   const double distance = std::sqrt((gap + speed * tau).square().sum()) - std::sqrt(off.square().sum());
-  return std::max(0.0, distance * shrink);
+  return distance > 1e-140 ? distance * shrink : 0;  // squares that vanish say nothing
 }
 
 template <int D>
