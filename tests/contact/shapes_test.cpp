@@ -145,7 +145,8 @@ TEST(Door, ErrorsNameTheTablesAndSayWhatToDo) {
   const Object box = at(Shape::box, {0, 0, 0}, {0, 0, 0}, 1), point = at(Shape::point, {0, 0, 0}, {0, 0, 0});
   EXPECT_THROW(contact(cylinder, ball, asked(1)), Error);
   EXPECT_THROW(contact(point, ball, asked(1, 1, 1)), Error);
-  EXPECT_TRUE(contact(cylinder, flat, asked(1)));
+  EXPECT_THROW(contact(cylinder, flat, asked(1)), Error);
+  EXPECT_THROW(contact(point, flat, asked(1, 1, 1)), Error);
   EXPECT_THROW(contact(ball, ball, asked(1, 1, 1)), Error);
   EXPECT_THROW(contact(box, box, asked(1, 1, 1)), Error);
   EXPECT_THROW(contact(at(Shape::point, {0, 0}, {0, 0}), at(Shape::point, {0, 0}, {0, 0}), asked(1, 1, 1)),

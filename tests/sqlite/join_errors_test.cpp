@@ -65,6 +65,25 @@ TEST_F(JoinErrors, NameBothTablesOfShapesWithoutADistance) {
   EXPECT_NE(message.find("balls"), std::string::npos) << message;
 }
 
+/// Whatever the radii, the method, the id asked for, and whether there is anything at all.
+TEST_F(JoinErrors, OfShapesWithoutADistanceFollowFromTheDeclarations) {
+  db.exec(
+      "CREATE VIRTUAL TABLE cans USING moving_objects(id, x, y, z, r, hz);"
+      "CREATE VIRTUAL TABLE balls USING moving_objects(id, x, y, z, r);"
+      "INSERT INTO cans VALUES (1, 0, 0, 0, 1, 1), (2, 9, 9, 9, 1, 1)");
+  const std::string message =
+      "predictive_join: no distance is defined between cans (cylinders) and balls (balls): declare hz in "
+      "balls to make them cylinders";
+  for (const char* ball : {"", "INSERT INTO balls VALUES (1, 0, 0, 0, 0)", "UPDATE balls SET r = 1"}) {
+    db.exec(ball);
+    for (const std::string method : {"auto", "grid", "tree", "scan", "gpcd"})
+      for (const char* ids : {"", " WHERE a = 1", " WHERE b = 1", " WHERE a = 7", " WHERE a = 2"}) {
+        EXPECT_EQ(error("predictive_join(1, 'cans', 0, 'balls', 0, '" + method + "')" + ids), message);
+        EXPECT_EQ(error("predictive_join(1, 'balls', 0, 'cans', 0, '" + method + "')" + ids), message);
+      }
+  }
+}
+
 TEST_F(JoinErrors, RefuseWithinZWhereHeightMeansNothing) {
   const std::string message = error("predictive_join(1, 'ships', 0, NULL, 0, 'auto', 5)");
   EXPECT_TRUE(message.starts_with("predictive_join: ")) << message;
