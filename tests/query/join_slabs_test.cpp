@@ -90,6 +90,16 @@ TEST(JoinSlabs, GiveThePlainAnswerAtTheEdgesOfTime) {
       }
 }
 
+/// Its t is rounded to infinity; dt tells when.
+TEST(JoinSlabs, HoldWhatBeginsAfterTheLastDouble) {
+  JoinQuestion question{.a = scene_of({.axes = 1, .law = Law::uniform, .has_t = true}, {1, 2, 3},
+                                      {1e308, 0, 1, 1e308, 1.2e308, 0, 1e308, 1e300, 0}),
+                        .now = 1e308,
+                        .h = 1.5e308};
+  expect_all_orders(question, "now + h is no double");
+  EXPECT_EQ(rows_of(question).size(), 2u);
+}
+
 TEST(JoinSlabs, LeaveOutTimesThatAreNotAskedFor) {
   for (double now : {0.0, 0.7, -3.0}) {
     RandomScene scene = random_scene({.layout = {.axes = 2, .law = Law::uniform, .shape = Shape::ball},

@@ -24,7 +24,9 @@ struct TimeSlab {
   double from, before;  ///< of t; infinite at the ends of the question
   Horizon horizon;
 
-  bool holds(double t) const { return from <= t && t < before; }
+  bool holds(double t) const { return from <= t && (t < before || is_last()); }
+  /// Also what begins after the last double has a t: infinity.
+  bool is_last() const { return before == std::numeric_limits<double>::infinity(); }
 };
 
 /// In seconds. Slabs begin with the length `first` and grow to `step`.
