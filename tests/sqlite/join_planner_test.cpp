@@ -261,5 +261,47 @@ TEST_F(JoinPlanner, ServesTriggersAndPreparedParameters) {
   EXPECT_EQ(db.rows("SELECT n FROM alarms"), db.rows("SELECT count(*) FROM whole"));
 }
 
+/// "@n" and "@o" in the plan: LIMIT and OFFSET are handed over (sqlite/functions/row_limit.h).
+TEST_F(JoinPlanner, TellsACallInAnOrderHowManyRowsAreRead) {
+  const auto is_told = [&](const std::string& rest, const std::string& what = "SELECT a, t") {
+    return plan(what + " FROM predictive_join(3) " + rest).find("@n") != std::string::npos;
+  };
+  EXPECT_TRUE(is_told("ORDER BY t LIMIT 5"));
+  EXPECT_TRUE(is_told("WHERE dt > 0 AND t < 2 ORDER BY t, a, b LIMIT 5 OFFSET 3"));
+  EXPECT_TRUE(is_told("WHERE a = 7 ORDER BY dt LIMIT 5"));
+  EXPECT_FALSE(is_told("LIMIT 5")) << "nothing waits";
+  EXPECT_FALSE(is_told("ORDER BY t DESC LIMIT 5")) << "SQLite sorts";
+  EXPECT_FALSE(is_told("WHERE t_end > 1 ORDER BY t LIMIT 5")) << "more rows are read than come";
+  EXPECT_FALSE(is_told("WHERE a > 7 ORDER BY t LIMIT 5"));
+  EXPECT_FALSE(is_told("WHERE b % 2 = 0 ORDER BY t LIMIT 5"));
+  EXPECT_FALSE(is_told("ORDER BY t LIMIT 5", "SELECT DISTINCT t"));
+}
+
+TEST_F(JoinPlanner, LimitsRowsThatAllBeginAtOnceAsAnyTableDoes) {
+  Database crowd;
+  crowd.exec(
+      "CREATE VIRTUAL TABLE discs USING moving_objects(id, t, x, y, r);"
+      "WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 300)"
+      "INSERT INTO discs SELECT i, 5, i, i * 7 % 300, 400 FROM n;"
+      "CREATE TEMP TABLE whole AS SELECT * FROM predictive_join(3, 'discs', 0, NULL, 3)");
+  ASSERT_EQ(crowd.rows("SELECT count(*) FROM whole WHERE t = 5"), "44850");
+  const auto both = [&](const std::string& rest) {
+    const std::string asked =
+        crowd.rows("SELECT a, b, t FROM predictive_join(3, 'discs', 0, NULL, 3) " + rest);
+    EXPECT_EQ(asked, crowd.rows("SELECT a, b, t FROM whole " + rest)) << rest;
+    EXPECT_NE(asked.substr(0, 5), "error");
+  };
+  for (const char* limit :
+       {"0", "1", "300", "5000", "100000", "-1", "3 OFFSET 2", "3 OFFSET 44848", "2 OFFSET -7",
+        "-1 OFFSET 44840", "9223372036854775807 OFFSET 9223372036854775807", "(SELECT 4)", "abs(-2)"})
+    both("ORDER BY t, a, b LIMIT " + std::string(limit));
+  both("WHERE a = 7 OR b = 7 ORDER BY t, a, b LIMIT 9");
+  both("WHERE t_end > 5 AND a + b = 301 ORDER BY t, a, b LIMIT 100");
+  EXPECT_EQ(crowd.rows("SELECT count(*), count(DISTINCT a * 1000 + b), max(t) FROM (SELECT * FROM "
+                       "predictive_join(3, 'discs', 0, NULL, 3) ORDER BY t LIMIT 20000)"),
+            "20000|20000|5.0")
+      << "any of them, but none twice";
+}
+
 }  // namespace
 }  // namespace foresee::testing

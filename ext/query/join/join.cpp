@@ -59,8 +59,9 @@ struct Join::Progress {
     return question;
   }
 
+  /// The next slab, or the same one for what was left out of it.
   bool open_slab() {
-    slab = slabs.next();
+    if (!sorted.leaves_some_out()) slab = slabs.next();
     if (!slab) return false;
     // What touches at `now` has one t.
     sorts = question.order == JoinOrder::by_t ? slab->before > std::nextafter(question.now, HUGE_VAL)
@@ -91,7 +92,7 @@ struct Join::Progress {
     }
     hits.clear();
     stage.ask(*candidates, pairs, *slab, hits);
-    sorted.add(hits);
+    sorted.add(hits, interrupt);
     return true;
   }
 
@@ -100,7 +101,7 @@ struct Join::Progress {
     given = batch.next(stage);
     if (!given.empty()) return true;
     if (!helpers->next(batch)) return false;
-    if (sorts) sorted.add(batch.hits);
+    if (sorts) sorted.add(batch.hits, interrupt);
     return true;
   }
 

@@ -11,7 +11,8 @@
 // Rows come in the order that is asked for. The grid answers long horizons in time slabs (time_slabs.h), and
 // questions for an order in slabs that begin short: whoever stops after the first rows does not pay for the
 // others. With helpers (slab_helpers.h) rows and their order are the same. Memory: the scenes, about a
-// hundred bytes an object, one batch of pairs, and 24 bytes for each row of a slab that has to be sorted.
+// hundred bytes an object, one batch of pairs, and 24 bytes for each row of a slab that has to be sorted, or
+// for some times as many as are read of it (likely_rows).
 #pragma once
 
 #include <cstdint>
@@ -54,6 +55,8 @@ struct AskedTimes {
 /// By dt that is above 0: pairs that touch already are left out.
 inline constexpr AskedTimes after_now{std::numeric_limits<double>::denorm_min()};
 
+inline constexpr std::size_t all_rows = std::numeric_limits<std::size_t>::max();
+
 enum class JoinOrder : std::uint8_t {
   any,
   by_t,  ///< rising
@@ -73,6 +76,7 @@ struct JoinQuestion {
   std::optional<std::int64_t> only_b = {};
   AskedTimes asked_t = {}, asked_dt = {};
   JoinOrder order = JoinOrder::any;
+  std::size_t likely_rows = all_rows;  ///< that will be read; of more, in an order, some are found twice
   JoinWants wants = {};
   std::size_t helpers = 0;                     ///< threads that the grid may use beside the caller's
   std::shared_ptr<GridSpace> space = nullptr;  ///< memory kept between joins, not shared by two at a time

@@ -4,27 +4,47 @@
 
 namespace foresee {
 
-void SortedHits::add(const Hits& hits) {
-  for (std::size_t i = 0; i < hits.pairs.size(); ++i)
-    found_.push_back({hits.times[i].t, hits.times[i].dt, hits.pairs[i]});
+void SortedHits::add(const Hits& hits, Interrupt& interrupt) {
+  for (std::size_t i = 0; i < hits.pairs.size(); ++i) {
+    const Found found{hits.times[i].t, hits.times[i].dt, hits.pairs[i]};
+    if ((cut_ && !precedes(found, last_)) || (after_ && !precedes(*after_, found))) continue;
+    found_.push_back(found);
+    if (found_.size() / 2 >= room_) keep_first(interrupt);
+  }
 }
 
 bool SortedHits::precedes(const Found& l, const Found& r) const {
   if (l.t != r.t) return l.t < r.t;
-  if (question_.order != JoinOrder::by_t_and_ids) return l.dt < r.dt;  // rounding keeps order: both rise
+  if (question_.order != JoinOrder::by_t_and_ids) {
+    if (l.dt != r.dt) return l.dt < r.dt;  // rounding keeps order: both rise
+    return l.pair.a != r.pair.a ? l.pair.a < r.pair.a : l.pair.b < r.pair.b;
+  }
   const Scene& a = *question_.a;
   const Scene& b = question_.b ? *question_.b : a;
   const std::int64_t l_a = a.ids[l.pair.a], r_a = a.ids[r.pair.a];
   return l_a != r_a ? l_a < r_a : b.ids[l.pair.b] < b.ids[r.pair.b];
 }
 
-void SortedHits::sort(Interrupt& interrupt) {
+/// Looks for an interrupt now and then.
+bool SortedHits::compare(const Found& l, const Found& r, Interrupt& interrupt) {
   constexpr std::size_t comparisons_per_check = 1 << 16;
-  std::size_t comparisons = 0;
-  std::sort(found_.begin(), found_.end(), [&](const Found& l, const Found& r) {
-    if (++comparisons % comparisons_per_check == 0) interrupt.check();
-    return precedes(l, r);
-  });
+  if (++comparisons_ % comparisons_per_check == 0) interrupt.check();
+  return precedes(l, r);
+}
+
+void SortedHits::keep_first(Interrupt& interrupt) {
+  const auto last = found_.begin() + static_cast<std::ptrdiff_t>(room_ - 1);
+  std::nth_element(found_.begin(), last, found_.end(),
+                   [&](const Found& l, const Found& r) { return compare(l, r, interrupt); });
+  last_ = *last;
+  found_.resize(room_);
+  cut_ = true;
+}
+
+void SortedHits::sort(Interrupt& interrupt) {
+  if (found_.size() > room_) keep_first(interrupt);
+  std::sort(found_.begin(), found_.end(),
+            [&](const Found& l, const Found& r) { return compare(l, r, interrupt); });
   sorted_ = found_.size();
 }
 
@@ -37,7 +57,13 @@ void SortedHits::take(Hits& hits) {
     hits.pairs.push_back(found.pair);
     hits.times.push_back({found.t, found.t, found.dt, found.dt});
   }
-  if (given_ == sorted_) found_.clear(), sorted_ = given_ = 0;
+  if (given_ < sorted_) return;
+  after_.reset();
+  if (cut_) {
+    after_ = found_.back();
+    room_ = room_ > found_.max_size() / growth ? found_.max_size() : room_ * growth;
+  }
+  found_.clear(), sorted_ = given_ = 0;
 }
 
 }  // namespace foresee

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "sqlite/connection.h"
+#include "sqlite/functions/row_limit.h"
 #include "storage/rows/sqlite_api.h"
 
 namespace foresee {
@@ -36,13 +37,14 @@ struct Hint {
 class Call {
  public:
   Call(const TableFunction& function, Connection& connection, std::span<sqlite3_value* const> inputs,
-       std::vector<Hint> hints, std::uint32_t outputs_read, std::span<const int> order)
+       std::vector<Hint> hints, std::uint32_t outputs_read, std::span<const int> order, const RowLimit& limit)
       : function_(function),
         connection_(connection),
         inputs_(inputs),
         hints_(std::move(hints)),
         outputs_read_(outputs_read),
-        order_(order) {}
+        order_(order),
+        limit_(limit) {}
 
   Connection& connection() const { return connection_; }
 
@@ -62,6 +64,7 @@ class Call {
   Bounds bounds(int output) const;
   /// The outputs by which rows must come, rising: one of the function's orders, or its beginning.
   std::span<const int> order() const { return order_; }
+  const RowLimit& limit() const { return limit_; }
 
  private:
   [[noreturn]] void reject(int input, const char* kind) const;
@@ -72,6 +75,7 @@ class Call {
   std::vector<Hint> hints_;
   std::uint32_t outputs_read_;
   std::span<const int> order_;
+  RowLimit limit_;
 };
 
 }  // namespace foresee

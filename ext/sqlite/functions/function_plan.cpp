@@ -144,8 +144,9 @@ int plan_call(const TableFunction& function, PlansBefore& before, sqlite3_index_
     before.or_loses_rows |= (missing & ~1u) != 0;  // they come from another table
     return SQLITE_CONSTRAINT;
   }
-  info.idxNum =
-      static_cast<int>(info.colUsed & ((1u << output_count(function)) - 1)) | take_order(function, info);
+  const int order = take_order(function, info);
+  if (order != 0) take_row_limit(function, info, plan.arguments);
+  info.idxNum = static_cast<int>(info.colUsed & ((1u << output_count(function)) - 1)) | order;
   estimate(function, before, plan, info);
   info.idxStr = sqlite3_mprintf("%s", described(plan, output_count(function)).c_str());
   if (!info.idxStr) return SQLITE_NOMEM;
@@ -154,8 +155,8 @@ int plan_call(const TableFunction& function, PlansBefore& before, sqlite3_index_
 }
 
 PlannedArgument planned_argument(const char* plan, std::size_t argument) {
-  const char letter = plan[2 * argument + 1];
-  return {plan[2 * argument] - 'A', op_of(letter), letter == '!'};
+  const char* letters = plan + 2 * argument;
+  return {letters, letters[0] - 'A', op_of(letters[1]), letters[1] == '!'};
 }
 
 std::uint32_t planned_outputs(const TableFunction& function, int plan) {

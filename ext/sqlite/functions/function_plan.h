@@ -7,7 +7,7 @@
 //
 // Constraints on inputs are consumed; those on outputs are hints that SQLite checks again. Where it does so
 // with an input, a NULL would lose every row, since no comparison with NULL is true: then that column must
-// not be read. LIMIT is left to SQLite: 3.40 offers it even where other constraints remain to be checked.
+// not be read. LIMIT and OFFSET are hints too (row_limit.h).
 #pragma once
 
 #include <cstddef>
@@ -29,6 +29,7 @@ int plan_call(const TableFunction& function, PlansBefore& before, sqlite3_index_
 
 // What a plan says.
 struct PlannedArgument {
+  const char* letters;  ///< its two in idxStr
   int column;
   int op;               ///< of an output: SQLITE_INDEX_CONSTRAINT_EQ, GT, GE, LT or LE
   bool compared_again;  ///< an input, by SQLite

@@ -66,6 +66,7 @@ std::unique_ptr<Rows> start(const Call& call) {
   JoinQuestion question = read_join_inputs(call, {call.only(out_a), call.only(out_b)});
   question.asked_t = asked(call.bounds(out_t)), question.asked_dt = asked(call.bounds(out_dt));
   question.order = order_of(call.order());
+  question.likely_rows = call.limit().in_all().value_or(all_rows);
   question.helpers = call.connection().helper_threads();
   question.wants.ends = call.reads(out_t_end) || call.reads(out_dt_end);
   question.wants.contact = question.wants.ends || call.reads(out_t) || call.reads(out_dt);

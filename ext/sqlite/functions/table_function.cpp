@@ -95,31 +95,38 @@ void step(FunctionCursor& cursor) {
   if (!cursor.rows->next()) cursor.rows.reset();
 }
 
-/// Sorts the arguments into inputs, of which the cursor keeps copies, and hints. False if some hint is NULL:
-/// then nothing can match. The call reads the originals: SQLite 3.53 crashes when a copy is asked for its
-/// numeric type.
+/// What xFilter is handed.
+struct Arguments {
+  std::vector<sqlite3_value*> inputs;
+  std::vector<Hint> hints;
+  RowLimit limit;
+};
+
+/// Sorts the values into inputs, of which the cursor keeps copies, hints and limits. False if some hint is
+/// NULL: then nothing can match. The call reads the originals: SQLite 3.53 crashes when a copy is asked for
+/// its numeric type.
 bool sort_arguments(FunctionCursor& cursor, const FunctionTable& table, const char* plan,
-                    std::span<sqlite3_value*> arguments, std::vector<sqlite3_value*>& inputs,
-                    std::vector<Hint>& hints) {
+                    std::span<sqlite3_value*> values, Arguments& sorted) {
   cursor.lose_rows = 0;
   cursor.inputs.clear();
   cursor.inputs.resize(table.function().inputs.size());
-  inputs.resize(cursor.inputs.size());
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    sqlite3_value* value = arguments[i];
+  sorted.inputs.resize(cursor.inputs.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    sqlite3_value* value = values[i];
     const PlannedArgument planned = planned_argument(plan, i);
+    if (read_row_limit(planned.letters, value, sorted.limit)) continue;
     const bool is_null = sqlite3_value_type(value) == SQLITE_NULL;
     const int input = planned.column - table.output_count();
     if (input < 0) {
       if (is_null) return false;
-      hints.push_back({planned.column, planned.op, value});
+      sorted.hints.push_back({planned.column, planned.op, value});
     } else if (is_null) {
       if (planned.compared_again) cursor.lose_rows |= 1u << input;
     } else {
       OwnedValue copy(sqlite3_value_dup(value));
       if (!copy) throw std::bad_alloc();
       cursor.inputs[static_cast<std::size_t>(input)] = std::move(copy);
-      inputs[static_cast<std::size_t>(input)] = value;
+      sorted.inputs[static_cast<std::size_t>(input)] = value;
     }
   }
   return true;
@@ -131,12 +138,12 @@ int function_filter(sqlite3_vtab_cursor* base, int number, const char* plan, int
     FunctionCursor& cursor = cursor_of(base);
     const FunctionTable& table = table_of(base->pVtab);
     cursor.rows.reset();
-    std::vector<sqlite3_value*> inputs;
-    std::vector<Hint> hints;
+    Arguments sorted;
     const std::span<sqlite3_value*> given(arguments, static_cast<std::size_t>(count));
-    if (!sort_arguments(cursor, table, plan, given, inputs, hints)) return;
-    const Call call(table.function(), *table.registration->connection, inputs, std::move(hints),
-                    planned_outputs(table.function(), number), planned_order(table.function(), number));
+    if (!sort_arguments(cursor, table, plan, given, sorted)) return;
+    const Call call(table.function(), *table.registration->connection, sorted.inputs, std::move(sorted.hints),
+                    planned_outputs(table.function(), number), planned_order(table.function(), number),
+                    sorted.limit);
     cursor.rows = table.function().start(call);
     step(cursor);
   });
