@@ -10,9 +10,13 @@
 // itself; the other methods go from candidates to exact time at once, and the stages between are measured on
 // their pairs.
 //
-// Guarantee: counts depend on the question alone. Seconds are processor time of this thread, taken once a
-// stage and batch of some thousand pairs; the candidates' include the swept boxes and the index. Without
-// objects on either side there are no rows. Cost: the join's, and the stages' that it leaves out.
+// Guarantee: which pairs touch depends on the question alone, and so does whether a test removes a given
+// pair. What an index hands on, and so the counts between, depends a little on the order of the scene's rows
+// too: the grid's cells and places follow a sample. The rows of one table may come in another order after a
+// question by the tree, which needs them leaf by leaf, and after a change of the table. Seconds are processor
+// time of this thread, taken once a stage and batch of some thousand pairs; the candidates' include the swept
+// boxes and the index. Without objects on either side there are no rows. Cost: the join's, and the stages'
+// that it leaves out.
 #pragma once
 
 #include <string>
