@@ -1,5 +1,7 @@
 #include "storage/rows/shadow_rows.h"
 
+#include "storage/rows/store_error.h"
+
 namespace foresee {
 namespace {
 
@@ -47,7 +49,7 @@ std::optional<std::int64_t> one_integer(Statement::Run& run) {
 
 }  // namespace
 
-ShadowRows::ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries) {
+ShadowRows::ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries) : table_(name.table) {
   auto sql = [&](const std::string& text) { return Statement(db, with_names(text, name)); };
   largest_node_ = sql("SELECT max(nodeno) FROM {node}");
   node_by_number_ = sql("SELECT data FROM {node} WHERE nodeno = ?");
@@ -55,7 +57,7 @@ ShadowRows::ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries) 
   all_nodes_ = sql("SELECT nodeno, data FROM {node} ORDER BY nodeno");
   write_node_ = sql("INSERT OR REPLACE INTO {node} VALUES(?, ?)");
   erase_node_ = sql("DELETE FROM {node} WHERE nodeno = ?");
-  node_numbers_ = sql("SELECT nodeno FROM {node}");
+  node_numbers_ = sql("SELECT nodeno FROM {node} ORDER BY nodeno");
   leaf_of_ = sql("SELECT leaf FROM {map} WHERE id = ?");
   largest_id_ = sql("SELECT max(id) FROM {map}");
   count_ = sql("SELECT count(*) FROM {map}");
@@ -77,6 +79,18 @@ ShadowRows::ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries) 
   insert_missing_ = sql("INSERT OR IGNORE INTO {aux}(id) SELECT id FROM {map}");
   for (int i = 0; i < auxiliaries; ++i)
     auxiliary_.push_back(sql(format_sql("SELECT a%d FROM {aux} WHERE id = ?", i)));
+}
+
+std::int64_t ShadowRows::number_after(std::optional<std::int64_t> last, Statement::Run& run,
+                                      const char* suffix) const {
+  const auto damaged = [&](const std::string& what) {
+    throw StoreError(SQLITE_CORRUPT_VTAB, table_ + ": " + table_ + "_" + suffix + " is damaged: " + what);
+  };
+  if (!run.is_integer(0)) damaged("the number of a row is no integer");
+  const std::int64_t number = run.integer(0);
+  if (last && number <= *last)
+    damaged("row " + std::to_string(number) + " comes after row " + std::to_string(*last));
+  return number;
 }
 
 std::int64_t ShadowRows::largest_node() {

@@ -1,6 +1,8 @@
 // Every statement that a store runs on its shadow tables, as plain calls; shadow_schema.h says what they are.
 //
 // Nothing is cached here: each call sees the database as this connection sees it now. Blobs come unchecked.
+// Row numbers are integers, each larger than the one before it, or the call is SQLITE_CORRUPT_VTAB: pages of
+// a damaged file may lead back to one another, and a reader that believes them never ends.
 #pragma once
 
 #include <cstdint>
@@ -35,21 +37,20 @@ class ShadowRows {
     Statement::Run run(nodes_after_);
     run.bind(1, after);
     if (!run.step()) return false;
-    read(run.integer(0), run.blob(1));
+    read(number_after(after, run, "node"), run.blob(1));
     return true;
   }
   /// Calls read(number, blob) with every node by ascending number.
   template <class Read>
   void read_all_nodes(Read read) {
-    Statement::Run run(all_nodes_);
-    while (run.step()) read(run.integer(0), run.blob(1));
+    read_rows(all_nodes_, "node",
+              [&](std::int64_t number, Statement::Run& run) { read(number, run.blob(1)); });
   }
   void write_node(std::int64_t number, std::span<const std::byte> blob);
   void erase_node(std::int64_t number);
   template <class Read>
   void read_node_numbers(Read read) {
-    Statement::Run run(node_numbers_);
-    while (run.step()) read(run.integer(0));
+    read_rows(node_numbers_, "node", [&](std::int64_t number, Statement::Run&) { read(number); });
   }
 
   // --- _map
@@ -58,8 +59,7 @@ class ShadowRows {
   std::int64_t count();
   template <class Read>
   void read_map(Read read) {
-    Statement::Run run(all_ids_);
-    while (run.step()) read(run.integer(0), run.integer(1));
+    read_rows(all_ids_, "map", [&](std::int64_t id, Statement::Run& run) { read(id, run.integer(1)); });
   }
   /// Each id's leaf; 0: the id goes. Fast if the ids ascend.
   void write_map(std::span<const IdTable::Entry> changes);
@@ -73,8 +73,7 @@ class ShadowRows {
   void result_auxiliary(sqlite3_context* context, std::int64_t id, int column);
   template <class Read>
   void read_auxiliary_ids(Read read) {
-    Statement::Run run(auxiliary_ids_);
-    while (run.step()) read(run.integer(0));
+    read_rows(auxiliary_ids_, "aux", [&](std::int64_t id, Statement::Run&) { read(id); });
   }
   /// One row for each object of the map: strays go, missing ones come with NULLs.
   void match_auxiliaries_to_map();
@@ -88,6 +87,16 @@ class ShadowRows {
   void write_root(std::int64_t root);
 
  private:
+  /// Calls read(number, run) with every row; the first column is its number.
+  template <class Read>
+  void read_rows(Statement& statement, const char* suffix, Read read) {
+    Statement::Run run(statement);
+    for (std::optional<std::int64_t> last; run.step(); read(*last, run))
+      last = number_after(last, run, suffix);
+  }
+  std::int64_t number_after(std::optional<std::int64_t> last, Statement::Run& run, const char* suffix) const;
+
+  std::string table_;
   Statement largest_node_, node_by_number_, nodes_after_, all_nodes_, write_node_, erase_node_, node_numbers_;
   Statement leaf_of_, largest_id_, count_, all_ids_, write_map_row_, write_map_rows_, erase_map_row_,
       erase_map_;

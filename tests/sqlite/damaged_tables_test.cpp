@@ -1,0 +1,104 @@
+// Shadow tables that are no longer what foresee made, and pages of a file that point at one another: every
+// statement ends, with an error that names the table.
+#include <array>
+#include <fstream>
+#include <iterator>
+
+#include "database.h"
+
+namespace foresee::testing {
+namespace {
+
+constexpr const char* statements[] = {
+    "SELECT count(*), sum(x) FROM ships",
+    "UPDATE ships SET x = x + 1",
+    "DELETE FROM ships WHERE x > 2",
+    "SELECT count(*) FROM predictive_join(20, 'ships')",
+    "INSERT INTO ships(ships) VALUES('rebuild')",
+    "INSERT INTO ships(ships) VALUES('optimize')",
+    "INSERT INTO ships(ships) VALUES('integrity-check')",
+};
+
+void build(Database& db) {
+  db.exec(
+      "PRAGMA page_size = 512;"
+      "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, r, +name);"
+      "WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 100)"
+      "INSERT INTO ships SELECT i, i % 5, i * 37 % 100, i * 53 % 90, i % 7 - 3, i % 5 - 2, 0.5, 'a' || i "
+      "FROM n");
+}
+
+/// What never ends says "interrupted" here.
+void give_up_in_time(Database& db) {
+  static int calls;
+  calls = 0;
+  sqlite3_progress_handler(
+      db.handle(), 1000, [](void*) { return ++calls > 1000 ? 1 : 0; }, nullptr);
+}
+
+/// Every statement ends with an error; a scan's holds these words.
+void expect_errors(Database& db, const std::string& words) {
+  give_up_in_time(db);
+  for (const char* statement : statements) {
+    const std::string error = db.error_of(statement);
+    EXPECT_NE(error.find("ships"), std::string::npos) << statement << " says '" << error << "'";
+  }
+  EXPECT_NE(db.error_of(statements[0]).find(words), std::string::npos) << db.error_of(statements[0]);
+}
+
+/// Sends every child of a root page to the place of its first one, so that the rows never end.
+void send_all_ways_to_the_first_child(const std::string& path, std::size_t page) {
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  std::array<unsigned char, 512> bytes;
+  const auto place = static_cast<std::streamoff>((page - 1) * bytes.size());
+  file.seekg(place);
+  file.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
+  constexpr unsigned char inner_page = 5;
+  constexpr std::size_t count_at = 3, last_child_at = 8, cells_at = 12;
+  ASSERT_EQ(bytes[0], inner_page);
+  const auto two_bytes = [&](std::size_t at) { return std::size_t{bytes[at]} << 8 | bytes[at + 1]; };
+  const std::size_t first_child = two_bytes(cells_at);
+  std::copy_n(bytes.begin() + first_child, 4, bytes.begin() + last_child_at);
+  for (std::size_t cell = 0; cell < two_bytes(count_at); ++cell)
+    std::copy_n(bytes.begin() + first_child, 4, bytes.begin() + two_bytes(cells_at + 2 * cell));
+  file.seekp(place);
+  file.write(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+}
+
+TEST(DamagedTables, PagesThatLeadBackEndEveryStatement) {
+  for (const std::string table : {"ships_node", "ships_map", "ships_aux"}) {
+    TemporaryFile file;
+    std::size_t root;
+    {
+      Database db(file.path());
+      build(db);
+      root = std::stoul(db.rows("SELECT rootpage FROM sqlite_schema WHERE name = '" + table + "'"));
+    }
+    send_all_ways_to_the_first_child(file.path(), root);
+    Database db(file.path());
+    db.exec("BEGIN");
+    if (table == "ships_node") {
+      expect_errors(db, "ships_node is damaged: row 1 comes after row ");
+    } else {
+      give_up_in_time(db);
+      EXPECT_NE(
+          db.error_of("INSERT INTO ships(ships) VALUES('integrity-check')").find(table + " is damaged: row "),
+          std::string::npos);
+    }
+  }
+}
+
+TEST(DamagedTables, NodeNumbersThatAreNoIntegersEndEveryStatement) {
+  for (const std::string number : {"'a' || nodeno", "nodeno + 0.5", "CAST(nodeno AS TEXT)", "x'00'"}) {
+    Database db;
+    build(db);
+    db.exec(
+        "ALTER TABLE ships_node RENAME TO n; CREATE TABLE ships_node(nodeno, data);"
+        "INSERT INTO ships_node SELECT " +
+        number + ", data FROM n");
+    expect_errors(db, "ships_node is damaged: the number of a row is no integer");
+  }
+}
+
+}  // namespace
+}  // namespace foresee::testing
