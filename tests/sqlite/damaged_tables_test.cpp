@@ -100,5 +100,60 @@ TEST(DamagedTables, NodeNumbersThatAreNoIntegersEndEveryStatement) {
   }
 }
 
+/// A database whose table `ships` is connected anew after `change`, as another program would find it.
+void reopen(const TemporaryFile& file, const std::string& change, const auto& look) {
+  {
+    Database db(file.path());
+    build(db);
+    db.exec(change);
+  }
+  Database db(file.path());
+  give_up_in_time(db);
+  look(db);
+}
+
+TEST(DamagedTables, AViewInPlaceOfAShadowTableIsRefused) {
+  const std::string without_end = "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n) ";
+  for (const auto& [table, rows] : {std::pair{"ships_meta", "SELECT 'key' || i AS key, i AS value FROM n"},
+                                    std::pair{"ships_node", "SELECT i AS nodeno, x'00' AS data FROM n"},
+                                    std::pair{"ships_map", "SELECT i AS id, 1 AS leaf FROM n"},
+                                    std::pair{"ships_aux", "SELECT i AS id, 1 AS a0 FROM n"}}) {
+    const std::string name = table;
+    TemporaryFile file;
+    reopen(file, "DROP TABLE " + name + "; CREATE VIEW " + name + " AS " + without_end + rows,
+           [&](Database& db) {
+             const std::string words = "ships: " + name +
+                                       " is a view, where foresee keeps a table of its own: DROP VIEW " +
+                                       name + ", then DROP TABLE ships";
+             EXPECT_NE(db.error_of("SELECT * FROM ships").find(words), std::string::npos);
+             EXPECT_NE(db.error_of("SELECT * FROM predictive_join(1, 'ships')").find(words),
+                       std::string::npos);
+             db.exec("DROP VIEW " + name + "; DROP TABLE ships");
+             EXPECT_EQ(db.rows("SELECT count(*) FROM sqlite_schema"), "0");
+           });
+  }
+}
+
+TEST(DamagedTables, AVirtualTableInPlaceOfAShadowTableIsRefused) {
+  TemporaryFile file;
+  reopen(file, "DROP TABLE ships_map; CREATE VIRTUAL TABLE ships_map USING moving_objects(id, x)",
+         [](Database& db) {
+           EXPECT_NE(db.error_of("SELECT * FROM ships").find("ships: ships_map is a virtual table, where"),
+                     std::string::npos);
+           db.exec("DROP TABLE ships_map; DROP TABLE ships");
+         });
+}
+
+TEST(DamagedTables, OfALongValueInMetaNoMoreIsReadThanIsExpected) {
+  TemporaryFile file;
+  reopen(file, "UPDATE ships_meta SET value = printf('%.*c', 1000000, 'x') WHERE key = 'columns'",
+         [](Database& db) {
+           const std::string error = db.error_of("SELECT * FROM ships");
+           EXPECT_NE(error.find("ships: stored with the columns (xxxx"), std::string::npos);
+           EXPECT_NE(error.find("but declared with (id, t, x, y, vx, vy, r, +name)"), std::string::npos);
+           EXPECT_LT(error.size(), 2000u);
+         });
+}
+
 }  // namespace
 }  // namespace foresee::testing

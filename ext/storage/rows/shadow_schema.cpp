@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstring>
-#include <map>
 #include <span>
 
 #include "shape/shapes.h"
@@ -58,18 +57,38 @@ class MetaWriter {
   Statement insert_;
 };
 
-// Every row of _meta as text.
-std::map<std::string, std::string> read_meta(sqlite3* db, const QualifiedName& name) {
-  Statement select(
-      db, format_sql("SELECT key, value FROM \"%w\".\"%w_meta\"", name.schema.c_str(), name.table.c_str()));
-  Statement::Run run(select);
-  std::map<std::string, std::string> meta;
-  while (run.step()) meta[run.text(0)] = run.text(1);
-  return meta;
-}
-
 [[noreturn]] void refuse(int code, const QualifiedName& name, const std::string& what) {
   throw StoreError(code, name.table + ": " + what);
+}
+
+/// What _meta says under a key, as text; "" where it says nothing. Of a text that is longer than `most` only
+/// the beginning: who reads it compares it with what is shorter.
+std::string read_meta(sqlite3* db, const QualifiedName& name, const char* key, std::size_t most = 100) {
+  Statement select(
+      db, format_sql("SELECT substr(value, 1, %lld) FROM \"%w\".\"%w_meta\" WHERE key = %Q",
+                     static_cast<sqlite3_int64>(most), name.schema.c_str(), name.table.c_str(), key));
+  Statement::Run run(select);
+  return run.step() ? run.text(0) : "";
+}
+
+/// A view or a virtual table may have rows without end, and run what it likes. A table that is missing says
+/// so where it is read.
+void require_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration) {
+  std::string sql = format_sql(
+      "SELECT name, type = 'view' FROM \"%w\".sqlite_schema WHERE type IN ('table', 'view') "
+      "AND coalesce(rootpage, 0) <= 0 AND name COLLATE NOCASE IN (''",
+      name.schema.c_str());
+  for (const char* suffix : suffixes_of(declaration))
+    sql += format_sql(", '%q_%s'", name.table.c_str(), suffix);
+  Statement no_tables(db, sql + ")");
+  Statement::Run run(no_tables);
+  if (!run.step()) return;
+  const std::string shadow = run.text(0);
+  const bool is_view = run.integer(1) != 0;
+  refuse(SQLITE_CORRUPT_VTAB, name,
+         shadow + " is a " + (is_view ? "view" : "virtual table") +
+             ", where foresee keeps a table of its own: DROP " + (is_view ? "VIEW " : "TABLE ") + shadow +
+             ", then DROP TABLE " + name.table + " or restore what was there");
 }
 
 }  // namespace
@@ -123,17 +142,19 @@ NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const De
 }
 
 NodeFormat read_node_format(sqlite3* db, const QualifiedName& name, const Declaration& declaration) {
-  std::map<std::string, std::string> meta = read_meta(db, name);
-  const std::string version = std::to_string(NodeFormat::version);
-  if (meta["format"] != version)
+  require_tables(db, name, declaration);
+  const std::string version = std::to_string(NodeFormat::version), format = read_meta(db, name, "format");
+  if (format != version)
     refuse(SQLITE_ERROR, name,
-           "stored in format '" + meta["format"] + "'; this version of foresee reads format " + version +
+           "stored in format '" + format + "'; this version of foresee reads format " + version +
                ". Copy the table with the version that wrote it (CREATE TABLE copy AS SELECT * FROM " +
                name.table + "), drop it, make it anew and insert the copy");
-  if (const std::string columns = describe_columns(declaration); meta["columns"] != columns)
+  const std::string declared = describe_columns(declaration);
+  if (const std::string columns = read_meta(db, name, "columns", 2 * declared.size() + 1000);
+      columns != declared)
     refuse(SQLITE_CORRUPT_VTAB, name,
-           "stored with the columns (" + meta["columns"] + ") but declared with (" + columns + ")");
-  const std::string& stored = meta["node_size"];
+           "stored with the columns (" + columns + ") but declared with (" + declared + ")");
+  const std::string stored = read_meta(db, name, "node_size");
   constexpr std::size_t largest_page = 65536;
   for (std::size_t page = 512; page <= largest_page; page *= 2)
     if (const std::size_t size = NodeFormat::node_size_for(declaration.layout, page);

@@ -34,7 +34,8 @@ std::string describe_columns(const Declaration& declaration);
 NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
 
 /// The nodes' format of an existing table. Throws StoreError if the shadow tables were written for another
-/// declaration or by a version of foresee that this one does not understand.
+/// declaration or by a version of foresee that this one does not understand, or if one of them is no table.
+/// Cost: one scan of sqlite_schema, three look-ups in _meta, and bounded memory, whatever they hold.
 NodeFormat read_node_format(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
 
 void rename_shadow_tables(sqlite3* db, const QualifiedName& name, const std::string& new_table,
