@@ -20,7 +20,7 @@ std::string with_names(const std::string& sql, const QualifiedName& name) {
 }
 
 // A statement of 16 rows costs half as much a row as one of a single row; more rows gain nothing.
-constexpr std::size_t map_rows = 16;
+constexpr std::size_t map_rows = 16, map_columns = 2;
 
 std::string write_map_sql(std::size_t rows) {
   std::string sql = "INSERT OR REPLACE INTO {map} VALUES(?, ?)";
@@ -34,11 +34,11 @@ std::string insert_auxiliaries_sql(int columns) {
   return sql + ")";
 }
 
-// Two parameters a column: 1 if it keeps its value, and the new value.
+// ?3 has a digit a column: 1 if it keeps its value, else the new one follows.
 std::string update_auxiliaries_sql(int columns) {
   std::string sql = "UPDATE OR REPLACE {aux} SET id = ?2";
   for (int i = 0; i < columns; ++i)
-    sql += format_sql(", a%d = CASE WHEN ?%d THEN a%d ELSE ?%d END", i, 2 * i + 3, i, 2 * i + 4);
+    sql += format_sql(", a%d = CASE WHEN substr(?3, %d, 1) = '1' THEN a%d ELSE ?%d END", i, i + 1, i, i + 4);
   return sql + " WHERE id = ?1";
 }
 
@@ -49,7 +49,8 @@ std::optional<std::int64_t> one_integer(Statement::Run& run) {
 
 }  // namespace
 
-ShadowRows::ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries) : table_(name.table) {
+ShadowRows::ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries)
+    : db_(db), table_(name.table) {
   auto sql = [&](const std::string& text) { return Statement(db, with_names(text, name)); };
   largest_node_ = sql("SELECT max(nodeno) FROM {node}");
   node_by_number_ = sql("SELECT data FROM {node} WHERE nodeno = ?");
@@ -79,6 +80,19 @@ ShadowRows::ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries) 
   insert_missing_ = sql("INSERT OR IGNORE INTO {aux}(id) SELECT id FROM {map}");
   for (int i = 0; i < auxiliaries; ++i)
     auxiliary_.push_back(sql(format_sql("SELECT a%d FROM {aux} WHERE id = ?", i)));
+}
+
+std::size_t ShadowRows::variables() const {
+  return static_cast<std::size_t>(sqlite3_limit(db_, SQLITE_LIMIT_VARIABLE_NUMBER, -1));
+}
+
+/// SQLite's own message would speak of SQL that nobody has written.
+void ShadowRows::require_variables(std::size_t needed) const {
+  if (needed > variables())
+    throw StoreError(SQLITE_ERROR,
+                     table_ + ": to write its auxiliary columns takes " + std::to_string(needed) +
+                         " SQL variables, and this connection allows " + std::to_string(variables()) +
+                         "; raise SQLITE_LIMIT_VARIABLE_NUMBER, or declare fewer columns");
 }
 
 std::int64_t ShadowRows::number_after(std::optional<std::int64_t> last, Statement::Run& run,
@@ -129,6 +143,8 @@ std::int64_t ShadowRows::count() {
 }
 
 void ShadowRows::write_map(std::span<const IdTable::Entry> changes) {
+  // Whoever reads hostile SQL may have set a limit as low as 10.
+  const std::size_t together = variables() < map_rows * map_columns ? 1 : map_rows;
   std::vector<IdTable::Entry> waiting;
   waiting.reserve(map_rows);
   const auto write = [&](Statement& statement, std::span<const IdTable::Entry> rows) {
@@ -148,8 +164,8 @@ void ShadowRows::write_map(std::span<const IdTable::Entry> changes) {
       continue;
     }
     waiting.push_back(change);
-    if (waiting.size() < map_rows) continue;
-    write(write_map_rows_, waiting);
+    if (waiting.size() < together) continue;
+    write(together == 1 ? write_map_row_ : write_map_rows_, waiting);
     waiting.clear();
   }
   for (const IdTable::Entry& change : waiting) write(write_map_row_, {&change, 1});
@@ -160,6 +176,7 @@ void ShadowRows::erase_map() {
 }
 
 void ShadowRows::insert_auxiliaries(std::int64_t id, std::span<sqlite3_value*> values) {
+  require_variables(1 + values.size());
   Statement::Run run(insert_auxiliaries_);
   run.bind(1, id);
   for (std::size_t i = 0; i < values.size(); ++i) run.bind(static_cast<int>(i) + 2, values[i]);
@@ -170,15 +187,17 @@ void ShadowRows::update_auxiliaries(std::int64_t id, std::int64_t new_id, std::s
   bool changes = id != new_id;
   for (sqlite3_value* value : values) changes |= !sqlite3_value_nochange(value);
   if (!changes) return;
+  require_variables(3 + values.size());
   Statement::Run run(update_auxiliaries_);
   run.bind(1, id);
   run.bind(2, new_id);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const int place = 2 * static_cast<int>(i) + 3;
-    const bool keep = sqlite3_value_nochange(values[i]);
-    run.bind(place, std::int64_t{keep});
-    if (!keep) run.bind(place + 1, values[i]);
-  }
+  std::string keeps(values.size(), '0');
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (sqlite3_value_nochange(values[i]))
+      keeps[i] = '1';
+    else
+      run.bind(static_cast<int>(i) + 4, values[i]);
+  run.bind(3, keeps);
   run.step();
 }
 

@@ -96,6 +96,10 @@ class ShadowRows {
   }
   std::int64_t number_after(std::optional<std::int64_t> last, Statement::Run& run, const char* suffix) const;
 
+  std::size_t variables() const;
+  void require_variables(std::size_t needed) const;
+
+  sqlite3* db_;
   std::string table_;
   Statement largest_node_, node_by_number_, nodes_after_, all_nodes_, write_node_, erase_node_, node_numbers_;
   Statement leaf_of_, largest_id_, count_, all_ids_, write_map_row_, write_map_rows_, erase_map_row_,
