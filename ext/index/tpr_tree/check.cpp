@@ -1,6 +1,8 @@
+#include <algorithm>
 #include <set>
 
 #include "base/axes.h"
+#include "base/steps.h"
 #include "index/tpr_tree/node.h"
 #include "index/tpr_tree/tpr_tree.h"
 
@@ -16,6 +18,7 @@ class TreeCheck {
 
   TreeReport run() {
     if (pages_.root() != 0) visit(pages_.root(), 0, -1);
+    find_objects_held_twice();
     return std::move(report_);
   }
 
@@ -23,6 +26,11 @@ class TreeCheck {
   struct Above {
     Entry<D> entry;
     double epoch;
+  };
+
+  struct Place {
+    std::int64_t id;
+    NodeNumber leaf;
   };
 
   void problem(NodeNumber number, const std::string& what) {
@@ -74,11 +82,22 @@ class TreeCheck {
     report_.objects += leaf.size();
     for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
       const std::int64_t id = leaf.keys[slot];
-      if (!ids_.insert(id).second) problem(number, "holds object " + std::to_string(id) + " again");
+      places_.push_back({id, number});
       if (pages_.leaf_of(id) != number)
         problem(number, "is not where the map has object " + std::to_string(id));
       check_bounds(number, id, Mover<D>(reader_, reader_.record(leaf, slot)));
     }
+  }
+
+  void find_objects_held_twice() {
+    Steps step(interrupt_);
+    std::sort(places_.begin(), places_.end(), [&](const Place& a, const Place& b) {
+      step();
+      return a.id != b.id ? a.id < b.id : a.leaf < b.leaf;
+    });
+    for (std::size_t i = 1; i < places_.size(); step(), ++i)
+      if (places_[i - 1].id == places_[i].id)
+        problem(places_[i].leaf, "holds object " + std::to_string(places_[i].id) + " again");
   }
 
   /// Bounds that contain position, velocity and acceleration at the epoch contain the object at every moment.
@@ -109,7 +128,7 @@ class TreeCheck {
   TreeReport report_;
   std::vector<Above> above_;
   std::set<NodeNumber> nodes_;
-  std::set<std::int64_t> ids_;
+  std::vector<Place> places_;  ///< of every object
 };
 
 }  // namespace

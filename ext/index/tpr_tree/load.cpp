@@ -1,5 +1,6 @@
 #include "index/tpr_tree/load.h"
 
+#include "base/steps.h"
 #include "index/tpr_tree/order.h"
 
 namespace foresee {
@@ -103,7 +104,8 @@ void free_all(Pages& pages, Interrupt& interrupt) {
       all.push_back(unread_child(number, *node, slot));
   }
   pages.set_root(0);
-  for (const Unread& node : all) pages.free(node.number);
+  Steps step(interrupt);
+  for (const Unread& node : all) step(), pages.free(node.number);
 }
 
 template <int D>

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "base/steps.h"
+
 namespace foresee {
 namespace {
 
@@ -25,6 +27,7 @@ class LeafOrder {
         records_(records),
         levels_(levels),
         interrupt_(interrupt),
+        step_(interrupt),
         items_(records.size() / state.reader.record_size()) {}
 
   std::vector<std::uint32_t> order() {
@@ -33,7 +36,7 @@ class LeafOrder {
     halve(0, plain_leaves);
     halve(plain_leaves, levels_[0]);
     std::vector<std::uint32_t> order(items_.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = items_[i].index;
+    for (std::size_t i = 0; i < order.size(); step_(), ++i) order[i] = items_[i].index;
     return order;
   }
 
@@ -66,7 +69,7 @@ class LeafOrder {
                      sample.end());
     const float most = 16 * sample[sample.size() / 2];
     const auto end = std::partition(items_.begin(), items_.end(),
-                                    [&](const Item<D>& item) { return reach_[item.index] <= most; });
+                                    [&](const Item<D>& item) { return step_(), reach_[item.index] <= most; });
     return static_cast<std::size_t>(end - items_.begin());
   }
 
@@ -78,7 +81,8 @@ class LeafOrder {
       const auto begin = items_.begin() + object(first), nth = items_.begin() + object(middle),
                  end = items_.begin() + object(last);
       const std::size_t along = widest(object(first), object(last));
-      std::nth_element(begin, nth, end, [along](const Item<D>& a, const Item<D>& b) {
+      std::nth_element(begin, nth, end, [this, along](const Item<D>& a, const Item<D>& b) {
+        step_();
         return a.place[along] < b.place[along];
       });
       halve(first, middle);
@@ -130,6 +134,7 @@ class LeafOrder {
   std::span<const double> records_;
   const std::vector<std::size_t>& levels_;
   Interrupt& interrupt_;
+  Steps step_;
   std::vector<Item<D>> items_;
   std::vector<float> reach_;  ///< how far an object sticks out over the horizon, by record
 };

@@ -1,6 +1,7 @@
 #include "index/tpr_tree/tpr_tree.h"
 
 #include "base/axes.h"
+#include "base/steps.h"
 #include "index/tpr_tree/grow.h"
 #include "index/tpr_tree/load.h"
 #include "index/tpr_tree/repack.h"
@@ -51,7 +52,8 @@ class Tree final : public TprTree {
     std::vector<std::int64_t> old_ids;
     std::vector<double> old_records;
     collect_objects(state_.pages, old_ids, old_records, interrupt);
-    for (const std::int64_t id : old_ids) state_.pages.forget(id);
+    Steps step(interrupt);
+    for (const std::int64_t id : old_ids) step(), state_.pages.forget(id);
     free_all(state_.pages, interrupt);
     state_.clock = {};
     load_tree(state_, ids, records, interrupt);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/steps.h"
 #include "index/tpr_tree/tpr_tree.h"
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
@@ -20,11 +21,11 @@ class Check {
  public:
   Check(ShadowRows& rows, NodeCache& cache, const NodeFormat& format, const QualifiedName& name,
         Interrupt& interrupt)
-      : rows_(rows), cache_(cache), format_(format), name_(name), interrupt_(interrupt) {}
+      : rows_(rows), cache_(cache), format_(format), name_(name), interrupt_(interrupt), step_(interrupt) {}
 
   void nodes() {
     rows_.read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
-      pause();
+      interrupt_.check();
       ++nodes_;
       if (const char* fault = cache_.fault(number, blob))
         return say("node " + std::to_string(number) + " is damaged: " + fault);
@@ -32,20 +33,22 @@ class Check {
       const LeafView leaf(format_, blob);
       for (int i = 0; i < leaf.count(); ++i) objects_.push_back({leaf.id(i), number});
     });
-    std::sort(objects_.begin(), objects_.end(),
-              [](const Entry& a, const Entry& b) { return a.id != b.id ? a.id < b.id : a.leaf < b.leaf; });
-    for (std::size_t i = 1; i < objects_.size(); ++i)
+    std::sort(objects_.begin(), objects_.end(), [this](const Entry& a, const Entry& b) {
+      step_();
+      return a.id != b.id ? a.id < b.id : a.leaf < b.leaf;
+    });
+    for (std::size_t i = 1; i < objects_.size(); step_(), ++i)
       if (objects_[i - 1].id == objects_[i].id)
         say(object(objects_[i].id) + " is in nodes " + std::to_string(objects_[i - 1].leaf) + " and " +
             std::to_string(objects_[i].leaf));
-    const auto same_id = [](const Entry& a, const Entry& b) { return a.id == b.id; };
+    const auto same_id = [this](const Entry& a, const Entry& b) { return step_(), a.id == b.id; };
     objects_.erase(std::unique(objects_.begin(), objects_.end(), same_id), objects_.end());
   }
 
   void map() {
     std::size_t next = 0;
     rows_.read_map([&](std::int64_t id, std::int64_t leaf) {
-      pause();
+      step_();
       for (; next < objects_.size() && objects_[next].id < id; ++next) not_in("map", objects_[next]);
       if (next == objects_.size() || objects_[next].id != id)
         return say("the map sends " + object(id) + " to node " + std::to_string(leaf) +
@@ -61,7 +64,7 @@ class Check {
   void auxiliaries() {
     std::size_t next = 0;
     rows_.read_auxiliary_ids([&](std::int64_t id) {
-      pause();
+      step_();
       for (; next < objects_.size() && objects_[next].id < id; ++next)
         not_in("auxiliary columns", objects_[next]);
       if (next == objects_.size() || objects_[next].id != id)
@@ -101,19 +104,16 @@ class Check {
   void say(const std::string& fault) {
     if (faults_.size() < most_faults) faults_.push_back(name_.table + ": " + fault);
   }
-  void pause() {
-    if (++steps_ % 1024 == 0) interrupt_.check();
-  }
 
   ShadowRows& rows_;
   NodeCache& cache_;
   const NodeFormat& format_;
   const QualifiedName& name_;
   Interrupt& interrupt_;
+  Steps step_;
   std::vector<Entry> objects_;  // where each object is, by id
   std::vector<std::string> faults_;
   std::size_t nodes_ = 0;
-  std::size_t steps_ = 0;
 };
 
 }  // namespace
