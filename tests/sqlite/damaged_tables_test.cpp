@@ -155,5 +155,19 @@ TEST(DamagedTables, OfALongValueInMetaNoMoreIsReadThanIsExpected) {
          });
 }
 
+TEST(DamagedTables, WhoReadsAllObjectsCountsThemAgainstTheMap) {
+  const std::string words = "ships: the leaves hold 100 objects, the map 99";
+  for (const char* statement :
+       {"SELECT count(*) FROM ships", "UPDATE ships SET x = 1", "DELETE FROM ships WHERE x > 50",
+        "SELECT count(*) FROM predictive_join(20, 'ships', 0, NULL, 0, 'grid')",
+        "SELECT count(*) FROM predictive_join(20, 'ships', 0, NULL, 0, 'tree')"}) {
+    TemporaryFile file;
+    reopen(file, "DELETE FROM ships_map WHERE id = 7", [&](Database& db) {
+      EXPECT_NE(db.error_of(statement).find(words), std::string::npos) << statement;
+      EXPECT_EQ(db.rows("SELECT id FROM ships WHERE id = 8"), "8");
+    });
+  }
+}
+
 }  // namespace
 }  // namespace foresee::testing

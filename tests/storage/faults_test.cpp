@@ -84,6 +84,20 @@ TEST_F(Faults, AStampThatCannotBeWrittenStopsTheChange) {
   commit(db, *store);
 }
 
+TEST_F(Faults, AFirstChangeThatFailsIsNotTakenForTheCommit) {
+  forbid("INSERT", "aux");
+  begin(db, *store);
+  expect_forbidden([&] { store->insert(101, ship(1), values); });
+  const ContentVersion before_any_change = store->version();
+  allow();
+  store->insert(101, ship(1), values);
+  commit(db, *store);
+  begin(db, *store);
+  store->erase(1);
+  roll_back(db, *store);
+  EXPECT_NE(store->version(), before_any_change);
+}
+
 TEST_F(Faults, AnAuthorizerThatSaysNoIsAnErrorNotACrash) {
   // No statement of the new store is compiled yet, so each meets the authorizer.
   store = nullptr;
@@ -134,11 +148,11 @@ std::vector<double> box(double x) {
   return {0, x, 1, 2, 0, 0, 0, 0, 0, 0, 1, 1, 1, 9};
 }
 
-std::shared_ptr<Store> store_with(Database& db, CacheLimits limits) {
+std::shared_ptr<Store> store_with(Database& db, MemoryLimits limits) {
   static const QualifiedName name{"main", "ships"};
   db.run("BEGIN IMMEDIATE");
-  auto store =
-      std::make_shared<Store>(db, name, boxes(), create_shadow_tables(db, name, boxes()), true, limits);
+  auto store = std::make_shared<Store>(db, name, boxes(), create_shadow_tables(db, name, boxes()), true,
+                                       std::make_shared<MemoryBudget>(limits));
   commit(db, *store);
   return store;
 }

@@ -7,16 +7,20 @@
 namespace foresee {
 namespace {
 
-class NodeCacheTest : public ::testing::Test {
+class NodeCacheTest : public ::testing::Test, MemoryHolder {
  protected:
   NodeCacheTest()
       : format((db.run("BEGIN IMMEDIATE"), create_shadow_tables(db, name, ships()))),
         rows(db, name, 0),
-        cache(format, name, {.memory = 2 * format.node_size, .waiting = 4 * format.node_size}) {
+        budget({.memory = 2 * format.node_size, .waiting = 4 * format.node_size}),
+        share(budget, *this),
+        cache(format, name, share) {
     cache.connect(rows);
     cache.begin();
   }
 
+  void write_out() override {}
+  void drop_nodes(bool all) override { cache.drop_nodes(all); }
   static Node leaf(std::int64_t id) { return {.keys = {id}, .values = ship(static_cast<double>(id))}; }
   NodeNumber add(std::int64_t id) {
     const NodeNumber number = cache.allocate();
@@ -28,7 +32,10 @@ class NodeCacheTest : public ::testing::Test {
   QualifiedName name{"main", "ships"};
   NodeFormat format;
   ShadowRows rows;
+  MemoryBudget budget;
+  MemoryShare share;
   NodeCache cache;
+  NeverInterrupt never;
 };
 
 TEST_F(NodeCacheTest, ACancelledCallThatHadWrittenLosesNothingThatASavepointSaw) {
@@ -46,7 +53,7 @@ TEST_F(NodeCacheTest, ACancelledCallThatHadWrittenLosesNothingThatASavepointSaw)
   cache.restore(mark, 0);
   EXPECT_EQ(cache.read(number)->keys, std::vector<std::int64_t>{1});
   cache.give_up(mark);
-  cache.write();
+  cache.write(never);
   db.run("COMMIT");
   cache.commit();
   cache.forget_all();
@@ -58,7 +65,7 @@ TEST_F(NodeCacheTest, ACancelledRecordIsAsItWasAlsoIfItsLeafChangedLater) {
   for (const bool is_stored : {false, true})
     for (const bool leaf_changes : {false, true}) {
       const NodeNumber number = add(1);
-      if (is_stored) cache.write();
+      if (is_stored) cache.write(never);
       const std::vector<double> before = cache.read(number)->values;
       cache.begin_call();
       cache.modify_record(number, 0)[1] = 77;
@@ -91,7 +98,7 @@ TEST_F(NodeCacheTest, NamesWhatWaitsInOrder) {
   EXPECT_EQ(cache.next_waiting(second, third), 0);
   EXPECT_EQ(cache.next_waiting(third, 1'000'000'000'000), 0);
   cache.end_call();
-  cache.write();
+  cache.write(never);
   EXPECT_EQ(cache.next_waiting(0, none), 0);
   cache.begin_call();
   cache.free(second);

@@ -129,6 +129,16 @@ TEST_F(TreeDamage, ARootThatIsNotTheRoot) {
   }
 }
 
+TEST_F(TreeDamage, NoRootDemandsAnEmptyMap) {
+  db.run("UPDATE ships_meta SET value = 0 WHERE key = 'root'");
+  store = nullptr;
+  store = ObjectStore::open(db, "main", "ships", ships());
+  expect_store_error(SQLITE_CORRUPT_VTAB, "ships: there is no root, but the map has objects",
+                     [&] { store->snapshot(); });
+  expect_store_error(SQLITE_CORRUPT_VTAB, "ships: there is no root", [&] { store->newest_t(); });
+  expect_found_and_mended("there is no root");
+}
+
 TEST_F(TreeDamage, ReadersAndWritersGetAnErrorAndChangeNothing) {
   change(root, [](Node& n) { std::iota(n.keys.begin(), n.keys.end(), 4444); });
   db.run("UPDATE ships_meta SET value = random() WHERE key = 'stamp'");

@@ -20,6 +20,7 @@ void TableCursor::clear() {
   records_.clear();
   position_ = 0;
   leaf_ = 0;
+  found_ = 0;
   by_leaf_ = handle_ = aborted_ = false;
 }
 
@@ -66,10 +67,10 @@ void TableCursor::next_leaf() {
     records_.clear();
     leaf_ = table_.store().next_leaf(leaf_, ids_, records_);
   } while (leaf_ != 0 && ids_.empty());
-  if (leaf_ == 0) {
-    ids_.clear();
-    by_leaf_ = false;
-  }
+  found_ += ids_.size();
+  if (leaf_ != 0) return;
+  by_leaf_ = false;
+  table_.store().expect_objects(found_);
 }
 
 void TableCursor::next() {
@@ -99,9 +100,11 @@ void TableCursor::keep_ids() {
   std::vector<double> records;
   for (std::int64_t leaf = leaf_; (leaf = table_.store().next_leaf(leaf, ids, records)) != 0;) {
     rest.insert(rest.end(), ids.begin(), ids.end());
+    found_ += ids.size();
     ids.clear();
     records.clear();
   }
+  table_.store().expect_objects(found_);
   const std::size_t size = records_.size() / ids_.size();
   records.assign(records_.begin() + static_cast<std::ptrdiff_t>(position_ * size),
                  records_.begin() + static_cast<std::ptrdiff_t>((position_ + 1) * size));

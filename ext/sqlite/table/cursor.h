@@ -42,8 +42,9 @@ class TableCursor : public sqlite3_vtab_cursor {
   std::vector<double> records_;  ///< of all ids_, or when not by_leaf_ of the one at position_
   std::size_t position_ = 0;
   std::int64_t leaf_ = 0;
-  bool by_leaf_ = false;  ///< more leaves may follow
-  bool handle_ = false;   ///< the one row holds the table's number
+  std::size_t found_ = 0;  ///< objects of all leaves so far
+  bool by_leaf_ = false;   ///< more leaves may follow
+  bool handle_ = false;    ///< the one row holds the table's number
   bool aborted_ = false;
 };
 

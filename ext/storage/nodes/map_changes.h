@@ -35,7 +35,8 @@ class MapChanges {
   bool waits() const { return leaves_.size() != 0 || stored_is_void_; }
   /// Bytes more than after the last write: what writing again would make worth its while.
   std::size_t memory() const { return held() - held_after_writing_; }
-  std::vector<IdTable::Entry> sorted() const { return leaves_.sorted(); }
+  /// All that waits, in no order.
+  std::vector<IdTable::Entry> waiting() const { return leaves_.known(); }
   /// All that waited is in the stored map now. `may_rewind`: somebody may go back to before.
   void written(bool may_rewind);
 
@@ -43,6 +44,7 @@ class MapChanges {
   void rewind(std::size_t position) noexcept;
   void forget_log() noexcept {
     log_.clear();
+    began_with_nothing_ = !waits();
     held_after_writing_ = std::min(held_after_writing_, held());
   }
   /// After a commit, or after a rollback of everything.
@@ -55,6 +57,7 @@ class MapChanges {
   IdTable leaves_;
   bool stored_is_void_ = false;
   std::vector<IdTable::Entry> log_;  // what was known before, oldest first
+  bool began_with_nothing_ = true;   // when the log was empty nothing waited
   std::size_t held_after_writing_ = 0;
 };
 

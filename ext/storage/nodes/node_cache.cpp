@@ -27,6 +27,7 @@ NodeNumber NodeCache::root() {
   if (head_.root == TreeHead::unknown) {
     const std::optional<std::int64_t> stored = rows_->root();
     if (!stored || *stored < 0) damaged("the root is no node");
+    if (*stored == 0 && !rows_->map_is_empty()) damaged("there is no root, but the map has objects");
     head_.root = *stored;
   }
   return head_.root;
@@ -45,6 +46,12 @@ NodeCache::Slot* NodeCache::in_memory(NodeNumber number) {
   return slot->state.node ? slot : nullptr;
 }
 
+/// Where there is none for one more node.
+void NodeCache::make_room() {
+  note_memory();
+  share_.budget().evict();
+}
+
 NodeCache::Slot& NodeCache::fetch(NodeNumber number) {
   if (Slot* slot = in_memory(number)) {
     slot->used = use_;
@@ -52,7 +59,7 @@ NodeCache::Slot& NodeCache::fetch(NodeNumber number) {
   }
   const auto found = slots_.find(number);
   const bool gone = found != slots_.end() && found->second.state.dirty;
-  if (!gone) evict();
+  if (!gone) make_room();
   std::shared_ptr<Node> node;
   if (!gone)
     rows_->read_node(number, [&](std::span<const std::byte> blob) {
@@ -203,10 +210,11 @@ void NodeCache::put(NodeNumber number, Node node) {
   slot.state.node = std::move(shared);
   slot.learned = false;
   set_dirty(slot, true);
-  if (dirty_ * format_.node_size > limits_.waiting) {
+  note_memory();
+  if (share_.budget().too_many_nodes_wait()) {
     hand_call_to_marks();
     write_nodes();
-    evict();
+    make_room();
   }
 }
 

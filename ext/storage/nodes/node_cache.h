@@ -4,11 +4,11 @@
 //   cache.forget_all();                      // another connection has changed the table
 //   auto tree = make_tpr_tree(cache, 60);    // index/pages.h says what a tree may do with its pages
 //   cache.begin_call(); tree->insert(…); cache.end_call();       // or cancel_call(): as if nothing was
-//   cache.write();                           // everything that waits
+//   cache.write(interrupt);                  // everything that waits
 //
-// Nodes that were read stay, within `CacheLimits`, for as long as the stamp says that nothing changed. Old
-// states live in marks.h: savepoints, snapshots, and the call in progress. A node is copied before it changes
-// only while somebody holds it as it was; for the call alone one record is enough.
+// Nodes that were read stay, within the connection's memory_budget.h, for as long as the stamp says that
+// nothing changed. Old states live in marks.h: savepoints, snapshots, and the call in progress. A node is
+// copied before it changes only while somebody holds it as it was; for the call alone one record is enough.
 //
 // Rows are hostile: a node without fault by leaf_fault() or inner_fault() is believed by itself, what nodes
 // say about one another is not.
@@ -19,23 +19,16 @@
 #include "storage/nodes/leaf_hints.h"
 #include "storage/nodes/map_changes.h"
 #include "storage/nodes/marks.h"
+#include "storage/nodes/memory_budget.h"
 #include "storage/rows/shadow_rows.h"
 
 namespace foresee {
 
-struct CacheLimits {
-  std::size_t loose = 128 << 20;   ///< bytes of objects that wait to be bulk loaded (in a Store)
-  std::size_t memory = 128 << 20;  ///< bytes of nodes that are kept, or of changes that wait, roughly
-  /// … of nodes that wait while one call puts many. What waits can be taken back, so that whoever interrupts
-  /// a question loses nothing: room for as many new objects as may be loose, not for a large old tree beside.
-  std::size_t waiting = 128 << 20;
-};
-
 class NodeCache final : public Pages {
  public:
-  /// `name` is what messages call the table; it must outlive the cache.
-  NodeCache(const NodeFormat& format, const QualifiedName& name, const CacheLimits& limits = {})
-      : format_(format), name_(name), limits_(limits) {}
+  /// `name` is what messages call the table; it and the share must outlive the cache.
+  NodeCache(const NodeFormat& format, const QualifiedName& name, MemoryShare& share)
+      : format_(format), name_(name), share_(share) {}
   /// Where the rows are from now on.
   void connect(ShadowRows& rows) { rows_ = &rows; }
 
@@ -61,10 +54,14 @@ class NodeCache final : public Pages {
   /// Nodes and root will be read from the rows again. Requires: nothing waits.
   void forget_clean();
   bool waits() const { return dirty_ > 0 || map_.waits() || head_.root_dirty; }
-  /// So much waits that it should be written before more comes.
-  bool is_full() const { return dirty_ * format_.node_size + map_.memory() > limits_.memory; }
+  /// Tells the share what is held.
+  void note_memory() noexcept {
+    share_.hold_nodes(dirty_ * format_.node_size, map_.memory(), slots_.size() * format_.node_size);
+  }
+  /// Nodes that can be read again go: those not used since the last time, or all.
+  void drop_nodes(bool all);
   /// Writes all that waits: nodes by number, then the map by id, then the root.
-  void write();
+  void write(Interrupt& interrupt);
   /// A node that is not as its row says: the node, or null if it is gone. Nothing: the row is right.
   std::optional<std::shared_ptr<const Node>> waiting(NodeNumber number) const;
   /// The first node between `after` and `before` (both excluded) that waits; 0: there is none.
@@ -118,12 +115,12 @@ class NodeCache final : public Pages {
   const std::vector<NodeNumber>& waiting_numbers();
   void write_nodes();
   void hand_call_to_marks();
-  void evict();
+  void make_room();
   void drop_unused(std::uint64_t before);
 
   NodeFormat format_;
   const QualifiedName& name_;
-  CacheLimits limits_;
+  MemoryShare& share_;
   ShadowRows* rows_ = nullptr;
 
   std::unordered_map<NodeNumber, Slot> slots_;
@@ -134,8 +131,7 @@ class NodeCache final : public Pages {
   LeafHints hints_;
   std::optional<std::pair<std::int64_t, std::int64_t>> last_found_;  ///< id and leaf as the rows say
   std::size_t dirty_ = 0;
-  std::uint64_t use_ = 1;     ///< moves with every eviction
-  std::size_t evict_at_ = 0;  ///< slots
+  std::uint64_t use_ = 1;  ///< moves whenever nodes that were not used are dropped
 
   Marks marks_;
   std::uint64_t moment_ = 1;  ///< moves with every mark and call

@@ -1,6 +1,7 @@
 // Out of memory: what leaves because there is no room, and what is written.
 #include <algorithm>
 
+#include "base/steps.h"
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
 #include "storage/nodes/node_cache.h"
@@ -9,14 +10,11 @@ namespace foresee {
 
 // --- memory
 
-void NodeCache::evict() {
-  const std::size_t most = limits_.memory / format_.node_size;
-  if (slots_.size() < std::max(most, evict_at_)) return;
-  drop_unused(use_);
-  if (slots_.size() > most / 2) drop_unused(use_ + 1);
+void NodeCache::drop_nodes(bool all) {
+  drop_unused(all ? use_ + 1 : use_);
   ++use_;
-  evict_at_ = slots_.size() + most / 8;
   if (marks_.snapshots() == 0) marks_.drop_stored();
+  note_memory();
 }
 
 void NodeCache::drop_unused(std::uint64_t before) {
@@ -38,17 +36,22 @@ void NodeCache::erase_slot(NodeNumber number) noexcept {
 
 // --- writing
 
-void NodeCache::write() {
+void NodeCache::write(Interrupt& interrupt) {
   write_nodes();
   if (map_.waits()) {
     if (map_.stored_is_void()) rows_->erase_map();
-    rows_->write_map(map_.sorted());
+    std::vector<IdTable::Entry> changes = map_.waiting();
+    Steps step(interrupt);
+    std::sort(changes.begin(), changes.end(),
+              [&](const IdTable::Entry& a, const IdTable::Entry& b) { return step(), a.id < b.id; });
+    rows_->write_map(changes);
     map_.written(!marks_.none());
     last_found_.reset();
   }
   if (head_.root_dirty) rows_->write_root(head_.root);
   head_.root_dirty = false;
   if (marks_.snapshots() == 0) marks_.drop_stored();
+  make_room();
 }
 
 void NodeCache::write_nodes() {

@@ -118,7 +118,7 @@ void NodeCache::forget_all() noexcept {
   waiting_.clear();
   waiting_is_stale_ = false;
   dirty_ = 0;
-  evict_at_ = 0;
+  note_memory();
 }
 
 void NodeCache::forget_clean() {

@@ -58,12 +58,11 @@ void IdTable::clear() noexcept {
   size_ = 0;
 }
 
-std::vector<IdTable::Entry> IdTable::sorted() const {
+std::vector<IdTable::Entry> IdTable::known() const {
   std::vector<Entry> all;
   all.reserve(size_);
   for (const Entry& entry : slots_)
     if (entry.value != free_slot && entry.value != unknown) all.push_back(entry);
-  std::sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) { return a.id < b.id; });
   return all;
 }
 

@@ -37,8 +37,8 @@ class IdTable {
   /// Ids that are prepared.
   std::size_t size() const noexcept { return size_; }
   std::size_t memory() const noexcept { return slots_.capacity() * sizeof(Entry); }
-  /// Everything known, by ascending id.
-  std::vector<Entry> sorted() const;
+  /// Everything known, in no order.
+  std::vector<Entry> known() const;
 
  private:
   static constexpr std::int64_t free_slot = std::numeric_limits<std::int64_t>::min();

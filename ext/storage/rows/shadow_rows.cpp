@@ -142,6 +142,11 @@ std::int64_t ShadowRows::count() {
   return one_integer(run).value_or(0);
 }
 
+bool ShadowRows::map_is_empty() {
+  Statement::Run run(largest_id_);
+  return !run.step() || run.is_null(0);
+}
+
 void ShadowRows::write_map(std::span<const IdTable::Entry> changes) {
   // Whoever reads hostile SQL may have set a limit as low as 10.
   const std::size_t together = variables() < map_rows * map_columns ? 1 : map_rows;

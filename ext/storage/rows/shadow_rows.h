@@ -57,6 +57,7 @@ class ShadowRows {
   std::optional<std::int64_t> leaf_of(std::int64_t id);
   std::optional<std::int64_t> largest_id();
   std::int64_t count();
+  bool map_is_empty();
   template <class Read>
   void read_map(Read read) {
     read_rows(all_ids_, "map", [&](std::int64_t id, Statement::Run& run) { read(id, run.integer(1)); });

@@ -6,7 +6,7 @@
 //   <name>_meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID             see below
 //
 // _meta: `format` version of all this, `columns` as declared, `node_size`, `horizon`, `root` (0: there are no
-// objects), `stamp` (random, rewritten once per write transaction).
+// objects), `stamp` (random, rewritten by every write transaction).
 #pragma once
 
 #include <string>

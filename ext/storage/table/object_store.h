@@ -27,7 +27,7 @@ namespace foresee {
 
 /// The state of a table's contents: equal versions of one table on one connection mean equal contents.
 struct ContentVersion {
-  std::uint64_t stamp = 0;    ///< rewritten at random once per write transaction, stored
+  std::uint64_t stamp = 0;    ///< rewritten at random by every write transaction, stored
   std::uint64_t changes = 0;  ///< moved by this connection's uncommitted changes and by rollbacks
 
   friend bool operator==(const ContentVersion&, const ContentVersion&) = default;
@@ -66,6 +66,9 @@ class ObjectStore {
   virtual std::shared_ptr<NodeSource> snapshot() = 0;
   /// The newest reference time stored; 0 without objects or without t. Reads one node.
   virtual double newest_t() = 0;
+  /// Whoever has read every leaf says how many objects there were: SQLITE_CORRUPT_VTAB if the map has others.
+  /// While changed leaves wait to be written, nothing can be said.
+  virtual void expect_objects(std::size_t found) = 0;
 
   // --- writing: each call is all or nothing
   // ----------------------------------------------------------------------------

@@ -4,9 +4,10 @@
 //   insert ─► LooseObjects ─► tree over NodeCache (nodes, MapChanges) ─► shadow rows, once a transaction
 //   read   ─► loose, else the cache, else the tables
 //
-// Changes wait in memory until commit, or until many MB wait. A savepoint is a mark in memory (marks.h): it
-// writes nothing, and going back to it undoes what memory did since, while SQLite takes back what was
-// written. What was read in one transaction is believed in the next only under the same stamp.
+// Changes wait in memory until commit, or until many MB wait in all tables of the connection together. A
+// savepoint is a mark in memory (marks.h): it writes nothing, and going back to it undoes what memory did
+// since, while SQLite takes back what was written. What was read in one transaction is believed in the next
+// only under the same stamp.
 //
 // Auxiliary values are written at once. Every change is one call (store_call.h): all or nothing.
 #pragma once
@@ -17,6 +18,7 @@
 
 #include "index/tpr_tree/tpr_tree.h"
 #include "storage/nodes/loose_objects.h"
+#include "storage/nodes/memory_budget.h"
 #include "storage/nodes/node_cache.h"
 #include "storage/table/object_store.h"
 
@@ -24,10 +26,10 @@ namespace foresee {
 
 class LeafView;
 
-class Store final : public ObjectStore, public std::enable_shared_from_this<Store> {
+class Store final : public ObjectStore, private MemoryHolder, public std::enable_shared_from_this<Store> {
  public:
   Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format, bool is_new,
-        const CacheLimits& limits = {});
+        std::shared_ptr<MemoryBudget> memory);
 
   const Declaration& declaration() const override { return declaration_; }
   const NodeFormat& format() const { return format_; }
@@ -41,6 +43,7 @@ class Store final : public ObjectStore, public std::enable_shared_from_this<Stor
   void result_auxiliary(sqlite3_context* context, std::int64_t id, int column) override;
   std::shared_ptr<NodeSource> snapshot() override;
   double newest_t() override;
+  void expect_objects(std::size_t found) override;
 
   std::int64_t next_id() override;
   void insert(std::int64_t id, std::span<const double> record,
@@ -83,6 +86,10 @@ class Store final : public ObjectStore, public std::enable_shared_from_this<Stor
     std::optional<std::int64_t> id = {};
   };
 
+  void write_out() override;
+  void drop_nodes(bool all) override { cache_.drop_nodes(all); }
+  void note_memory() noexcept;
+
   ShadowRows& rows();
   bool has_auxiliaries() const { return !declaration_.auxiliaries.empty(); }
   [[noreturn]] void damaged(const std::string& what) const;
@@ -97,10 +104,10 @@ class Store final : public ObjectStore, public std::enable_shared_from_this<Stor
   bool read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
                         const std::function<void(const LeafView&)>& use) const;
 
-  void expect_as_mapped(std::size_t found);
-
   // writing (store_write.cpp)
   void start_change(std::span<const double> record);
+  void write_new_stamp();
+  std::int64_t shown(std::int64_t stored_stamp) const;
   void take_out(std::int64_t id);
   void add(std::int64_t id, std::span<const double> record);
   const Largest& largest();
@@ -139,8 +146,9 @@ class Store final : public ObjectStore, public std::enable_shared_from_this<Stor
   QualifiedName name_;
   Declaration declaration_;
   NodeFormat format_;
-  CacheLimits limits_;
   std::unique_ptr<ShadowRows> rows_;
+  std::shared_ptr<MemoryBudget> memory_;
+  MemoryShare share_;
   NodeCache cache_;
   std::unique_ptr<TprTree> tree_;
   std::shared_ptr<LooseObjects> loose_;  ///< shared with savepoints that would take it back
@@ -155,7 +163,12 @@ class Store final : public ObjectStore, public std::enable_shared_from_this<Stor
   std::optional<std::int64_t> believed_stamp_;  ///< the cache is as the tables were under this stamp
   std::optional<std::int64_t> stamp_before_;    ///< … before this transaction
   std::optional<std::int64_t> own_stamp_;       ///< what this transaction has written last and not taken back
-  std::string table_at_begin_;                  ///< the table's name then: renaming can be taken back
+  /// … by a flush, which changes no object: version() goes on showing the stamp from before it.
+  struct {
+    std::optional<std::int64_t> stored;
+    std::int64_t shown = 0;
+  } same_contents_;
+  std::string table_at_begin_;  ///< the table's name then: renaming can be taken back
 
   Largest largest_;
 

@@ -2,6 +2,7 @@
 // anew: 'rebuild' and 'optimize'.
 #include <algorithm>
 
+#include "base/steps.h"
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
 #include "storage/rows/statement_interrupt.h"
@@ -51,7 +52,7 @@ void Store::load_all_anew(Interrupt& interrupt) {
   std::vector<std::int64_t> ids;
   std::vector<double> records;
   collect_objects(cache_, ids, records, interrupt);
-  if (!cache_.waits()) expect_as_mapped(ids.size());
+  expect_objects(ids.size());
   if (ids.empty() && !loose_->has_holes()) {
     tree_->load(loose_->all_ids(), loose_->all_records(), interrupt);
     return;
@@ -65,7 +66,8 @@ void Store::load_all_anew(Interrupt& interrupt) {
   tree_->load(ids, records, interrupt);
 }
 
-// If it fails half-way what was not written waits on: writing the same again does no harm.
+// If it fails half-way what was not written waits on: writing the same again does no harm. The new stamp
+// comes last: who reads uncommitted rows (shared cache) has seen the first one with other rows.
 void Store::flush() {
   if (!waits()) return;
   if (is_taken_back()) {
@@ -77,7 +79,22 @@ void Store::flush() {
   rows();
   const OwnStatements own(*this);
   ++change_;
-  with_sound_tree([&] { cache_.write(); });
+  StatementInterrupt interrupt(db_);
+  with_sound_tree([&] { cache_.write(interrupt); });
+  const std::int64_t before = shown(own_stamp_.value_or(0));
+  write_new_stamp();
+  same_contents_ = {own_stamp_, before};
+}
+
+void Store::note_memory() noexcept {
+  share_.hold_loose(loose_->memory());
+  cache_.note_memory();
+}
+
+/// Another table of the connection may ask, or a trigger that somebody put on a shadow table in mid-change.
+void Store::write_out() {
+  if (own_statements_ == 0 && !torn_) flush();
+  note_memory();
 }
 
 // --- 'rebuild' and 'optimize'
@@ -113,9 +130,11 @@ void Store::collect_stored(std::vector<std::int64_t>& ids, std::vector<double>& 
     });
   });
   std::vector<std::int64_t> sorted = ids;
-  std::sort(sorted.begin(), sorted.end());
-  if (const auto twice = std::adjacent_find(sorted.begin(), sorted.end()); twice != sorted.end())
-    damaged("object " + std::to_string(*twice) + " is in two leaves");
+  Steps step(interrupt);
+  std::sort(sorted.begin(), sorted.end(), [&](std::int64_t a, std::int64_t b) { return step(), a < b; });
+  const auto twice = std::adjacent_find(sorted.begin(), sorted.end(),
+                                        [&](std::int64_t a, std::int64_t b) { return step(), a == b; });
+  if (twice != sorted.end()) damaged("object " + std::to_string(*twice) + " is in two leaves");
 }
 
 void Store::pack(Interrupt& interrupt) {

@@ -21,7 +21,7 @@ std::shared_ptr<ObjectStore> ObjectStore::create(sqlite3* db, const std::string&
                                                  const std::string& table, const Declaration& declaration) {
   const QualifiedName name{schema, table};
   const NodeFormat format = create_shadow_tables(db, name, declaration);
-  auto store = std::make_shared<Store>(db, name, declaration, format, true);
+  auto store = std::make_shared<Store>(db, name, declaration, format, true, memory_budget_of(db));
   remember_open_store(db, name, store);
   return store;
 }
@@ -34,21 +34,22 @@ std::shared_ptr<ObjectStore> ObjectStore::open(sqlite3* db, const std::string& s
       live && live->goes_by(name.table) && same_columns(live->declaration(), declaration) &&
       live->format().node_size == format.node_size && !live->is_taken_back())
     return live;
-  auto store = std::make_shared<Store>(db, name, declaration, format, false);
+  auto store = std::make_shared<Store>(db, name, declaration, format, false, memory_budget_of(db));
   remember_open_store(db, name, store);
   return store;
 }
 
 // SQLite makes a table inside a write transaction and does not call begin() for it.
 Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format, bool is_new,
-             const CacheLimits& limits)
+             std::shared_ptr<MemoryBudget> memory)
     : db_(db),
       name_(std::move(name)),
       declaration_(std::move(declaration)),
       format_(format),
-      limits_(limits),
       rows_(std::make_unique<ShadowRows>(db, name_, static_cast<int>(declaration_.auxiliaries.size()))),
-      cache_(format_, name_, limits),
+      memory_(std::move(memory)),
+      share_(*memory_, *this),
+      cache_(format_, name_, share_),
       tree_(make_tpr_tree(cache_, declaration_.horizon)),
       loose_(std::make_shared<LooseObjects>(static_cast<std::size_t>(format_.at.size))),
       in_transaction_(is_new),
@@ -85,7 +86,11 @@ ContentVersion Store::version() {
   changed_ = false;
   const auto stamp = rows().stamp();
   if (!stamp) damaged("the stamp is missing");
-  return {static_cast<std::uint64_t>(*stamp), changes_};
+  return {static_cast<std::uint64_t>(shown(*stamp)), changes_};
+}
+
+std::int64_t Store::shown(std::int64_t stored_stamp) const {
+  return same_contents_.stored == stored_stamp ? same_contents_.shown : stored_stamp;
 }
 
 std::shared_ptr<NodeSource> Store::snapshot() {
@@ -114,6 +119,7 @@ void Store::end_transaction() noexcept {
   largest_ = {};
   own_stamp_.reset();
   loose_->clear();
+  note_memory();
 }
 
 // A table that was made after a savepoint is not told when SQLite goes back to it; but then the stamp that

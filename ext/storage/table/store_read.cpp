@@ -118,11 +118,11 @@ void Store::load(std::vector<std::int64_t>& ids, std::vector<double>& rows, Inte
                       rows.data() + (before + i) * row_size);
   };
   read_leaves(interrupt, take, take);
-  if (!waits) expect_as_mapped(ids.size());
+  expect_objects(ids.size());
 }
 
-/// Requires: nothing waits.
-void Store::expect_as_mapped(std::size_t found) {
+void Store::expect_objects(std::size_t found) {
+  if (cache_.waits()) return;
   const auto mapped = static_cast<std::size_t>(rows().count());
   if (found != mapped)
     damaged("the leaves hold " + std::to_string(found) + " objects, the map " + std::to_string(mapped));

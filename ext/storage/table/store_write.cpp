@@ -16,15 +16,21 @@ void Store::start_change(std::span<const double> record) {
     believe_only_this_stamp();
     stamp_before_ = believed_stamp_;
   }
-  if (loose_->memory() > limits_.loose || cache_.is_full()) flush();
+  note_memory();
+  if (memory_->too_much_waits()) memory_->write_out();
   if (stamped_) return;
   const OwnStatements own(*this);
+  write_new_stamp();
+  changed_ = true;  // even if this change fails: the stamp is not yet that of a commit
+  ++change_;
+}
+
+void Store::write_new_stamp() {
   std::int64_t stamp;
   sqlite3_randomness(sizeof stamp, &stamp);
   rows().write_stamp(stamp);
   believed_stamp_ = own_stamp_ = stamp;
   writing_ = stamped_ = true;
-  ++change_;
 }
 
 const Store::Largest& Store::largest() {
