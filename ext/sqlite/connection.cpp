@@ -3,6 +3,13 @@
 #include "base/float_environment.h"
 
 namespace foresee {
+namespace {
+
+std::size_t memory_of(const Scene& scene) {
+  return scene.ids.size() * sizeof(std::int64_t) + scene.rows.size() * sizeof(double);
+}
+
+}  // namespace
 
 std::int64_t Connection::announce(std::shared_ptr<ObjectStore> store, const std::string& schema,
                                   const std::string& table) {
@@ -51,8 +58,10 @@ std::shared_ptr<const Scene> Connection::scene(const OpenTable& table, bool outl
   const ContentVersion version = table.store->version();
   const auto cached = scenes_.find(table.store.get());
   if (cached != scenes_.end() && cached->second.version == version &&
-      (!outlined || cached->second.scene->outline))
+      (!outlined || cached->second.scene->outline)) {
+    cached->second.used = ++last_use_;
     return cached->second.scene;
+  }
   if (cached != scenes_.end()) scenes_.erase(cached);  // before the next one is decoded: memory holds one
   auto scene = std::make_shared<Scene>();
   scene->name = table.table;
@@ -62,11 +71,25 @@ std::shared_ptr<const Scene> Connection::scene(const OpenTable& table, bool outl
     TreeScene tree = read_tree(*table.store->snapshot(), interrupt_);
     scene->ids = std::move(tree.ids), scene->rows = std::move(tree.rows);
     scene->outline = std::move(tree.outline);
+    table.store->expect_objects(scene->ids.size());
   } else {
     table.store->load(scene->ids, scene->rows, interrupt_);
   }
-  scenes_[table.store.get()] = {version, scene};
+  scenes_[table.store.get()] = {version, scene, ++last_use_};
+  drop_scenes_used_long_ago();
   return scene;
+}
+
+void Connection::drop_scenes_used_long_ago() noexcept {
+  std::size_t held = 0;
+  for (const auto& [store, cached] : scenes_) held += memory_of(*cached.scene);
+  while (held > scene_memory_ && scenes_.size() > 1) {
+    const auto oldest = std::min_element(scenes_.begin(), scenes_.end(), [](const auto& a, const auto& b) {
+      return a.second.used < b.second.used;
+    });
+    held -= memory_of(*oldest->second.scene);
+    scenes_.erase(oldest);
+  }
 }
 
 }  // namespace foresee

@@ -3,7 +3,8 @@
 //
 // One Connection lives in the modules' pAux and dies with the last of them. Tables come and go with every
 // schema change (VACUUM, ALTER); a table's decoded scene lives as long as the table is connected and is valid
-// for one ContentVersion.
+// for one ContentVersion. Beside the scene asked for last, as many stay as have room together; a question
+// keeps those that it reads in any case.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +27,10 @@ class TableCursor;
 
 class Connection {
  public:
-  explicit Connection(sqlite3* db) : db_(db), interrupt_(db), lookups_(db) {}
+  static constexpr std::size_t most_scenes = 256 << 20;  ///< bytes
+
+  explicit Connection(sqlite3* db, std::size_t scene_memory = most_scenes)
+      : db_(db), interrupt_(db), lookups_(db), scene_memory_(scene_memory) {}
 
   sqlite3* db() const { return db_; }
 
@@ -80,9 +84,11 @@ class Connection {
   struct CachedScene {
     ContentVersion version;
     std::shared_ptr<const Scene> scene;
+    std::uint64_t used;  ///< the later, the larger
   };
 
   std::shared_ptr<const Scene> scene(const OpenTable& table, bool outlined);
+  void drop_scenes_used_long_ago() noexcept;
 
   sqlite3* db_;
   StatementInterrupt interrupt_;
@@ -91,6 +97,8 @@ class Connection {
   std::map<std::int64_t, OpenTable> tables_;
   std::map<const ObjectStore*, std::vector<TableCursor*>> cursors_;
   std::map<const ObjectStore*, CachedScene> scenes_;
+  std::size_t scene_memory_;
+  std::uint64_t last_use_ = 0;
   std::shared_ptr<GridSpace> space_ = std::make_shared<GridSpace>();
 };
 
