@@ -85,6 +85,8 @@ TEST_F(Faults, AStampThatCannotBeWrittenStopsTheChange) {
 }
 
 TEST_F(Faults, AFirstChangeThatFailsIsNotTakenForTheCommit) {
+  store = nullptr;
+  store = ObjectStore::open(db, "main", "ships", named_ships());  // one that has changed nothing
   forbid("INSERT", "aux");
   begin(db, *store);
   expect_forbidden([&] { store->insert(101, ship(1), values); });
