@@ -76,7 +76,7 @@ run x86-64-clang $out/x86-64-clang/$program
 build aarch64 aarch64-linux-gnu-g++ "$optimised" -DCMAKE_SYSTEM_NAME=Linux -DCMAKE_SYSTEM_PROCESSOR=aarch64
 run aarch64 qemu-aarch64 -L /usr/aarch64-linux-gnu $out/aarch64/$program
 
-check_syntax() { g++ -std=c++20 "$@" -fsyntax-only -Iext -x c++ ext/motion/float_environment.h 2>$out/syntax.log; }
+check_syntax() { g++ -std=c++20 "$@" -fsyntax-only -Iext -x c++ ext/base/float_environment.h 2>$out/syntax.log; }
 if check_syntax && ! check_syntax -ffast-math && grep -q "#error" $out/syntax.log; then
   echo "-ffast-math: refused"
 else

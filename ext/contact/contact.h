@@ -71,9 +71,9 @@ class Contact {
 };
 
 /// Requires: a and b have the same number of axes. `name_a` and `name_b` are what messages call the two
-/// sides. Throws Error where DESIGN's table of shapes has no distance: a cylinder and a ball, whatever its r;
-/// within_z with fewer than three axes, or where neither side is a point or a cylinder. The bodies must
-/// outlive the contact.
+/// sides. Throws Error for pairs without a distance (docs/sql_reference.md): a cylinder and a ball, whatever
+/// its r; within_z with fewer than three axes, or where neither side is a point or a cylinder. The bodies
+/// must outlive the contact.
 std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const ContactQuestion& question,
                                       const std::string& name_a, const std::string& name_b);
 

@@ -1,4 +1,4 @@
-// The table of DESIGN.md section 3, "which distance depends on the shapes", as one decision per statement.
+// The table of docs/semantics.md#contact, which distance a pair of shapes has, as one decision per statement.
 #include "base/error.h"
 #include "contact/contact.h"
 #include "contact/kinds.h"

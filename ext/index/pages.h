@@ -13,7 +13,7 @@
 // velocity and acceleration there. They hold at every moment, before the epoch too (tpr_tree/bounds.h).
 // Greatest t is exact; the other two times and the bounds may be wider than need be. An infinite bound is no
 // bound. Pages vouch for each node by itself: keys and values fit together, sizes are within the capacities,
-// no value is NaN, times and records are finite where DESIGN.md section 2 wants them so.
+// no value is NaN, times and records are finite where docs/sql_reference.md#values wants them so.
 //
 // How long references live. read() hands out a share of the node: it stays as it was for as long as it is
 // held, whatever happens to the pages. modify() hands out a reference that stays good until the call of the

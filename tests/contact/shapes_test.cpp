@@ -1,4 +1,5 @@
-// Every row of the table of shapes (DESIGN.md section 3), by cases whose answer is known without computing.
+// Every row of the table of distances (docs/semantics.md#contact), by cases whose answer is known without
+// computing.
 #include <gtest/gtest.h>
 
 #include <cfenv>

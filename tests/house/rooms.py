@@ -1,4 +1,4 @@
-"""Does every room keep to its place? Reads the #include lines under ext/ and says which break DESIGN's order.
+"""Does every room keep to its place? Reads the #include lines under ext/ and says which break the order of docs/architecture.md.
 
     python3 rooms.py ext        # prints one line a violation; status 1 if there is any
 

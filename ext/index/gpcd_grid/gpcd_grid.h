@@ -1,4 +1,4 @@
-// GPCD's grid (Yu and Wong, steps 1 to 5c; DESIGN.md section 6), laid out as stripes.
+// GPCD's grid (Yu and Wong, steps 1 to 5c of docs/gpcd.md), laid out as stripes.
 //
 //   auto candidates = make_gpcd_grid<2>({ships, horizon, margin}, nullptr, interrupt);
 //

@@ -41,7 +41,7 @@ class TprTree {
  public:
   virtual ~TprTree() = default;
 
-  /// Requires: no object has this id; the record is valid as DESIGN.md section 2 says.
+  /// Requires: no object has this id; the record is valid as docs/sql_reference.md#values says.
   virtual void insert(std::int64_t id, std::span<const double> record) = 0;
   /// False if there is no such object.
   virtual bool update(std::int64_t id, std::span<const double> record) = 0;

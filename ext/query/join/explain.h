@@ -5,7 +5,7 @@
 //     use(row.stage, row.before, row.after, row.seconds, row.detail);
 //
 // The stages, in this order: candidates, projection overlap, centre point, time interval, trajectory
-// intersection, exact time (DESIGN.md section 6). What one leaves is what the next begins with; the first
+// intersection, exact time (docs/gpcd.md). What one leaves is what the next begins with; the first
 // begins with all pairs of the question, the last leaves those that touch. With method gpcd this is the join
 // itself; the other methods go from candidates to exact time at once, and the stages between are measured on
 // their pairs.

@@ -3,8 +3,8 @@
 //   Declaration ships = parse_declaration("ships", {"id", "t", "x", "y", "vx", "vy", "r", "+name TEXT"});
 //
 // The id comes first; then the motion columns in any order; then auxiliary columns, as in SQLite's R*Tree.
-// Options (`horizon = 60`) may stand anywhere after the id. What is no table of DESIGN's vocabulary throws
-// Error: the message names the table, quotes the argument and says what would be right.
+// Options (`horizon = 60`) may stand anywhere after the id. What is no table (docs/sql_reference.md#columns)
+// throws Error: the message names the table, quotes the argument and says what would be right.
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 // Which layout do the declared motion columns make, and do they go together?
 //
-// Throws Error for every mixture that is no table of DESIGN's vocabulary; the message quotes an argument and
-// says what to add or to leave out.
+// Throws Error for every mixture that is no table (docs/sql_reference.md#columns); the message quotes an
+// argument and says what to add or to leave out.
 #pragma once
 
 #include <string>

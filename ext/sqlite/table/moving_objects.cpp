@@ -1,6 +1,6 @@
 // The virtual table moving_objects: SQLite's callbacks, each of which hands its work to the file that knows.
 //
-//   CREATE  declare.h      plan  table_plan.h      scan  table_cursor.h      write  table_write.h, values.h
+//   CREATE  declare.h      plan  plan.h      scan  cursor.h      write  write.h, values.h
 //   transactions, savepoints, rename and drop: ObjectStore, whose methods are named as the callbacks
 #include "sqlite/callback.h"
 #include "sqlite/modules.h"

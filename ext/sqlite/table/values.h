@@ -3,9 +3,10 @@
 //   Values values(declaration, "ships");
 //   store.insert(id, values.record(id, argv + 3), auxiliaries);
 //
-// The rules are DESIGN's: integers and wholly numeric text convert, '' is NULL, a NULL velocity, acceleration
-// or extent is 0, a NULL until is for ever. What breaks a rule throws Refusal (SQLITE_CONSTRAINT) with a
-// message that names table, column, row id and value, and says what to write instead.
+// The rules (docs/sql_reference.md#values): integers and wholly numeric text convert, '' is NULL, a NULL
+// velocity, acceleration or extent is 0, a NULL until is for ever. What breaks a rule throws Refusal
+// (SQLITE_CONSTRAINT) with a message that names table, column, row id and value, and says what to write
+// instead.
 #pragma once
 
 #include <cstdint>

@@ -12,7 +12,7 @@ namespace foresee {
 /// One declared column of the motion vocabulary (the id is not among them) and its place in the stored
 /// record.
 struct MotionColumn {
-  std::string name;  ///< as DESIGN.md section 2 spells it: t, x, vy, fz, m, hx, r, until
+  std::string name;  ///< as docs/sql_reference.md#columns spells it: t, x, vy, fz, m, hx, r, until
   int place;         ///< index among the record's doubles
 };
 
