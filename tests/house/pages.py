@@ -106,9 +106,9 @@ def complaints_about_source(source, root, files):
 
 def files_that_name(word, root):
     """Files under ext/ with the word in their code."""
-    found = set()
+    found, named = set(), re.compile(rf"(?<!\w){re.escape(word)}")
     for path in (root / "ext").rglob("*"):
-        if path.suffix in {".h", ".cpp"} and word in re.sub(r"//.*", "", path.read_text()):
+        if path.suffix in {".h", ".cpp"} and named.search(re.sub(r"//.*", "", path.read_text())):
             found.add(path.relative_to(root).as_posix())
     return found
 
