@@ -14,7 +14,7 @@ need_packages "${build_packages[@]}"
 log=build/demo.log
 mkdir -p build
 build() {
-  [ -f build/release/build.ninja ] || cmake --preset release -DFORESEE_TESTS=OFF
+  [ -f build/release/build.ninja ] || cmake --preset release
   cmake --build --preset release --target foresee
 }
 echo "Building build/release/foresee.so (a few minutes the first time; log: $log)"

@@ -1,7 +1,4 @@
 // The entry point: everything that `.load foresee` brings.
-#include <sqlite3ext.h>
-SQLITE_EXTENSION_INIT1
-
 #include "sqlite/callback.h"
 #include "sqlite/foresee.h"
 #include "sqlite/host.h"
@@ -22,8 +19,7 @@ bool is_registered(sqlite3* db) {
 
 extern "C" __attribute__((visibility("default"))) int sqlite3_foresee_init(sqlite3* db, char** message,
                                                                            const sqlite3_api_routines* api) {
-  SQLITE_EXTENSION_INIT2(api);
-  (void)api;
+  if (api != nullptr) sqlite3_api = api;
   return foresee::guarded(message, [db] {
     foresee::require_version(sqlite3_libversion_number(), sqlite3_libversion());
     // Loaded again, functions would know nothing of the tables that are connected by then.
