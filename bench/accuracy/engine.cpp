@@ -4,10 +4,9 @@
 #include <memory>
 #include <utility>
 
-#include "contact/ball_ball.h"
-#include "contact/box_box.h"
 #include "contact/crossing.h"
 #include "contact/exact_contact.h"
+#include "contact/kinds.h"
 #include "contact/oracle.h"
 
 namespace foresee::bench {
@@ -17,24 +16,26 @@ Setup setup_of(const Family& family) {
   return {family.a(), family.b(), family.horizon, 0, 0};
 }
 
-/// One pair in the typed code of the contact room, stage by stage.
-template <class Kind>
+/// One pair in the contact room, stage by stage.
 class Stages {
  public:
-  explicit Stages(const Family& family) : setup_(setup_of(family)) {}
+  explicit Stages(const Family& family)
+      : setup_(setup_of(family)),
+        set_(family.balls() ? ball_ball_set(setup_) : box_box_set(setup_)),
+        certain_scratch_(set_),
+        crossing_scratch_(set_) {}
 
   std::optional<ContactTimes> exact(std::size_t i) const {
     return exactly<std::optional<ContactTimes>>(i, exact_times);
   }
 
-  void count(std::size_t i, StageShares& shares) const {
+  void count(std::size_t i, StageShares& shares) {
     const Moments moments = moments_of(setup_, a(i), b(i));
-    const Track<Kind, 2> track(setup_, a(i), b(i), moments);
-    const ChordVisitor<3> chord(track.relative(), moments.dt_begin, moments.dt_end);
+    Track<3, 2> track(set_, setup_, a(i), b(i), moments, certain_scratch_);
+    const Chord<3> chord(track.certain().relative(), moments.dt_end);
+    const bool missed = chord.misses(set_, certain_scratch_.lengths, moments.dt_begin);
     const Verdict verdict = track.touches();
-    ++(Kind::visit(track.sizes(), chord).none() ? shares.chord
-       : verdict != Verdict::uncertain          ? shares.certified
-                                                : shares.exact);
+    ++(missed ? shares.chord : verdict != Verdict::uncertain ? shares.certified : shares.exact);
     const bool hit =
         verdict == Verdict::uncertain ? exactly<bool>(i, exact_touches) : verdict == Verdict::yes;
     if (hit) ++shares.hits, ++time_stage(i, track, moments, shares);
@@ -42,36 +43,33 @@ class Stages {
 
  private:
   template <class Answer>
-  Answer exactly(std::size_t i, Answer (*ask)(Formula&, const ExactMoments&)) const {
-    const PairPolynomials<Kind> polynomials(setup_, a(i), b(i));
-    Formula formula;
-    polynomials.formula(formula);
-    return ask(formula, exact_moments_of(setup_, a(i), b(i)));
+  Answer exactly(std::size_t i, Answer (*ask)(PairCurves&, const ExactMoments&)) const {
+    PairCurves curves(set_, setup_, a(i), b(i));
+    return ask(curves, exact_moments_of(setup_, a(i), b(i)));
   }
 
-  /// As TypedContact times a begin.
-  std::size_t& time_stage(std::size_t i, const Track<Kind, 2>& track, const Moments& moments,
-                          StageShares& shares) const {
+  /// As SetContact times a begin.
+  std::size_t& time_stage(std::size_t i, Track<3, 2>& track, const Moments& moments, StageShares& shares) {
     Bracket first;
     if (track.first_contact(first) != Verdict::yes) return shares.exact_time;
     if (!(first.after > moments.dt_begin)) return shares.at_once;
     const auto course = course_of<DoubleDouble, 3>(setup_, a(i), b(i));
-    const CrossingVisitor<Way::in, 3, 2> visitor(track.relative(), course, first, setup_.horizon.now);
-    return Kind::visit(sizes<DoubleDouble>(i), visitor).known() ? shares.double_double : shares.exact_time;
+    Crossing<Way::in, 3, 2> crossing(track.certain(), course, {set_, a(i), b(i)}, first, setup_.horizon.now,
+                                     crossing_scratch_);
+    return crossing.instant().known() ? shares.double_double : shares.exact_time;
   }
 
-  template <class T>
-  auto sizes(std::size_t i) const {
-    return Kind::template sizes<T>(raw_sizes_of<T, 3>(setup_, a(i), b(i)), setup_);
-  }
   const double* a(std::size_t i) const { return setup_.a.row(i); }
   const double* b(std::size_t i) const { return setup_.b.row(i); }
 
   Setup setup_;
+  ContactSet set_;
+  CertainScratch certain_scratch_;
+  CrossingScratch crossing_scratch_;
 };
 
 std::optional<ContactTimes> exact_answer(const Family& family, std::size_t i) {
-  return family.balls() ? Stages<BallBall<3>>(family).exact(i) : Stages<BoxBox<3>>(family).exact(i);
+  return Stages(family).exact(i);
 }
 
 Answer answer_of(const std::optional<ContactTimes>& times) {
@@ -128,10 +126,8 @@ Method exact_stage(const Family& family) {
 
 StageShares stage_shares(const Family& family) {
   StageShares shares;
-  const Stages<BallBall<3>> balls(family);
-  const Stages<BoxBox<3>> boxes(family);
-  for (std::size_t i = 0; i < family.count; ++i)
-    family.balls() ? balls.count(i, shares) : boxes.count(i, shares);
+  Stages stages(family);
+  for (std::size_t i = 0; i < family.count; ++i) stages.count(i, shares);
   return shares;
 }
 

@@ -1,12 +1,13 @@
-#include "contact/ball_ball.h"
-
 #include "contact/kinds.h"
-#include "contact/typed_contact.h"
+#include "contact/round_ball.h"
 
 namespace foresee {
 
-std::unique_ptr<Contact> make_ball_ball(const Setup& setup, int degree) {
-  return make_typed_for_axes<BallBall>(setup, degree);
+ContactSet ball_ball_set(const Setup& setup) {
+  ContactSet set;
+  const int radius = set.sum(set.in_both(setup.a.at.r, setup.b.at.r), set.given(setup.within));
+  add_ball(set, setup.a.layout.axes, radius);
+  return set;
 }
 
 }  // namespace foresee

@@ -1,12 +1,13 @@
-#include "contact/box_ball.h"
-
 #include "contact/kinds.h"
-#include "contact/typed_contact.h"
+#include "contact/rounded_box.h"
 
 namespace foresee {
 
-std::unique_ptr<Contact> make_box_ball(const Setup& setup, int degree) {
-  return make_typed_for_axes<BoxBall>(setup, degree);
+ContactSet box_ball_set(const Setup& setup) {
+  ContactSet set;
+  const int radius = set.sum(set.in_both(setup.a.at.r, setup.b.at.r), set.given(setup.within));
+  add_rounded_box(set, faces_of_boxes(set, setup), radius);
+  return set;
 }
 
 }  // namespace foresee

@@ -1,22 +1,17 @@
-#include "contact/box_box.h"
-
-#include "contact/box_contact.h"
 #include "contact/kinds.h"
+#include "contact/rounded_box.h"
 
 namespace foresee {
-namespace {
 
-template <int D>
-std::unique_ptr<Contact> make_for_degree(const Setup& setup, int degree) {
-  if (degree < 2) return std::make_unique<BoxContact<D, 1>>(setup);
-  return std::make_unique<BoxContact<D, 2>>(setup);
-}
-
-}  // namespace
-
-std::unique_ptr<Contact> make_box_box(const Setup& setup, int degree) {
-  if (setup.a.layout.axes == 1) return make_for_degree<1>(setup, degree);
-  return setup.a.layout.axes == 2 ? make_for_degree<2>(setup, degree) : make_for_degree<3>(setup, degree);
+ContactSet box_box_set(const Setup& setup) {
+  ContactSet set;
+  // In one dimension a ball is an interval.
+  const int ball = setup.a.layout.axes == 1 ? set.in_both(setup.a.at.r, setup.b.at.r) : no_length;
+  const int more = set.sum(ball, set.given(setup.within));
+  std::vector<Faces> faces = faces_of_boxes(set, setup);
+  for (Faces& f : faces) f = grown(set, f, more);
+  add_box(set, faces);
+  return set;
 }
 
 }  // namespace foresee

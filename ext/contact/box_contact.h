@@ -2,11 +2,27 @@
 // one as for any other pair kind where it does not.
 #pragma once
 
-#include "contact/box_box.h"
 #include "contact/box_lanes.h"
-#include "contact/typed_contact.h"
+#include "contact/kinds.h"
+#include "contact/set_contact.h"
 
 namespace foresee {
+
+/// A ball of one axis is an interval.
+template <int D>
+int place_of_half(const Offsets& at) {
+  return D == 1 && at.r != Offsets::absent ? at.r : at.half;
+}
+
+/// Of both boxes together, with what counts as touching.
+template <class T, int D>
+T half_extent(const Setup& setup, const double* row_a, const double* row_b, int axis) {
+  const auto of = [axis](const Offsets& at, const double* row) {
+    const int place = place_of_half<D>(at);
+    return Exactly<T>::number(place == Offsets::absent ? 0 : row[place + axis]);
+  };
+  return of(setup.a.at, row_a) + of(setup.b.at, row_b) + Exactly<T>::number(setup.within);
+}
 
 /// Lane number l: a pair that exists from now to `end` (rounded up) and whose times stay below 2^40.
 template <int D, int Degree>
@@ -21,9 +37,9 @@ void put_course(BoxLanes<D, Degree>& lanes, int l, const Relative<D>& relative, 
 }
 
 template <int D, int Degree>
-class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
+class BoxContact final : public SetContact<D, Degree> {
  public:
-  explicit BoxContact(const Setup& setup) : TypedContact<BoxBox<D>, Degree>(setup) {
+  explicit BoxContact(const Setup& setup) : SetContact<D, Degree>(setup, box_box_set(setup)) {
     std::fill_n(lanes_.end, lanes_width, setup.horizon.h);
     take_places(rows_.a, setup.a.at);
     take_places(rows_.b, setup.b.at);
@@ -111,15 +127,16 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
   }
 
   static void take_places(typename RowLanes<D>::Side& side, const Offsets& at) {
-    side.at_x = at.x, side.at_v = at.v, side.at_a = at.a, side.at_half = at.half;
-    if (D == 1 && at.r != Offsets::absent) side.at_half = at.r;  // a ball of one axis is an interval
+    side.at_x = at.x, side.at_v = at.v, side.at_a = at.a, side.at_half = place_of_half<D>(at);
   }
 
   /// Of other reference times, or with a life that may end within the horizon.
   [[gnu::noinline]] void put_aged(const double* a, const double* b, int l) {
     const Moments moments = moments_of(setup_, a, b);
     const Relative<D> relative = relative_of<D, Degree>(setup_, a, b);
-    put_course(lanes_, l, relative, this->template sizes<double>(a, b).half,
+    double half[D];
+    for (int j = 0; j < D; ++j) half[j] = half_extent<double, D>(setup_, a, b, j);
+    put_course(lanes_, l, relative, half,
                moments.end_exact ? moments.dt_end : moments.dt_end * (1 + 2 * unit_roundoff));
     // Lanes look at pairs that both exist from now on, and at no times beyond 2^40: for others, no answer.
     const bool from_now = !moments.none && moments.begin_exact && moments.dt_begin == 0;
@@ -127,8 +144,7 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
   }
 
   /// The times, where the lane tells them.
-  bool quick_contact(const Pair& pair, int l, Settled settled, TimesWanted wanted,
-                     ContactTimes& found) const {
+  bool quick_contact(const Pair& pair, int l, Settled settled, TimesWanted wanted, ContactTimes& found) {
     const bool touches_now = lanes_.touches_now[l] > 0;
     if (!touches_now && !(lanes_.meets_first[l] > 0)) return false;
     const Instant begin =
@@ -148,10 +164,11 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
     return ends_.leaves[l] > 0 ? Instant{endings_.dt[l], endings_.t[l]} : unknown_instant();
   }
 
-  Instant slow_end(const Pair& pair, double from) const {
+  Instant slow_end(const Pair& pair, double from) {
     const double *a = row_a(pair), *b = row_b(pair);
     const Moments moments = moments_of(setup_, a, b);
-    return this->end_of_contact(this->track(a, b, moments), from, moments, a, b);
+    auto track = this->track(a, b, moments);
+    return this->end_of_contact(track, from, moments, a, b);
   }
 
   void find_ends() {
@@ -180,7 +197,7 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
   [[gnu::flatten]] void put_meeting(const double* a, const double* b, int l) {
     const int j = static_cast<int>(lanes_.axis[l]);
     const auto course = axis_course_of<DoubleDouble>(setup_, a, b, j);
-    const DoubleDouble half = this->template sizes<DoubleDouble>(a, b).half[j];
+    const auto half = half_extent<DoubleDouble, D>(setup_, a, b, j);
     MeetingLanes& m = meetings_;
     m.x[l] = course.x.high, m.v[l] = course.v.high, m.a[l] = course.a.high, m.half[l] = half.high;
     m.x_low[l] = course.x.low, m.v_low[l] = course.v.low, m.a_low[l] = course.a.low, m.half_low[l] = half.low;
@@ -191,7 +208,7 @@ class BoxContact final : public TypedContact<BoxBox<D>, Degree> {
   const double* row_a(const Pair& pair) const { return setup_.a.row(pair.a); }
   const double* row_b(const Pair& pair) const { return setup_.b.row(pair.b); }
 
-  using TypedContact<BoxBox<D>, Degree>::setup_;
+  using SetContact<D, Degree>::setup_;
   const BoxKernel<D, Degree>& kernel_ = box_kernel<D, Degree>();
   /// Of some bodies the motion may end within the horizon, or it is too long for what lanes look at.
   const bool own_ends_ = setup_.a.layout.has_until || setup_.b.layout.has_until || setup_.horizon.h > 0x1p39;

@@ -1,79 +1,64 @@
 // When could the two touch, at most? A cheap answer that lets most candidates go without any certified step.
 //
-// On one axis the relative course leaves its chord over [0, h] by at most |a| h^2 / 4, so |x + v t + a t^2|
-// <= H implies that the chord is within H plus that. Each slab gives one interval of time with one division;
-// sets are joined as intervals, "any" by their hull, and a ball lies within the slabs around its centre. An
-// empty interval is a certain miss. All widths are raised by far more than rounding can lose; numbers too
-// large for that give no answer, which is for ever.
+// On one axis the relative course leaves its chord over [0, h] by at most |a| h^2 / 4, so x + v t + a t^2 <=
+// H implies that the chord is within H plus that. Each bound of the contact set's hull cuts the time asked
+// about with one product. An empty interval is a certain miss. All widths are raised by far more than
+// rounding can lose; numbers too large for that give no answer, which is for ever.
 #pragma once
 
-#include <array>
 #include <cmath>
-#include <limits>
 
 #include "contact/certified.h"
+#include "contact/contact_set.h"
+#include "contact/relative.h"
 
 namespace foresee {
 
-/// All moments from `begin` to `end`; none if begin > end.
-struct Spell {
-  double begin, end;
-  bool none() const { return begin > end; }
-};
-
 template <int D>
-class ChordVisitor {
+class Chord {
  public:
-  /// Requires: 0 <= begin, end <= h up to rounding.
-  ChordVisitor(const Relative<D>& relative, double begin, double end) : asked_{begin, end} {
+  /// Requires: 0 <= end, which is h up to rounding.
+  Chord(const Relative<D>& relative, double end) : end_(end) {
     constexpr double slack = 0x1p-40, least_slope = 0x1p-1000;
-    const double h = end;
     for (int j = 0; j < D; ++j) {
-      const double bend = h * h * std::abs(relative.a[j]), turn = h * std::abs(relative.v[j]);
-      const double lost = relative.ex[j] + h * (relative.ev[j] + h * relative.ea[j]) + h * least_slope;
-      const double slope = relative.v[j] + h * relative.a[j];
+      const double bend = end * end * std::abs(relative.a[j]), turn = end * std::abs(relative.v[j]);
+      const double lost = relative.ex[j] + end * (relative.ev[j] + end * relative.ea[j]) + end * least_slope;
+      const double slope = relative.v[j] + end * relative.a[j];
       at_[j] = relative.x[j];
-      slope_[j] = std::abs(slope) < least_slope ? least_slope : slope;
+      steep_[j] = 1 / (std::abs(slope) < least_slope ? least_slope : slope);
       room_[j] = 0.25 * bend + lost + slack * (std::abs(at_[j]) + turn + bend) + 0x1p-1000;
     }
   }
 
-  Spell all(const Spell& a, const Spell& b) const {
-    return {a.begin < b.begin ? b.begin : a.begin, a.end > b.end ? b.end : a.end};
-  }
-  Spell any(const Spell& a, const Spell& b) const {
-    if (a.none()) return b;
-    if (b.none()) return a;
-    return {a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
-  }
-  Spell always() const { return asked_; }
-  Spell slab(int axis, double half) const { return around(axis, 0, half); }
-  Spell face(int axis, Face which, double bound) const {
-    const double width = std::abs(bound) * 0x1p-40 + room_[axis];
-    if (!(width < 0x1p1000)) return asked_;
-    const double steep = 1 / slope_[axis];
-    const double crossing = (bound + (which == Face::upper ? width : -width) - at_[axis]) * steep;
-    if ((which == Face::upper) == (steep > 0)) return all(asked_, {-for_ever, crossing});
-    return all(asked_, {crossing, for_ever});
-  }
-  template <std::size_t N>
-  Spell ball(const std::array<Centre<double>, N>& centre, double radius) const {
-    Spell spell = asked_;
-    for (const Centre<double>& c : centre) spell = all(spell, around(c.axis, c.at, radius));
-    return spell;
+  /// For certain no moment from `begin` on is within the set's hull.
+  bool misses(const ContactSet& set, const AllLengths<Bounded>& lengths, double begin) const {
+    double end = end_;
+    for (const Faces& faces : set.hull()) {
+      // No branches: which way the two go past each other is anybody's guess.
+      const double below = crossing(faces.axis, -1, faces.has_below, faces.below, lengths);
+      const double above = crossing(faces.axis, 1, faces.has_above, faces.above, lengths);
+      const double first = below < above ? below : above, last = below < above ? above : below;
+      begin = begin < first ? first : begin;
+      end = end > last ? last : end;
+    }
+    return begin > end;
   }
 
  private:
-  Spell around(int axis, double centre, double half) const {
-    const double width = (half + std::abs(centre)) * 0x1p-40 + half + room_[axis];
-    if (!(width < 0x1p1000)) return asked_;
-    const double steep = 1 / slope_[axis];
-    const double one = (centre - width - at_[axis]) * steep, other = (centre + width - at_[axis]) * steep;
-    return all(asked_, {one < other ? one : other, one < other ? other : one});
+  /// When the chord crosses a face: infinite, towards the side that the face is on, if there is none.
+  double crossing(int axis, double side, bool there, int number, const AllLengths<Bounded>& lengths) const {
+    double size = 0;
+    if (number != no_length) {
+      const Bounded& length = lengths[number];
+      size = length.value + length.error + std::abs(length.value) * 0x1p-40;
+    }
+    const double width = size + room_[axis], steep = steep_[axis];
+    if (!there || !(width < 0x1p1000)) return std::copysign(for_ever, side * steep);
+    return (side * width - at_[axis]) * steep;
   }
 
-  double at_[D], slope_[D], room_[D];
-  Spell asked_;
+  double at_[D], steep_[D], room_[D];
+  double end_;
 };
 
 }  // namespace foresee

@@ -27,103 +27,110 @@ inline Instant earlier(const Instant& a, const Instant& b) {
   return {std::min(a.dt, b.dt), std::min(a.t, b.t)};
 }
 
+/// Space for crossings, used for one after another.
+struct CrossingScratch {
+  std::vector<Instant> known;  ///< the crossing of each primitive that was asked for
+  std::vector<char> asked;
+
+  explicit CrossingScratch(const ContactSet& set)
+      : known(set.primitives().size()), asked(set.primitives().size()) {}
+};
+
 template <Way way, int D, int Degree>
-class CrossingVisitor {
+class Crossing {
  public:
-  CrossingVisitor(const Relative<D>& relative, const Course<DoubleDouble, D>& course, const Bracket& bracket,
-                  double now)
-      : course_(course), base_(bracket.before), now_(now), underflow_(relative.underflow) {
+  Crossing(CertainSet<D, Degree>& certain, const Course<DoubleDouble, D>& course,
+           const PairLengths<DoubleDouble>& lengths, const Bracket& bracket, double now,
+           CrossingScratch& scratch)
+      : certain_(certain), lengths_(lengths), scratch_(scratch), base_(bracket.before), now_(now) {
     width_ = (bracket.after - bracket.before) * (1 + 4 * unit_roundoff);
-    view_from<D, Degree>(relative, base_, view_);
+    certain.look_from(base_);
+    const DoubleDouble tau{base_, 0};
+    for (int j = 0; j < D; ++j)
+      place_[j][0] = Degree < 2 ? course.x[j] + tau * course.v[j]
+                                : course.x[j] + tau * (course.v[j] + tau * course.a[j]);
+    std::fill(scratch.asked.begin(), scratch.asked.end(), false);
   }
 
-  Instant all(const Instant& a, const Instant& b) const {
-    return way == Way::in ? later(a, b) : earlier(a, b);
-  }
-  Instant any(const Instant& a, const Instant& b) const {
-    return way == Way::in ? earlier(a, b) : later(a, b);
-  }
-
-  Instant slab(int axis, DoubleDouble half) const {
-    const AxisView& w = view_[axis];
-    const double gap = std::abs(w.p) - half.high,
-                 moved = width_ * (std::abs(w.q) + w.eq + width_ * (std::abs(w.a) + w.ea));
-    const double certain = slab_error(w, half.high) + 2 * moved;
-    if (gap < -certain) return always_inside();
-    if (gap > certain) return always_outside();
-    if (slab_within(w, half.high) > width_) return always_inside();
-    if (slab_apart(w, half.high) > width_) return always_outside();
-    // Only the side towards which the pair is can be crossed, unless the slab is thin: then let others
-    // decide.
-    const bool high_side = w.p >= 0;
-    const double other = half.high + std::abs(w.p) - 2 * (w.ep + 8 * unit_roundoff * half.high);
-    if (!(other > moved)) return unknown_instant();
-    const DoubleDouble place = this->place(axis);
-    const DoubleDouble value = high_side ? place - half : -place - half;
-    const double slope = high_side ? w.q : -w.q;
-    return root_of<way>({value, fine(w.ep, w.p, half.high), slope, w.eq, std::abs(w.a) + w.ea}, now_, base_,
-                        width_);
-  }
-
-  Instant always() const { return always_inside(); }
-
-  Instant face(int axis, Face which, DoubleDouble bound) const {
-    const AxisView& w = view_[axis];
-    const double size = std::abs(bound.high);
-    const double gap = face_gap(w, which, bound.high),
-                 moved = width_ * (std::abs(w.q) + w.eq + width_ * (std::abs(w.a) + w.ea));
-    const double certain = slab_error(w, size) + 2 * moved;
-    if (gap < -certain || face_within(w, which, bound.high) > width_) return always_inside();
-    if (gap > certain || face_apart(w, which, bound.high) > width_) return always_outside();
-    const DoubleDouble beyond = place(axis) - bound;
-    const bool upper = which == Face::upper;
-    return root_of<way>(
-        {upper ? beyond : -beyond, fine(w.ep, w.p, size), upper ? w.q : -w.q, w.eq, std::abs(w.a) + w.ea},
-        now_, base_, width_);
-  }
-
-  template <std::size_t N>
-  Instant ball(const std::array<Centre<DoubleDouble>, N>& centre, DoubleDouble radius) const {
-    std::array<Centre<double>, N> rough;
-    DoubleDouble value = -(radius * radius);
-    for (std::size_t i = 0; i < N; ++i) {
-      rough[i] = {centre[i].axis, centre[i].at.high};
-      const DoubleDouble away = place(centre[i].axis) - centre[i].at;
-      value = value + away * away;
-    }
-    const BallView b = ball_view<Degree>(view_, rough, radius.high, underflow_);
-    if (ball_within<Degree>(b, width_) > width_) return always_inside();
-    if (ball_apart<Degree>(b, width_) > width_) return always_outside();
-    const double span = std::max(width_, 2 * std::abs(value.high / b.f1));
-    const double bend =
-        std::abs(b.c2) + b.e2 + span * (3 * (std::abs(b.c3) + b.e3) + 6 * span * (b.c4 + b.e4));
-    return root_of<way>({value, b.ef * 0x1p-44 + underflow_, b.f1, b.e1, 2 * bend}, now_, base_, width_);
+  Instant instant() {
+    Instant whole = outside;
+    for (const ContactSet::Piece& piece : certain_.set().pieces()) whole = any(whole, of(piece));
+    return whole;
   }
 
  private:
   static constexpr double inf = std::numeric_limits<double>::infinity();
-  static constexpr Instant always_inside() {
-    return way == Way::in ? Instant{-inf, -inf} : Instant{inf, inf};
+  static constexpr Instant inside = way == Way::in ? Instant{-inf, -inf} : Instant{inf, inf};
+  static constexpr Instant outside = way == Way::in ? Instant{inf, inf} : Instant{-inf, -inf};
+
+  static Instant all(const Instant& a, const Instant& b) {
+    return way == Way::in ? later(a, b) : earlier(a, b);
   }
-  static constexpr Instant always_outside() {
-    return way == Way::in ? Instant{inf, inf} : Instant{-inf, -inf};
+  static Instant any(const Instant& a, const Instant& b) {
+    return way == Way::in ? earlier(a, b) : later(a, b);
+  }
+  static bool is_outside(const Instant& instant) { return instant.dt == outside.dt; }
+
+  /// Outside of one primitive is outside, whatever cannot be told about the others.
+  Instant of(const ContactSet::Piece& piece) {
+    Instant met = inside;
+    for (const int i : certain_.set().members(piece.all)) {
+      const Instant one = of(i);
+      if (is_outside(one)) return outside;
+      met = all(met, one);
+    }
+    return met;
   }
 
-  /// DoubleDouble loses at most 2^-97 of what the double bound counts in 2^-53.
-  double fine(double rough_error, double p, double half) const {
-    return (rough_error + 8 * unit_roundoff * (std::abs(p) + half)) * 0x1p-44 + underflow_;
+  Instant of(int i) {
+    const auto place = static_cast<std::size_t>(i);
+    if (!scratch_.asked[place]) {
+      scratch_.asked[place] = true;
+      scratch_.known[place] = of(certain_.set().primitives()[place]);
+    }
+    return scratch_.known[place];
   }
 
-  /// Where the centre is at the bracket's begin.
-  DoubleDouble place(int axis) const {
-    const DoubleDouble tau{base_, 0};
-    if constexpr (Degree < 2) return course_.x[axis] + tau * course_.v[axis];
-    return course_.x[axis] + tau * (course_.v[axis] + tau * course_.a[axis]);
+  Instant of(const Primitive& primitive) const {
+    return certain_.with_polynomial(primitive,
+                                    [this, &primitive](const auto& p) { return this->of(primitive, p); });
   }
 
-  const Course<DoubleDouble, D>& course_;
-  AxisView view_[D];
-  double base_, width_, now_, underflow_;
+  template <std::size_t N>
+  Instant of(const Primitive& primitive, const std::array<Bounded, N>& p) const {
+    const double lost = certain_.lost(primitive), error = p[0].settled(lost);
+    double moved = 0;
+    for (std::size_t k = N - 1; k > 0; --k) moved = width_ * (most(p[k]) + moved);
+    const double certain = error + 2 * moved;
+    if (p[0].value < -certain || positive_during(p, -1, lost, width_) > width_) return inside;
+    if (p[0].value > certain || positive_during(p, 1, lost, width_) > width_) return outside;
+    const DoubleDouble value = polynomial_of<0>(primitive, place_, lengths_, base_)[0];
+    // DoubleDouble loses at most 2^-97 of what the double bound counts in 2^-53.
+    const double underflow = certain_.relative().underflow;
+    const double slope = p[1].value;
+    return root_of<way>(
+        {value, error * 0x1p-44 + underflow, slope, p[1].settled(underflow), bend(p, value.high / slope)},
+        now_, base_, width_);
+  }
+
+  /// Bound on |p''| / 2 as far as the root may be.
+  template <std::size_t N>
+  double bend(const std::array<Bounded, N>& p, double step) const {
+    if constexpr (N == 2) return 0;
+    if constexpr (N == 3) return 2 * most(p[2]);
+    if constexpr (N == 5) {
+      const double span = std::max(width_, 2 * std::abs(step));
+      return 2 * (most(p[2]) + span * (3 * most(p[3]) + 6 * span * most(p[4])));
+    }
+  }
+
+  static double most(const Bounded& c) { return std::abs(c.value) + c.settled(0x1p-1060); }
+
+  CertainSet<D, Degree>& certain_;
+  const PairLengths<DoubleDouble> lengths_;
+  CrossingScratch& scratch_;
+  Powers<DoubleDouble, 0> place_[D];
+  double base_, width_, now_;
 };
 
 }  // namespace foresee

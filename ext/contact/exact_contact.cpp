@@ -12,24 +12,20 @@ namespace {
 
 class ExactPair {
  public:
-  ExactPair(Formula& formula, const ExactMoments& moments)
-      : formula_(formula),
-        moments_(moments),
-        begin_(moments.begin),
-        end_(moments.end),
-        inside_(formula.curves.size()) {}
+  ExactPair(PairCurves& curves, const ExactMoments& moments)
+      : curves_(curves), moments_(moments), begin_(moments.begin), end_(moments.end) {}
 
   bool touches() {
-    for (int i = 0; i < formula_.pieces.count; ++i)
-      if (held(formula_.pieces.list[i]).count > 0) return true;
-    return false;
+    const auto pieces = curves_.set().pieces();
+    return std::any_of(pieces.begin(), pieces.end(),
+                       [this](const ContactSet::Piece& piece) { return !held(piece).empty(); });
   }
 
   std::optional<ContactTimes> times() {
     std::vector<Stay> stays;
-    for (int i = 0; i < formula_.pieces.count; ++i) {
-      const Stays piece = held(formula_.pieces.list[i]);
-      stays.insert(stays.end(), piece.list.begin(), piece.list.begin() + piece.count);
+    for (const ContactSet::Piece& piece : curves_.set().pieces()) {
+      const Stays held = this->held(piece);
+      stays.insert(stays.end(), held.begin(), held.end());
     }
     if (stays.empty()) return {};
     std::iter_swap(stays.begin(), std::min_element(stays.begin(), stays.end(), begins_before));
@@ -45,26 +41,36 @@ class ExactPair {
   }
 
   /// When do all conditions of the piece hold?
-  Stays held(const Piece& piece) {
-    const bool around = piece.around.count + piece.beyond.count > 0;
-    Stays met;
-    met.add(&begin_, &end_);
-    for (int i = 0; i < piece.curves.count - (around ? 1 : 0) && met.count > 0; ++i)
-      met = common(met, inside(piece.curves.list[i]));
-    if (!around) return met;
-    for (int i = 0; i < piece.beyond.count && met.count > 0; ++i)
-      met = common(met, outside(inside(piece.beyond.list[i]), {begin_, end_}));
+  Stays held(const ContactSet::Piece& piece) {
+    const ContactSet& set = curves_.set();
+    auto all = set.members(piece.all);
+    const auto around = set.members(piece.around), beyond = set.members(piece.beyond);
+    const bool round = around.size() + beyond.size() > 0;
+    const int ball = round ? all.back() : 0;
+    if (round) all = all.first(all.size() - 1);
+    Stays met{{&begin_, &end_}};
+    for (std::size_t i = 0; i < all.size() && !met.empty(); ++i) met = common(met, inside(all[i]));
+    if (!round) return met;
+    for (std::size_t i = 0; i < beyond.size() && !met.empty(); ++i)
+      met = common(met, outside(inside(beyond[i]), {begin_, end_}));
+    if (met.empty()) return met;
+    Curve& curve = curves_.curve(curves_.number_of(ball));
     Stays near = met;
-    for (int i = 0; i < piece.around.count && near.count > 0; ++i)
-      near = common(near, inside(piece.around.list[i]));
-    if (near.count == 0) return near;
-    return common(met, inside_while(near, formula_.curves[piece.curves.list[piece.curves.count - 1]]));
+    if (is_bent(curve))
+      for (std::size_t i = 0; i < around.size() && !near.empty(); ++i) near = common(near, inside(around[i]));
+    if (near.empty()) return near;
+    return common(met, inside_while(near, curve));
+  }
+
+  /// Its roots are costly to find: worth asking first when they can be.
+  static bool is_bent(const Curve& curve) {
+    return curve.rough()[3].sign() != 0 || curve.rough()[4].sign() != 0;
   }
 
   /// A costly curve, which belongs to one piece alone: looked at only around the moments that the rest of the
   /// piece leaves.
   Stays inside_while(const Stays& rest, Curve& curve) {
-    const Event &first = *rest.list[0].first, &last = *rest.list[rest.count - 1].last;
+    const Event &first = *rest.front().first, &last = *rest.back().last;
     Event *from = &begin_, *to = &end_;
     if (&first != &begin_) from = known_moment(first.at.low().dyadic(), begin_);
     if (&last != &end_) to = known_moment(last.at.high().dyadic(), end_);
@@ -79,9 +85,11 @@ class ExactPair {
     return &events_made_.back();
   }
 
-  const Stays& inside(int curve) {
-    std::optional<Stays>& known = inside_[curve];
-    if (!known) known = foresee::inside(formula_.curves[curve], {begin_, end_});
+  const Stays& inside(int primitive) {
+    const std::size_t number = curves_.number_of(primitive);
+    if (inside_.size() <= number) inside_.resize(number + 1);
+    std::optional<Stays>& known = inside_[number];
+    if (!known) known = foresee::inside(curves_.curve(number), {begin_, end_});
     return *known;
   }
 
@@ -126,10 +134,10 @@ class ExactPair {
     return {begin.t, end.t, begin.dt, end.dt};
   }
 
-  Formula& formula_;
+  PairCurves& curves_;
   const ExactMoments& moments_;
   Event begin_, end_;
-  std::vector<std::optional<Stays>> inside_;
+  std::vector<std::optional<Stays>> inside_;  ///< of each curve
   std::deque<Dyadic> moments_made_;
   std::deque<Event> events_made_;
 };
@@ -146,12 +154,12 @@ ExactMoments exact_moments_of(const Setup& setup, const double* row_a, const dou
   return moments;
 }
 
-bool exact_touches(Formula& formula, const ExactMoments& moments) {
-  return ExactPair(formula, moments).touches();
+bool exact_touches(PairCurves& curves, const ExactMoments& moments) {
+  return ExactPair(curves, moments).touches();
 }
 
-std::optional<ContactTimes> exact_times(Formula& formula, const ExactMoments& moments) {
-  return ExactPair(formula, moments).times();
+std::optional<ContactTimes> exact_times(PairCurves& curves, const ExactMoments& moments) {
+  return ExactPair(curves, moments).times();
 }
 
 }  // namespace foresee

@@ -54,14 +54,15 @@ std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const Co
   if (has(a, b, Shape::cylinder) || question.within_z) {
     check_cylinder_meets_no_ball(a, b, name_a, name_b);
     const Setup upright{a, b, question.horizon, within, question.within_z.value_or(0)};
-    return box ? make_cylinder_box(upright, degree) : make_cylinder_cylinder(upright, degree);
+    return make_set_contact(upright, box ? cylinder_box_set(upright) : cylinder_cylinder_set(upright),
+                            degree);
   }
   const Setup setup{a, b, question.horizon, within, within};
   const bool round = is_ball_of_size(a) || is_ball_of_size(b) || within > 0;
   const bool both_boxes = a.layout.shape == Shape::box && b.layout.shape == Shape::box;
   // Per axis: boxes among themselves, anything in one dimension, and where nothing is round.
-  if (both_boxes || a.layout.axes == 1 || !round) return make_box_box(setup, degree);
-  return box ? make_box_ball(setup, degree) : make_ball_ball(setup, degree);
+  if (both_boxes || a.layout.axes == 1 || !round) return make_box_contact(setup, degree);
+  return make_set_contact(setup, box ? box_ball_set(setup) : ball_ball_set(setup), degree);
 }
 
 }  // namespace foresee

@@ -41,14 +41,6 @@ struct AxisCourse {
   T x, v, a;
 };
 
-/// Sums over both sides, nothing added yet: box half extents, radii, half heights of cylinders.
-template <class T, int D>
-struct RawSizes {
-  T half[D];
-  T radius;
-  T height;
-};
-
 /// When both exist within the horizon, measured from now and absolute; each rounded once.
 struct Moments {
   double dt_begin, dt_end;
@@ -127,20 +119,6 @@ Course<T, D> course_of(const Setup& setup, const double* row_a, const double* ro
     course.x[axis] = one.x, course.v[axis] = one.v, course.a[axis] = one.a;
   }
   return course;
-}
-
-template <class T, int D>
-RawSizes<T, D> raw_sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
-  const Offsets &a = setup.a.at, &b = setup.b.at;
-  auto both = [&](int place_a, int place_b) {
-    return Exactly<T>::number(value_or(row_a, place_a, 0)) + Exactly<T>::number(value_or(row_b, place_b, 0));
-  };
-  auto axis_of = [](int place, int axis) { return place == Offsets::absent ? place : place + axis; };
-  RawSizes<T, D> sizes;
-  for (int axis = 0; axis < D; ++axis) sizes.half[axis] = both(axis_of(a.half, axis), axis_of(b.half, axis));
-  sizes.radius = both(a.r, b.r);
-  sizes.height = both(a.hz, b.hz);
-  return sizes;
 }
 
 }  // namespace foresee

@@ -1,12 +1,12 @@
-#include "contact/window_ball.h"
-
 #include "contact/kinds.h"
-#include "contact/typed_contact.h"
+#include "contact/rounded_box.h"
 
 namespace foresee {
 
-std::unique_ptr<Contact> make_window_ball(const Setup& setup, int degree) {
-  return make_typed_for_axes<WindowBall>(setup, degree);
+ContactSet window_ball_set(const Setup& setup) {
+  ContactSet set;
+  add_rounded_box(set, faces_of_window(set, setup), set.in_both(setup.a.at.r, setup.b.at.r));
+  return set;
 }
 
 }  // namespace foresee

@@ -19,9 +19,9 @@ std::unique_ptr<Contact> make_window_contact(const MovingWindow& window, const B
   const Setup setup{.a = window.bodies(), .b = objects, .horizon = horizon, .window = &window.faces()};
   const int degree = degree_of(objects.layout.law);
   const Shape shape = objects.layout.shape;
-  if (shape == Shape::cylinder) return make_window_cylinder(setup, degree);
+  if (shape == Shape::cylinder) return make_set_contact(setup, window_cylinder_set(setup), degree);
   const bool round = shape == Shape::ball && objects.layout.axes > 1;
-  return round ? make_window_ball(setup, degree) : make_window_box(setup, degree);
+  return make_set_contact(setup, round ? window_ball_set(setup) : window_box_set(setup), degree);
 }
 
 }  // namespace foresee

@@ -1,12 +1,15 @@
-#include "contact/window_cylinder.h"
-
 #include "contact/kinds.h"
-#include "contact/typed_contact.h"
+#include "contact/rounded_box.h"
 
 namespace foresee {
 
-std::unique_ptr<Contact> make_window_cylinder(const Setup& setup, int degree) {
-  return make_typed<WindowCylinder>(setup, degree);
+ContactSet window_cylinder_set(const Setup& setup) {
+  ContactSet set;
+  std::vector<Faces> faces = faces_of_window(set, setup);
+  const Faces along_z = grown(set, faces[2], set.in_both(setup.a.at.hz, setup.b.at.hz));
+  faces.pop_back();
+  add_rounded_box(set, faces, set.in_both(setup.a.at.r, setup.b.at.r), &along_z);
+  return set;
 }
 
 }  // namespace foresee

@@ -8,8 +8,8 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 
+#include "numbers/powers.h"
 #include "numbers/precise.h"
 
 namespace foresee {
@@ -35,9 +35,6 @@ inline Wide hull(const Wide& low, const Wide& high, int /*bits*/) {
 inline Precise hull(const Dyadic& low, const Dyadic& high, int bits) {
   return Precise::hull(low, high, bits);
 }
-
-template <class N>
-using Powers = std::array<N, 5>;
 
 template <class N>
 N value_at(const Powers<N>& p, int degree, const N& x) {

@@ -59,7 +59,7 @@ Stays clipped(std::initializer_list<Stay> stays, const Asked& asked) {
   for (Stay s : stays) {
     if (s.first != &asked.begin && compare(*s.first, asked.begin) < 0) s.first = &asked.begin;
     if (s.last != &asked.end && compare(*s.last, asked.end) > 0) s.last = &asked.end;
-    if (compare(*s.first, *s.last) <= 0) kept.add(s.first, s.last);
+    if (compare(*s.first, *s.last) <= 0) kept.push_back(s);
   }
   return kept;
 }
@@ -169,7 +169,7 @@ Stays inside(Curve& curve, const Asked& asked) {
   if (curve.degree() <= 2) return inside_by_formula(curve, asked);
   Stays stays;
   const int constant = constant_sign(curve, asked);
-  if (constant < 0) stays.add(&asked.begin, &asked.end);
+  if (constant < 0) stays.push_back({&asked.begin, &asked.end});
   if (constant != 0) return stays;
   const Waypoints way = waypoints_of(curve, asked);
   // Between two neighbours there is no root, so the curve is at most 0 there if it is at both.
@@ -177,7 +177,7 @@ Stays inside(Curve& curve, const Asked& asked) {
     if (way.list[i].sign > 0) continue;
     int last = i;
     while (last + 1 < way.count && way.list[last + 1].sign <= 0) ++last;
-    stays.add(way.list[i].event, way.list[last].event);
+    stays.push_back({way.list[i].event, way.list[last].event});
     i = last;
   }
   return stays;
@@ -186,23 +186,22 @@ Stays inside(Curve& curve, const Asked& asked) {
 Stays outside(const Stays& inside, const Asked& asked) {
   Stays gaps;
   Event* first = &asked.begin;
-  for (int i = 0; i < inside.count; ++i) {
-    const Stay& stay = inside.list[i];
-    if (stay.first != &asked.begin) gaps.add(first, stay.first);
+  for (const Stay& stay : inside) {
+    if (stay.first != &asked.begin) gaps.push_back({first, stay.first});
     first = stay.last;
   }
-  if (first != &asked.end) gaps.add(first, &asked.end);
+  if (first != &asked.end) gaps.push_back({first, &asked.end});
   return gaps;
 }
 
 Stays common(const Stays& a, const Stays& b) {
   Stays both;
-  for (int i = 0, j = 0; i < a.count && j < b.count;) {
-    const Stay &s = a.list[i], &other = b.list[j];
+  for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
+    const Stay &s = a[i], &other = b[j];
     Event* const first = compare(*s.first, *other.first) >= 0 ? s.first : other.first;
     const bool s_ends = compare(*s.last, *other.last) <= 0;
     Event* const last = s_ends ? s.last : other.last;
-    if (compare(*first, *last) <= 0) both.add(first, last);
+    if (compare(*first, *last) <= 0) both.push_back({first, last});
     ++(s_ends ? i : j);
   }
   return both;

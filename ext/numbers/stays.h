@@ -6,6 +6,8 @@
 // sign in doubt is asked exactly.
 #pragma once
 
+#include <vector>
+
 #include "numbers/curve.h"
 
 namespace foresee {
@@ -15,15 +17,8 @@ struct Stay {
   Event *first, *last;
 };
 
-/// In order of time and apart from each other. Three slabs have two polynomials of two stays each, and
-/// joining lists of m and n leaves at most m + n - 1.
-struct Stays {
-  static constexpr int most = 8;
-  std::array<Stay, most> list;
-  int count = 0;
-
-  void add(Event* first, Event* last) { list[count++] = {first, last}; }
-};
+/// In order of time and apart from each other.
+using Stays = std::vector<Stay>;
 
 /// The moments asked about. Requires: begin <= end.
 struct Asked {

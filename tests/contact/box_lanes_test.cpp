@@ -42,9 +42,10 @@ class LaneOfPair {
 
   void check(Certain& certain) const {
     BoxLanes<D, Degree> lanes;
-    const auto raw = raw_sizes_of<double, D>(setup_, row_a_.data(), row_b_.data());
+    double half[D];
+    for (int j = 0; j < D; ++j) half[j] = half_extent<double, D>(setup_, row_a_.data(), row_b_.data(), j);
     for (int l = 0; l < lanes.width; ++l)
-      put_course(lanes, l, relative_, BoxBox<D>::sizes(raw, setup_).half, moments_.dt_end * (1 + 0x1p-52));
+      put_course(lanes, l, relative_, half, moments_.dt_end * (1 + 0x1p-52));
     box_kernel<D, Degree>().settle(lanes);
     check_simd(lanes);
     const bool touches = ask(exact_touches);
@@ -73,11 +74,10 @@ class LaneOfPair {
 
  private:
   template <class Answer>
-  Answer ask(Answer (*question)(Formula&, const ExactMoments&)) const {
-    const PairPolynomials<BoxBox<D>> polynomials(setup_, row_a_.data(), row_b_.data());
-    Formula formula;
-    polynomials.formula(formula);
-    return question(formula, exact_moments_of(setup_, row_a_.data(), row_b_.data()));
+  Answer ask(Answer (*question)(PairCurves&, const ExactMoments&)) const {
+    const ContactSet set = box_box_set(setup_);
+    PairCurves curves(set, setup_, row_a_.data(), row_b_.data());
+    return question(curves, exact_moments_of(setup_, row_a_.data(), row_b_.data()));
   }
 
   void check_end(const BoxLanes<D, Degree>& lanes, double dt_end, Certain& certain) const {

@@ -5,13 +5,9 @@
 // that doubles vouch for against those of the exact stage, bit for bit.
 #include <gtest/gtest.h>
 
-#include "contact/ball_ball.h"
-#include "contact/box_ball.h"
-#include "contact/box_box.h"
-#include "contact/cylinder_box.h"
-#include "contact/cylinder_cylinder.h"
 #include "contact/exact_contact.h"
 #include "contact/hard_pairs.h"
+#include "contact/kinds.h"
 #include "contact/track.h"
 
 namespace foresee {
@@ -24,10 +20,12 @@ struct Certain {
   int chord = 0, track = 0, wide = 0, times = 0;
 };
 
-template <class Kind, int Degree>
+using MakeSet = ContactSet (*)(const Setup&);
+
+template <int D, int Degree>
 class StagesOfPair {
  public:
-  StagesOfPair(const Case& c, Certain& certain)
+  StagesOfPair(const Case& c, MakeSet make_set, Certain& certain)
       : case_(c),
         certain_(certain),
         row_a_(c.a.row()),
@@ -37,25 +35,26 @@ class StagesOfPair {
                c.question.horizon,
                c.question.within,
                c.question.within_z.value_or(0)},
-        polynomials_(setup_, row_a_.data(), row_b_.data()),
+        set_(make_set(setup_)),
         moments_(moments_of(setup_, row_a_.data(), row_b_.data())) {}
 
   void check() {
     if (moments_.none) return;
-    Formula formula;
-    polynomials_.formula(formula);
+    PairCurves curves(set_, setup_, row_a_.data(), row_b_.data());
     const ExactMoments exact = exact_moments_of(setup_, row_a_.data(), row_b_.data());
-    const bool touches = exact_touches(formula, exact);
+    const bool touches = exact_touches(curves, exact);
     check_doubles(touches);
-    check_wide(formula, exact);
+    check_wide(curves, exact);
     if (touches) check_times(exact);
   }
 
  private:
   void check_doubles(bool touches) {
-    const Track<Kind, Degree> track(setup_, row_a_.data(), row_b_.data(), moments_);
-    const ChordVisitor<Kind::axes> chord(track.relative(), moments_.dt_begin, moments_.dt_end);
-    if (moments_.begin_exact && moments_.end_exact && Kind::visit(track.sizes(), chord).none()) {
+    CertainScratch scratch(set_);
+    Track<D, Degree> track(set_, setup_, row_a_.data(), row_b_.data(), moments_, scratch);
+    const Chord<D> chord(track.certain().relative(), moments_.dt_end);
+    if (moments_.begin_exact && moments_.end_exact &&
+        chord.misses(set_, scratch.lengths, moments_.dt_begin)) {
       ++certain_.chord;
       EXPECT_FALSE(touches) << "chord: " << case_;
     }
@@ -67,9 +66,10 @@ class StagesOfPair {
     }
   }
 
-  void check_wide(Formula& formula, const ExactMoments& exact) {
-    for (Curve& curve : formula.curves)
+  void check_wide(PairCurves& curves, const ExactMoments& exact) {
+    for (int i = 0; i < static_cast<int>(set_.primitives().size()); ++i)
       for (const Dyadic& moment : {exact.begin, exact.end}) {
+        Curve& curve = curves.curve(curves.number_of(i));
         const int sign = curve.value_at(Wide(moment)).sign();
         if (sign == unknown_sign) continue;
         ++certain_.wide;
@@ -78,9 +78,8 @@ class StagesOfPair {
   }
 
   void check_times(const ExactMoments& exact) {
-    Formula formula;
-    polynomials_.formula(formula);
-    const auto times = exact_times(formula, exact);
+    PairCurves curves(set_, setup_, row_a_.data(), row_b_.data());
+    const auto times = exact_times(curves, exact);
     ASSERT_TRUE(times) << case_;
     const auto answer = contact(case_.a, case_.b, case_.question);
     ASSERT_TRUE(answer) << case_;
@@ -95,22 +94,22 @@ class StagesOfPair {
   Certain& certain_;
   std::vector<double> row_a_, row_b_;
   Setup setup_;
-  PairPolynomials<Kind> polynomials_;
+  ContactSet set_;
   Moments moments_;
 };
 
-template <class Kind>
-void check_kind(Shapes shapes, std::uint64_t seed) {
+template <int D>
+void check_kind(MakeSet make_set, Shapes shapes, std::uint64_t seed) {
   Certain certain;
   for (const auto& families : {ordinary_families(), extreme_families()})
     for (const Family& family : families) {
       Generator generate(family, ++seed);
       for (int i = 0; i < 40; ++i) {
-        const Case c = make_case(generate, family, shapes, Kind::axes);
+        const Case c = make_case(generate, family, shapes, D);
         if (std::max(c.a.layout.law, c.b.layout.law) <= Law::uniform)
-          StagesOfPair<Kind, 1>(c, certain).check();
+          StagesOfPair<D, 1>(c, make_set, certain).check();
         else
-          StagesOfPair<Kind, 2>(c, certain).check();
+          StagesOfPair<D, 2>(c, make_set, certain).check();
       }
     }
   // A stage that is never certain would prove nothing.
@@ -121,31 +120,31 @@ void check_kind(Shapes shapes, std::uint64_t seed) {
 }
 
 TEST(Stages, BoxesInOneDimension) {
-  check_kind<BoxBox<1>>(Shapes::boxes, 100);
+  check_kind<1>(box_box_set, Shapes::boxes, 100);
 }
 TEST(Stages, BoxesInTwoDimensions) {
-  check_kind<BoxBox<2>>(Shapes::boxes, 200);
+  check_kind<2>(box_box_set, Shapes::boxes, 200);
 }
 TEST(Stages, BoxesInThreeDimensions) {
-  check_kind<BoxBox<3>>(Shapes::boxes, 300);
+  check_kind<3>(box_box_set, Shapes::boxes, 300);
 }
 TEST(Stages, BallsInTwoDimensions) {
-  check_kind<BallBall<2>>(Shapes::balls, 400);
+  check_kind<2>(ball_ball_set, Shapes::balls, 400);
 }
 TEST(Stages, BallsInThreeDimensions) {
-  check_kind<BallBall<3>>(Shapes::balls, 500);
+  check_kind<3>(ball_ball_set, Shapes::balls, 500);
 }
 TEST(Stages, BoxAndBallInTwoDimensions) {
-  check_kind<BoxBall<2>>(Shapes::box_and_ball, 600);
+  check_kind<2>(box_ball_set, Shapes::box_and_ball, 600);
 }
 TEST(Stages, BoxAndBallInThreeDimensions) {
-  check_kind<BoxBall<3>>(Shapes::box_and_ball, 700);
+  check_kind<3>(box_ball_set, Shapes::box_and_ball, 700);
 }
 TEST(Stages, Cylinders) {
-  check_kind<CylinderCylinder>(Shapes::cylinders, 800);
+  check_kind<3>(cylinder_cylinder_set, Shapes::cylinders, 800);
 }
 TEST(Stages, CylinderAndBox) {
-  check_kind<CylinderBox>(Shapes::cylinder_and_box, 900);
+  check_kind<3>(cylinder_box_set, Shapes::cylinder_and_box, 900);
 }
 
 /// Whatever is done to numbers of 128 bits, the exact result lies within their error.

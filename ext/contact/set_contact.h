@@ -1,5 +1,5 @@
-// Contact with everything decided that can be decided before the first pair: shapes, axes, degree of the
-// motion.
+// Contact of one pair after another by its contact set, each stage asked in turn: the chord, doubles with
+// error bounds, DoubleDouble for the times, exact numbers for what those leave open.
 #pragma once
 
 #include "base/float_environment.h"
@@ -9,12 +9,12 @@
 
 namespace foresee {
 
-template <class Kind, int Degree>
-class TypedContact : public Contact {
+/// D: the axes. Degree: 1 or 2, the highest power of time in the relative motion and in the set's sizes.
+template <int D, int Degree>
+class SetContact : public Contact {
  public:
-  static constexpr int D = Kind::axes;
-
-  explicit TypedContact(const Setup& setup) : setup_(setup) {}
+  SetContact(const Setup& setup, ContactSet set)
+      : setup_(setup), set_(std::move(set)), certain_scratch_(set_), crossing_scratch_(set_) {}
 
   Reach reach() const override { return {setup_.within, setup_.within_z}; }
 
@@ -58,11 +58,11 @@ class TypedContact : public Contact {
     __builtin_prefetch(row_b + doubles_per_line);
   }
 
-  Track<Kind, Degree> track(const double* row_a, const double* row_b, const Moments& moments) const {
-    return {setup_, row_a, row_b, moments};
+  Track<D, Degree> track(const double* row_a, const double* row_b, const Moments& moments) {
+    return {set_, setup_, row_a, row_b, moments, certain_scratch_};
   }
 
-  [[gnu::flatten]] bool touches(const double* row_a, const double* row_b) const {
+  bool touches(const double* row_a, const double* row_b) {
     const Moments moments = moments_of(setup_, row_a, row_b);
     if (moments.none) return false;
     const Verdict verdict = track(row_a, row_b, moments).touches();
@@ -70,8 +70,7 @@ class TypedContact : public Contact {
     return exactly<bool>(row_a, row_b, exact_touches);
   }
 
-  bool first_contact(const double* row_a, const double* row_b, TimesWanted wanted,
-                     ContactTimes& found) const {
+  bool first_contact(const double* row_a, const double* row_b, TimesWanted wanted, ContactTimes& found) {
     const Moments moments = moments_of(setup_, row_a, row_b);
     if (moments.none) return false;
     Instant begin = unknown_instant(), end = unknown_instant();
@@ -84,11 +83,24 @@ class TypedContact : public Contact {
     return exact.has_value();
   }
 
+  /// The end of the contact that certainly is at `from`, or unknown.
+  Instant end_of_contact(Track<D, Degree>& track, double from, const Moments& moments, const double* row_a,
+                         const double* row_b) {
+    Bracket last;
+    const Verdict leaves = track.end_of_contact(from, last);
+    if (leaves == Verdict::uncertain) return unknown_instant();
+    const Instant end{moments.dt_end, moments.t_end};
+    return leaves == Verdict::no ? end : earlier(crossing<Way::out>(track, last, row_a, row_b), end);
+  }
+
+  const Setup setup_;
+
+ private:
   /// What double and DoubleDouble can vouch for: whether the two touch and, where known, since and until
   /// when.
-  [[gnu::flatten]] Verdict filtered_contact(const double* row_a, const double* row_b, const Moments& moments,
-                                            TimesWanted wanted, Instant& begin, Instant& end) const {
-    const auto track = this->track(row_a, row_b, moments);
+  Verdict filtered_contact(const double* row_a, const double* row_b, const Moments& moments,
+                           TimesWanted wanted, Instant& begin, Instant& end) {
+    auto track = this->track(row_a, row_b, moments);
     if (track.certainly_missed()) return Verdict::no;
     Bracket first;
     const Verdict meets = track.first_contact(first);
@@ -99,53 +111,32 @@ class TypedContact : public Contact {
     return meets;
   }
 
-  /// The end of the contact that certainly is at `from`, or unknown.
-  Instant end_of_contact(const Track<Kind, Degree>& track, double from, const Moments& moments,
-                         const double* row_a, const double* row_b) const {
-    Bracket last;
-    const Verdict leaves = track.end_of_contact(from, last);
-    if (leaves == Verdict::uncertain) return unknown_instant();
-    const Instant end{moments.dt_end, moments.t_end};
-    return leaves == Verdict::no ? end : earlier(crossing<Way::out>(track, last, row_a, row_b), end);
-  }
-
   template <Way way>
-  Instant crossing(const Track<Kind, Degree>& track, const Bracket& bracket, const double* row_a,
-                   const double* row_b) const {
+  Instant crossing(Track<D, Degree>& track, const Bracket& bracket, const double* row_a,
+                   const double* row_b) {
     const auto course = course_of<DoubleDouble, D>(setup_, row_a, row_b);
-    return Kind::visit(
-        sizes<DoubleDouble>(row_a, row_b),
-        CrossingVisitor<way, D, Degree>(track.relative(), course, bracket, setup_.horizon.now));
+    return Crossing<way, D, Degree>(track.certain(), course, {set_, row_a, row_b}, bracket,
+                                    setup_.horizon.now, crossing_scratch_)
+        .instant();
   }
 
   template <class Answer>
   [[gnu::noinline]] Answer exactly(const double* row_a, const double* row_b,
-                                   Answer (*ask)(Formula&, const ExactMoments&)) const {
-    const PairPolynomials<Kind> polynomials(setup_, row_a, row_b);
-    Formula formula;
-    polynomials.formula(formula);
-    return ask(formula, exact_moments_of(setup_, row_a, row_b));
+                                   Answer (*ask)(PairCurves&, const ExactMoments&)) const {
+    PairCurves curves(set_, setup_, row_a, row_b);
+    return ask(curves, exact_moments_of(setup_, row_a, row_b));
   }
 
-  template <class T>
-  auto sizes(const double* row_a, const double* row_b) const {
-    return Kind::template sizes<T>(raw_sizes_of<T, D>(setup_, row_a, row_b), setup_);
-  }
-
-  const Setup setup_;
+  const ContactSet set_;
+  CertainScratch certain_scratch_;
+  CrossingScratch crossing_scratch_;
 };
 
-template <class Kind>
-std::unique_ptr<Contact> make_typed(const Setup& setup, int degree) {
-  if (degree < 2) return std::make_unique<TypedContact<Kind, 1>>(setup);
-  return std::make_unique<TypedContact<Kind, 2>>(setup);
-}
-
-/// For kinds of two and three axes.
-template <template <int> class Kind>
-std::unique_ptr<Contact> make_typed_for_axes(const Setup& setup, int degree) {
-  if (setup.a.layout.axes == 2) return make_typed<Kind<2>>(setup, degree);
-  return make_typed<Kind<3>>(setup, degree);
-}
+extern template class SetContact<1, 1>;
+extern template class SetContact<1, 2>;
+extern template class SetContact<2, 1>;
+extern template class SetContact<2, 2>;
+extern template class SetContact<3, 1>;
+extern template class SetContact<3, 2>;
 
 }  // namespace foresee

@@ -1,0 +1,34 @@
+// Polynomials in time by their coefficients, over any number type: power k of the time at place k.
+#pragma once
+
+#include <array>
+
+#include "numbers/bounded.h"
+#include "numbers/double_double.h"
+
+namespace foresee {
+
+template <class T, int K = 4>
+using Powers = std::array<T, K + 1>;
+
+template <class T>
+T twice(const T& a) {
+  return a.scaled(1);
+}
+inline DoubleDouble twice(const DoubleDouble& a) {
+  return {2 * a.high, 2 * a.low};
+}
+inline Bounded twice(const Bounded& a) {
+  return {2 * a.value, 2 * a.error};
+}
+
+template <class T>
+T square(const T& a) {
+  return a * a;
+}
+inline Bounded square(const Bounded& a) {
+  const double value = a.value * a.value;
+  return {value, a.error * (2 * std::abs(a.value) + a.error) + unit_roundoff * value};
+}
+
+}  // namespace foresee
