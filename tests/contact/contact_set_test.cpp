@@ -1,0 +1,238 @@
+// Contact sets that no pair of shapes has today: many pieces, many half planes, sizes that change with time.
+#include "contact/contact_set.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "contact/exact_contact.h"
+#include "contact/kinds.h"
+#include "contact/oracle.h"
+#include "contact/pairs.h"
+
+namespace foresee {
+namespace {
+
+using namespace testing_pairs;
+
+/// A point that moves past a set which stays around the origin.
+class Passage {
+ public:
+  Passage(std::initializer_list<double> x, std::initializer_list<double> v, double h,
+          std::initializer_list<double> a = {})
+      : moving(object(static_cast<int>(x.size()), Shape::point)), still(moving) {
+    std::copy(x.begin(), x.end(), moving.x);
+    std::copy(v.begin(), v.end(), moving.v);
+    std::copy(a.begin(), a.end(), moving.a);
+    row_moving_ = moving.row(), row_still_ = still.row();
+    setup = {.a = {still.layout, row_still_.data(), 1},
+             .b = {moving.layout, row_moving_.data(), 1},
+             .horizon = {0, h}};
+  }
+
+  /// All stages, which must agree with the exact one alone.
+  std::optional<ContactTimes> through(const ContactSet& set) const {
+    const auto contact = make_set_contact(setup, set, 2);
+    const Pair pair{0, 0};
+    std::vector<Pair> hits, decided;
+    std::vector<ContactTimes> times;
+    contact->first_contacts({&pair, 1}, TimesWanted::both, hits, times);
+    contact->decide({&pair, 1}, decided);
+    EXPECT_EQ(hits, decided);
+    PairCurves curves(set, setup, row_still_.data(), row_moving_.data());
+    const auto exact = exact_times(curves, exact_moments_of(setup, row_still_.data(), row_moving_.data()));
+    EXPECT_EQ(exact.has_value(), !times.empty());
+    if (!exact || times.empty()) return {};
+    EXPECT_EQ(times[0].dt, exact->dt);
+    EXPECT_EQ(times[0].dt_end, exact->dt_end);
+    return times[0];
+  }
+
+  Object moving, still;
+  Setup setup;
+
+ private:
+  std::vector<double> row_moving_, row_still_;
+};
+
+void expect_span(const std::optional<ContactTimes>& times, double begin, double end) {
+  ASSERT_TRUE(times.has_value());
+  EXPECT_EQ(times->dt, begin);
+  EXPECT_EQ(times->dt_end, end);
+}
+
+struct Disc {
+  double x, y, r;
+};
+
+ContactSet set_of(std::span<const Disc> discs) {
+  ContactSet set;
+  for (const Disc& disc : discs) {
+    const int x = set.given(disc.x), y = set.given(disc.y), r = set.given(disc.r);
+    const AxisPart centre[] = {{.axis = 0, .at = {x}}, {.axis = 1, .at = {y}}};
+    Conditions piece{.all = {set.ball(centre, {r})}};
+    for (const AxisPart& part : centre) {
+      piece.around.push_back(set.bound(part.axis, 1, {set.sum(part.at.value, r)}));
+      piece.around.push_back(set.bound(part.axis, -1, {set.difference(r, part.at.value)}));
+    }
+    set.add_piece(piece);
+  }
+  return set;
+}
+
+TEST(ContactSet, OfAHundredDiscsThatTouchIsOneContact) {
+  std::vector<Disc> chain;
+  for (int i = 1; i <= 100; ++i) chain.push_back({static_cast<double>(i), 0, 0.5});
+  std::shuffle(chain.begin(), chain.end(), std::mt19937_64(3));
+  expect_span(Passage({-4, 0}, {1, 0}, 1000).through(set_of(chain)), 4.5, 104.5);
+  // Off their common line the first is left before the second is met.
+  Passage beside({-4, 0.3}, {1, 0}, 1000);
+  expect_span(beside.through(set_of(chain)), 4.6, 5.4);
+  EXPECT_FALSE(Passage({-4, std::nextafter(0.5, 1)}, {1, 0}, 1000).through(set_of(chain)));
+}
+
+/// The first contact of the union is that of the discs one by one, each of which the oracle judges.
+TEST(ContactSet, OfAHundredDiscsIsTheUnionOfDiscs) {
+  std::mt19937_64 random(11);
+  const auto number = [&random](double range) {
+    return std::uniform_real_distribution<double>(-range, range)(random);
+  };
+  int contacts = 0;
+  for (int round = 0; round < 40; ++round) {
+    std::vector<Disc> discs;
+    for (int i = 0; i < 100; ++i) discs.push_back({number(40), number(40), std::abs(number(3))});
+    Passage passage({number(40), number(40)}, {number(4), number(4)}, 10);
+    std::vector<std::pair<double, double>> each;
+    for (const Disc& disc : discs) {
+      Object round_one = object(2, Shape::ball);
+      round_one.x[0] = disc.x, round_one.x[1] = disc.y, round_one.r = disc.r;
+      const auto times = contact(round_one, passage.moving, {.horizon = {0, 10}});
+      oracle::Rule rule{.half = {0.0, 0.0}, .round = {0, 1}, .radius = disc.r};
+      for (int j = 0; j < 2; ++j) rule.axes.push_back(oracle::relative_axis(round_one, passage.moving, j, 0));
+      EXPECT_EQ(oracle::judge(rule, round_one, passage.moving, {0, 10}, times), "");
+      if (times) each.emplace_back(times->dt, times->dt_end);
+    }
+    const auto whole = passage.through(set_of(discs));
+    ASSERT_EQ(whole.has_value(), !each.empty());
+    if (!whole) continue;
+    ++contacts;
+    std::sort(each.begin(), each.end());
+    double end = each[0].second;
+    for (const auto& [from, to] : each)
+      if (from <= end) end = std::max(end, to);
+    expect_span(whole, each[0].first, end);
+  }
+  EXPECT_GT(contacts, 20);
+}
+
+/// A polygon that is nearly round, by as many half planes as it has edges.
+struct Polygon {
+  ContactSet set;
+  std::vector<std::array<double, 3>> edges;  ///< of each normal x, y and what is at most its limit
+
+  explicit Polygon(int corners) {
+    Conditions piece;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = 2 * 3.14159265358979 * i / corners;
+      edges.push_back({std::cos(angle), std::sin(angle), 10});
+      const AxisPart normal[] = {{.axis = 0, .at = {set.given(edges.back()[0])}},
+                                 {.axis = 1, .at = {set.given(edges.back()[1])}}};
+      piece.all.push_back(set.half_space(normal, {set.given(edges.back()[2])}));
+    }
+    set.add_piece(piece);
+  }
+
+  bool holds(const Object& o, double tau) const {
+    using oracle::Exact;
+    const Exact t(tau);
+    const auto place = [&](int j) {
+      return Exact(o.x[j]) + t * Exact(o.v[j]) + oracle::half(t * t * Exact(o.a[j]));
+    };
+    const Exact x = place(0), y = place(1);
+    return std::all_of(edges.begin(), edges.end(), [&](const auto& e) {
+      return (Exact(e[0]) * x + Exact(e[1]) * y - Exact(e[2])).sign() <= 0;
+    });
+  }
+};
+
+TEST(ContactSet, OfAHundredHalfPlanesIsEnteredAndLeftWhereExactSignsSay) {
+  const Polygon polygon(100);
+  std::mt19937_64 random(5);
+  const auto number = [&random](double range) {
+    return std::uniform_real_distribution<double>(-range, range)(random);
+  };
+  int contacts = 0;
+  for (int round = 0; round < 200; ++round) {
+    const bool turning = round % 2 == 1;
+    const Passage passage({-30 + number(2), number(12)}, {6 + number(2), number(1)}, 20,
+                          {turning ? number(0.2) : 0, turning ? number(0.2) : 0});
+    const auto times = passage.through(polygon.set);
+    if (!times) {
+      for (int i = 0; i <= 400; ++i) ASSERT_FALSE(polygon.holds(passage.moving, 0.05 * i));
+      continue;
+    }
+    ++contacts;
+    const auto next = [](double t, double way) { return std::nextafter(t, way); };
+    EXPECT_FALSE(polygon.holds(passage.moving, next(times->dt, 0)));
+    EXPECT_TRUE(polygon.holds(passage.moving, next(times->dt, 100)));
+    EXPECT_TRUE(polygon.holds(passage.moving, (times->dt + times->dt_end) / 2));
+    if (times->dt_end == 20) continue;
+    EXPECT_TRUE(polygon.holds(passage.moving, next(times->dt_end, 0)));
+    EXPECT_FALSE(polygon.holds(passage.moving, next(times->dt_end, 100)));
+  }
+  EXPECT_GT(contacts, 100);
+}
+
+TEST(ContactSet, OfNoPieceIsNeverMetAndOfAnEmptyPieceAlways) {
+  const Passage passage({1, 2}, {3, 4}, 8);
+  ContactSet set;
+  EXPECT_FALSE(passage.through(set));
+  set.add_piece({});
+  expect_span(passage.through(set), 0, 8);
+}
+
+/// |x| <= R over two axes, R = r + rate tau + bend tau^2.
+ContactSet growing_disc(double r, double rate, double bend) {
+  ContactSet set;
+  const Size radius{set.given(r), set.given(rate), set.given(bend)};
+  const AxisPart centre[] = {{.axis = 0}, {.axis = 1}};
+  Conditions piece{.all = {set.ball(centre, radius)}};
+  for (const AxisPart& part : centre)
+    for (const int sign : {1, -1}) piece.around.push_back(set.bound(part.axis, sign, radius));
+  set.add_piece(piece);
+  return set;
+}
+
+TEST(ContactSet, SizesGrowWithTime) {
+  const Passage at_rest({6, 8}, {0, 0}, 100), closing({12, 0}, {-1, 0}, 100);
+  expect_span(at_rest.through(growing_disc(4, 0.5, 0)), 12, 100);
+  expect_span(at_rest.through(growing_disc(2, 0, 0.5)), 4, 100);
+  expect_span(closing.through(growing_disc(3, 0.5, 0)), 6, 30);
+  // Away at the speed at which the disc grows: it is never met; a little slower, and it is.
+  EXPECT_FALSE(Passage({4, 0}, {2, 0}, 100).through(growing_disc(3, 2, 0)));
+  expect_span(Passage({4, 0}, {2, 0}, 100).through(growing_disc(3, 2.25, 0)), 4, 100);
+  // Shrinking: it lets go of what it holds.
+  expect_span(Passage({3, 4}, {0, 0}, 16).through(growing_disc(9, -0.5, 0)), 0, 8);
+}
+
+TEST(ContactSet, BoundsAndCentresMoveToo) {
+  ContactSet bound;
+  // x <= -5 + 2 tau
+  const Size limit{bound.given(-5), bound.given(2)};
+  const int face = bound.bound(0, 1, limit);
+  bound.add_piece({.all = {face}});
+  expect_span(Passage({3, 0}, {0, 0}, 100).through(bound), 4, 100);
+  expect_span(Passage({3, 0}, {1, 0}, 100).through(bound), 8, 100);
+
+  ContactSet ball;
+  // A disc of radius 1 around (4 tau, 3 tau).
+  const AxisPart centre[] = {{.axis = 0, .at = {no_length, ball.given(4)}},
+                             {.axis = 1, .at = {no_length, ball.given(3)}}};
+  ball.add_piece({.all = {ball.ball(centre, {ball.given(1)})}});
+  expect_span(Passage({8, 6}, {0, 0}, 100).through(ball), 1.8, 2.2);
+}
+
+}  // namespace
+}  // namespace foresee
