@@ -4,10 +4,10 @@
 #include <memory>
 #include <utility>
 
-#include "contact/crossing.h"
-#include "contact/exact_contact.h"
-#include "contact/kinds.h"
+#include "contact/certain/crossing.h"
+#include "contact/exact/exact_contact.h"
 #include "contact/oracle.h"
+#include "contact/set/kinds.h"
 
 namespace foresee::bench {
 namespace {

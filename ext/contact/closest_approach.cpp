@@ -2,9 +2,9 @@
 
 #include <optional>
 
-#include "contact/certain_slope.h"
-#include "contact/crossing.h"
-#include "contact/exact_approach.h"
+#include "contact/certain/certain_slope.h"
+#include "contact/certain/crossing.h"
+#include "contact/exact/exact_approach.h"
 
 namespace foresee {
 namespace {

@@ -7,7 +7,7 @@
 // microsecond, tens of them in exact arithmetic.
 #pragma once
 
-#include "contact/pair_source.h"
+#include "contact/set/pair_source.h"
 
 namespace foresee {
 

@@ -1,6 +1,6 @@
 #include "contact/set_contact.h"
 
-#include "contact/kinds.h"
+#include "contact/set/kinds.h"
 
 namespace foresee {
 namespace {

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "base/float_environment.h"
+#include "contact/certain/crossing.h"
 #include "contact/closest_approach.h"
-#include "contact/crossing.h"
-#include "contact/exact_contact.h"
+#include "contact/exact/exact_contact.h"
 
 namespace foresee {
 

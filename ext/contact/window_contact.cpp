@@ -1,6 +1,6 @@
 #include "contact/window_contact.h"
 
-#include "contact/kinds.h"
+#include "contact/set/kinds.h"
 
 namespace foresee {
 

@@ -16,7 +16,7 @@
 #include <array>
 #include <cmath>
 
-#include "contact/pair_source.h"
+#include "contact/set/pair_source.h"
 
 namespace foresee {
 

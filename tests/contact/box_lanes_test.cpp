@@ -6,7 +6,7 @@
 #include <cstring>
 
 #include "base/simd.h"
-#include "contact/box_contact.h"
+#include "contact/boxes/box_contact.h"
 #include "contact/hard_pairs.h"
 
 namespace foresee {

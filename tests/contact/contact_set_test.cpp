@@ -1,5 +1,5 @@
 // Contact sets that no pair of shapes has today: many pieces, many half planes, sizes that change with time.
-#include "contact/contact_set.h"
+#include "contact/set/contact_set.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <cmath>
 #include <random>
 
-#include "contact/exact_contact.h"
-#include "contact/kinds.h"
+#include "contact/exact/exact_contact.h"
 #include "contact/oracle.h"
 #include "contact/pairs.h"
+#include "contact/set/kinds.h"
 
 namespace foresee {
 namespace {

@@ -1,6 +1,6 @@
 // Primitives against their definition, at moments computed in exact arithmetic; and every number type of the
 // stages against the exact one.
-#include "contact/primitive.h"
+#include "contact/set/primitive.h"
 
 #include <gtest/gtest.h>
 

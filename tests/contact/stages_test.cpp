@@ -5,10 +5,10 @@
 // that doubles vouch for against those of the exact stage, bit for bit.
 #include <gtest/gtest.h>
 
-#include "contact/exact_contact.h"
+#include "contact/certain/track.h"
+#include "contact/exact/exact_contact.h"
 #include "contact/hard_pairs.h"
-#include "contact/kinds.h"
-#include "contact/track.h"
+#include "contact/set/kinds.h"
 
 namespace foresee {
 namespace {

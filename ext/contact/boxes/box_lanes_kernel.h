@@ -1,0 +1,257 @@
+// The loops of BoxKernel that settle pairs, for box_lanes.kernel.cpp. Everything here is local to the file
+// that includes it.
+//
+// Error bounds
+// ------------
+// With M = |x| + H + s (|v| + s |a|), everything computed here from the course at a moment up to s, or from
+// moments up to s, has at most 20 roundings of terms whose magnitudes M counts; with what the course itself
+// is off by, ex + s ev, the total stays within ex + s ev + 32u M, u = 2^-53. Underflow takes less than 2^-900
+// as times are below 2^40.
+#pragma once
+
+#include "contact/boxes/box_registers.h"
+#include "numbers/crossed_root.h"
+
+namespace foresee {
+namespace {
+
+constexpr double huge = 0x1p1000, never = __builtin_inf(), underflow = 0x1p-900;
+constexpr double near = 0x1p-34;  // how far from the guess signs are looked at, relatively
+
+inline double size_of(double x) {
+  return __builtin_fabs(x);
+}
+inline double least(double a, double b) {
+  return a < b ? a : b;
+}
+inline double greatest(double a, double b) {
+  return a > b ? a : b;
+}
+
+/// When does c + w t + k t^2, above 0 now, come to 0? About then; for ever if it does not.
+template <int Degree>
+double first_root(double c, double w, double k) {
+  if constexpr (Degree < 2) {
+    return w < 0 ? c / -w : never;
+  } else {
+    const double discriminant = w * w - 4 * k * c;
+    const double root = __builtin_sqrt(greatest(discriminant, 0));
+    const bool leaving = w > 0;
+    const double time = (leaving ? w + root : 2 * c) / (leaving ? -2 * k : root - w);
+    return discriminant >= 0 && time >= 0 ? time : never;
+  }
+}
+
+/// x + v s + a s^2; of degree 1 without the last.
+template <int Degree>
+double place_at(double x, double v, double a, double s) {
+  if constexpr (Degree < 2)
+    return x + s * v;
+  else
+    return x + s * (v + s * a);
+}
+
+/// What c + w s + k s^2 is at its lowest point; -inf if it bends downwards. Where that is above 0, w^2 / 4k
+/// is below c: its roundings are among those of magnitudes. Nothing overflows but towards -inf.
+inline double bottom(double c, double w, double k) {
+  return k > 0 ? c - w * (0.25 * (w / k)) : -never;
+}
+
+/// What it does not fall below from 0 to `length`, where it is `last`. A line is lowest at an end.
+template <int Degree>
+double floor_of(double c, double w, double k, double length, double last) {
+  if constexpr (Degree < 2)
+    return least(c, last);
+  else
+    return least(least(c, greatest(c + 0.5 * length * w, bottom(c, w, k))), last);
+}
+
+/// Bound on the error of a place, from what the course itself is off by and the magnitudes behind it.
+inline double error_bound(double of_course, double size) {
+  return of_course + 0x1p-48 * size + underflow;
+}
+
+template <int D, int Degree>
+void settle_here(BoxLanes<D, Degree>& lanes) {
+  for (int l = 0; l < lanes.width; ++l) {
+    const double end = lanes.end[l];
+    const auto magnitude = [&lanes, l](int j, double s) {
+      return place_at<Degree>(size_of(lanes.x[j][l]) + lanes.half[j][l], size_of(lanes.v[j][l]),
+                              size_of(lanes.a[j][l]), s);
+    };
+    const auto error = [&lanes, l](int j, double s, double size) {
+      return error_bound(lanes.ex[j][l] + s * lanes.ev[j][l], size);
+    };
+    const auto place = [&lanes, l](int j, double s) {
+      return place_at<Degree>(lanes.x[j][l], lanes.v[j][l], lanes.a[j][l], s);
+    };
+
+    // The guess: the latest axis to be entered, and its quadratic.
+    double moment = 0, axis = 0, from_side = 1, gap = 0, slope = 0, bend = 0, size = 0, lost = 0,
+           lost_slope = 0;
+    double inside_now = never, all = 0;
+#pragma GCC unroll 3
+    for (int j = 0; j < D; ++j) {
+      const double x = lanes.x[j][l], side = x < 0 ? -1 : 1;
+      const double c = size_of(x) - lanes.half[j][l], w = side * lanes.v[j][l], k = side * lanes.a[j][l];
+      const double entry = c > 0 ? first_root<Degree>(c, w, k) : 0;
+      const bool later = entry > moment;
+      moment = later ? entry : moment;
+      axis = later ? j : axis;
+      from_side = later ? side : from_side;
+      gap = later ? c : gap, slope = later ? w : slope, bend = later ? k : bend;
+      size = later ? size_of(x) + lanes.half[j][l] : size;
+      lost = later ? lanes.ex[j][l] : lost, lost_slope = later ? lanes.ev[j][l] : lost_slope;
+      inside_now = least(inside_now, -c - error(j, 0, size_of(x) + lanes.half[j][l]));
+      all += magnitude(j, end) + lanes.ex[j][l] + end * lanes.ev[j][l];
+    }
+
+    const double before = least(moment * (1 - near), end), after = least(moment * (1 + near), end);
+    const double reach = place_at<Degree>(size, size_of(slope), size_of(bend), before);
+    const double lost_before = error_bound(lost + before * lost_slope, reach);
+    const double at_before = place_at<Degree>(gap, slope, bend, before);
+    const double apart_before = floor_of<Degree>(gap, slope, bend, before, at_before) - lost_before;
+
+    double inside_after = never, apart_after = -never;
+#pragma GCC unroll 3
+    for (int j = 0; j < D; ++j) {
+      const double half = lanes.half[j][l], v = lanes.v[j][l], a = lanes.a[j][l];
+      const double size_after = magnitude(j, after);
+      const double error_after = error(j, after, size_after);
+      // Between `before` and `after` an axis moves by less than 2^-32 of its magnitudes.
+      const double moves = axis == j ? 0 : 0x1p-31 * size_after + error_after;
+      inside_after = least(inside_after, half - size_of(place(j, after)) - error_after - moves);
+      const double here = place(j, before), side = here < 0 ? -1 : 1;
+      const double first = side * here - half, last = side * place(j, end) - half;
+      const double speed = side * (Degree < 2 ? v : v + 2 * before * a);
+      const double lowest = floor_of<Degree>(first, speed, side * a, end - before, last);
+      const double apart = lowest - error(j, end, magnitude(j, end));
+      apart_after = greatest(apart_after, apart);
+    }
+
+    // Nothing is certain where numbers or error bounds are so large that something may overflow, or NaN:
+    // least() passes on a second argument that is NaN.
+    const double fits = huge - all, end_inside = end * (1 - 0x1p-50);
+    const double meets = least(end_inside < after ? -1 : inside_after, fits);
+    lanes.touches_now[l] = least(inside_now, fits);
+    lanes.misses[l] = least(least(apart_before, before < end ? apart_after : never), fits);
+    lanes.meets[l] = meets;
+    lanes.meets_first[l] = least(apart_before, meets);
+    lanes.moment[l] = moment, lanes.before[l] = before, lanes.after[l] = after;
+    lanes.axis[l] = axis, lanes.side[l] = from_side, lanes.room[l] = after - before;
+  }
+}
+
+template <int D>
+void take_boxes(typename RowLanes<D>::Side& side) {
+  for (int lane = 0; lane < lanes_width; lane += register_width) {
+    const SomeRows<register_width> rows(side.rows + lane);
+    rows.take(side.at_x, side.x, lane);
+    rows.take(side.at_half, side.half, lane);
+  }
+}
+
+template <int D, int Degree>
+void take_motion(typename RowLanes<D>::Side& side) {
+  for (int lane = 0; lane < lanes_width; lane += register_width) {
+    const SomeRows<register_width> rows(side.rows + lane);
+    rows.take(side.at_v, side.v, lane);
+    if constexpr (Degree == 2) rows.take(side.at_a, side.a, lane);
+  }
+}
+
+template <int D, int Degree>
+bool settle_rows_here(RowLanes<D>& rows, bool courses_wanted, BoxLanes<D, Degree>& lanes) {
+  take_boxes<D>(rows.a);
+  take_boxes<D>(rows.b);
+  Some touching = Some{} + 1;
+  for (int j = 0; j < D; ++j)
+    for (int l = 0; l < lanes_width; l += register_width) {
+      const Some x = some(rows.b.x[j] + l) - some(rows.a.x[j] + l);
+      const Some half = some(rows.a.half[j] + l) + some(rows.b.half[j] + l) + rows.within;
+      some(lanes.x[j] + l) = x, some(lanes.half[j] + l) = half;
+      // As settle_here() finds that they touch now. False if half extents may overflow, or for NaN.
+      const Some size = x < 0.0 ? -x : x, room = half - size - 0x1p-48 * (size + half) - underflow;
+      touching = half < huge ? touching : -1.0 + Some{};
+      touching = room > 0.0 ? touching : -1.0 + Some{};
+    }
+  double all = 1;
+  for (int l = 0; l < register_width; ++l) all = least(all, touching[l]);
+  if (all > 0 && !courses_wanted) return true;
+  take_motion<D, Degree>(rows.a);
+  take_motion<D, Degree>(rows.b);
+  for (int j = 0; j < D; ++j)
+    for (int l = 0; l < lanes_width; l += register_width) {
+      some(lanes.v[j] + l) = some(rows.b.v[j] + l) - some(rows.a.v[j] + l);
+      if constexpr (Degree == 2) some(lanes.a[j] + l) = 0.5 * (some(rows.b.a[j] + l) - some(rows.a.a[j] + l));
+      some(lanes.ex[j] + l) = some(lanes.ev[j] + l) = Some{};
+    }
+  settle_here(lanes);
+  return false;
+}
+
+/// Of a column for each axis, what each lane has on its own one.
+template <int D>
+inline void on_axis(const double (&axis)[lanes_width], const double (&columns)[D][lanes_width],
+                    double (&out)[lanes_width]) {
+  for (int l = 0; l < lanes_width; l += register_width) {
+    Some value = some(columns[0] + l);
+    for (int j = 1; j < D; ++j)
+      value = some(axis + l) == static_cast<double>(j) ? some(columns[j] + l) : value;
+    some(out + l) = value;
+  }
+}
+
+/// `From` is BoxLanes or EndLanes.
+template <int D, int Degree, class From>
+void take_crossings(const RowLanes<D>& rows, const From& from, MeetingLanes& __restrict meetings) {
+  alignas(64) double x[2][lanes_width], v[2][lanes_width], a[2][lanes_width], half[2][lanes_width];
+  for (int side = 0; side < 2; ++side) {
+    const typename RowLanes<D>::Side& body = side == 0 ? rows.a : rows.b;
+    on_axis(from.axis, body.x, x[side]);
+    on_axis(from.axis, body.v, v[side]);
+    if constexpr (Degree == 2) on_axis(from.axis, body.a, a[side]);
+    on_axis(from.axis, body.half, half[side]);
+  }
+  for (int l = 0; l < lanes_width; ++l) {
+    const DoubleDouble place = difference(x[1][l], x[0][l]), speed = difference(v[1][l], v[0][l]);
+    const DoubleDouble size = sum(half[0][l], half[1][l]) + DoubleDouble{rows.within, 0};
+    meetings.x[l] = place.high, meetings.x_low[l] = place.low;
+    meetings.v[l] = speed.high, meetings.v_low[l] = speed.low;
+    meetings.half[l] = size.high, meetings.half_low[l] = size.low;
+    meetings.ex[l] = meetings.ev[l] = 0;
+    meetings.side[l] = from.side[l], meetings.moment[l] = from.moment[l], meetings.room[l] = from.room[l];
+  }
+  if constexpr (Degree == 2)
+    for (int l = 0; l < lanes_width; ++l) {
+      const DoubleDouble turn = half_of(difference(a[1][l], a[0][l]));
+      meetings.a[l] = turn.high, meetings.a_low[l] = turn.low;
+    }
+}
+
+template <Way way, int Degree>
+void find_crossings(MeetingLanes& lanes, double now) {
+  for (int l = 0; l < lanes.width; ++l) {
+    const double tau = lanes.moment[l], side = lanes.side[l];
+    const DoubleDouble t{tau, 0}, x{lanes.x[l], lanes.x_low[l]}, half{lanes.half[l], lanes.half_low[l]};
+    DoubleDouble chord{lanes.v[l], lanes.v_low[l]};
+    double half_turn = 0, bend = 0;
+    if constexpr (Degree > 1) {
+      chord = chord + t * DoubleDouble{lanes.a[l], lanes.a_low[l]};
+      half_turn = tau * lanes.a[l], bend = 2 * size_of(lanes.a[l]);
+    }
+    const double speed = size_of(lanes.v[l]) + size_of(half_turn);
+    const double error =
+        error_bound(lanes.ex[l] + tau * lanes.ev[l], size_of(lanes.x[l]) + lanes.half[l] + tau * speed);
+    const DoubleDouble place = x + t * chord;
+    const DoubleDouble value = DoubleDouble{side * place.high, side * place.low} - half;
+    // DoubleDouble loses at most 2^-97 of what the bound for doubles counts in 2^-53.
+    const Crossed crossed{value, error * 0x1p-44 + underflow, side * (lanes.v[l] + 2 * half_turn),
+                          lanes.ev[l] + 0x1p-49 * speed + underflow, bend + underflow};
+    const Instant meeting = root_of<way>(crossed, now, tau, lanes.room[l]);
+    lanes.dt[l] = meeting.dt, lanes.t[l] = meeting.t;
+  }
+}
+
+}  // namespace
+}  // namespace foresee

@@ -1,0 +1,68 @@
+// Does the distance of two centres fall or rise, and where does it turn? With certainty, from double
+// arithmetic.
+//
+// The slope is that of half the squared distance, x . x' for the relative course x: at most a cubic in time.
+// Its sign over a stretch follows from its Bernstein coefficients, which value and steepness at the two ends
+// give: no change of sign among them, no root; one change, exactly one root. A coefficient in doubt counts as
+// either sign. Source: Farouki, "The Bernstein polynomial basis: a centennial retrospective" (2012),
+// section 5.
+#pragma once
+
+#include "contact/certain/relative.h"
+
+namespace foresee {
+
+/// The slope at a moment and how fast it grows, each with a bound on its error.
+struct Slope {
+  double value = 0, value_error = 0;
+  double growth = 0, growth_error = 0;
+
+  /// -1, 1, or 0 where the error leaves it open.
+  int sign() const { return value > value_error ? 1 : value < -value_error ? -1 : 0; }
+};
+
+template <int D>
+Slope slope_of(const AxisView (&view)[D]) {
+  constexpr double u = unit_roundoff;
+  Slope s;
+  for (const AxisView& w : view) {
+    const double p = std::abs(w.p), q = std::abs(w.q), a = std::abs(w.a);
+    s.value += w.p * w.q;
+    s.value_error += p * w.eq + q * w.ep + w.ep * w.eq + 8 * u * (p * q);
+    s.growth += w.q * w.q + 2 * (w.a * w.p);
+    s.growth_error +=
+        w.eq * (2 * q + w.eq) + 2 * (a * w.ep + p * w.ea + w.ea * w.ep) + 8 * u * (q * q + 2 * (a * p));
+  }
+  // Raised by more than the sums above can lose themselves, and than underflow takes.
+  constexpr double more = 1 + 0x1p-40, underflow = 0x1p-1060;
+  s.value_error = more * s.value_error + underflow;
+  s.growth_error = more * s.growth_error + underflow;
+  return s;
+}
+
+/// A stretch of time within which the slope has exactly one root, rising.
+struct Valley {
+  double begin, end;
+};
+
+/// What a stretch certainly holds.
+enum class Stretch : std::uint8_t { no_turn, valley, ridge, unclear };
+
+inline Stretch stretch_between(const Slope& a, const Slope& b, double length) {
+  const int first = a.sign(), last = b.sign();
+  if (first == 0 || last == 0) return Stretch::unclear;
+  auto inner = [length](const Slope& s, double side) {
+    const double third = length / 3;
+    const double rise = third * std::abs(s.growth);
+    return Slope{
+        s.value + side * third * s.growth,
+        s.value_error + third * s.growth_error + 8 * unit_roundoff * (std::abs(s.value) + rise) + 0x1p-1060}
+        .sign();
+  };
+  const int second = inner(a, 1), third = inner(b, -1);
+  if (first == last) return second == first && third == first ? Stretch::no_turn : Stretch::unclear;
+  if (second != first && third != last) return Stretch::unclear;
+  return first < 0 ? Stretch::valley : Stretch::ridge;
+}
+
+}  // namespace foresee

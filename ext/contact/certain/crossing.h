@@ -1,0 +1,136 @@
+// The instant of a crossing that a Track has bracketed, rounded once.
+//
+// Within the bracket a primitive is on one side all the time, or its polynomial is monotone there and has at
+// most one root. That root is found by one Newton step from the bracket's begin, with the value of the
+// polynomial in DoubleDouble; it comes with an error radius, and is accepted if all numbers within that
+// radius round to the same double (Ziv's test). Roots of different primitives are rounded apart and then
+// compared: rounding keeps order. What this cannot settle is NaN.
+#pragma once
+
+#include "contact/certain/track.h"
+#include "numbers/crossed_root.h"
+
+namespace foresee {
+
+inline Instant unknown_instant() {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  return {nan, nan};
+}
+
+inline Instant later(const Instant& a, const Instant& b) {
+  if (!a.known() || !b.known()) return unknown_instant();
+  return {std::max(a.dt, b.dt), std::max(a.t, b.t)};
+}
+
+inline Instant earlier(const Instant& a, const Instant& b) {
+  if (!a.known() || !b.known()) return unknown_instant();
+  return {std::min(a.dt, b.dt), std::min(a.t, b.t)};
+}
+
+/// Space for crossings, used for one after another.
+struct CrossingScratch {
+  std::vector<Instant> known;  ///< the crossing of each primitive that was asked for
+  std::vector<char> asked;
+
+  explicit CrossingScratch(const ContactSet& set)
+      : known(set.primitives().size()), asked(set.primitives().size()) {}
+};
+
+template <Way way, int D, int Degree>
+class Crossing {
+ public:
+  Crossing(CertainSet<D, Degree>& certain, const Course<DoubleDouble, D>& course,
+           const PairLengths<DoubleDouble>& lengths, const Bracket& bracket, double now,
+           CrossingScratch& scratch)
+      : certain_(certain), lengths_(lengths), scratch_(scratch), base_(bracket.before), now_(now) {
+    width_ = (bracket.after - bracket.before) * (1 + 4 * unit_roundoff);
+    certain.look_from(base_);
+    const DoubleDouble tau{base_, 0};
+    for (int j = 0; j < D; ++j)
+      place_[j][0] = Degree < 2 ? course.x[j] + tau * course.v[j]
+                                : course.x[j] + tau * (course.v[j] + tau * course.a[j]);
+    std::fill(scratch.asked.begin(), scratch.asked.end(), false);
+  }
+
+  Instant instant() {
+    Instant whole = outside;
+    for (const ContactSet::Piece& piece : certain_.set().pieces()) whole = any(whole, of(piece));
+    return whole;
+  }
+
+ private:
+  static constexpr double inf = std::numeric_limits<double>::infinity();
+  static constexpr Instant inside = way == Way::in ? Instant{-inf, -inf} : Instant{inf, inf};
+  static constexpr Instant outside = way == Way::in ? Instant{inf, inf} : Instant{-inf, -inf};
+
+  static Instant all(const Instant& a, const Instant& b) {
+    return way == Way::in ? later(a, b) : earlier(a, b);
+  }
+  static Instant any(const Instant& a, const Instant& b) {
+    return way == Way::in ? earlier(a, b) : later(a, b);
+  }
+  static bool is_outside(const Instant& instant) { return instant.dt == outside.dt; }
+
+  /// Outside of one primitive is outside, whatever cannot be told about the others.
+  Instant of(const ContactSet::Piece& piece) {
+    Instant met = inside;
+    for (const int i : certain_.set().members(piece.all)) {
+      const Instant one = of(i);
+      if (is_outside(one)) return outside;
+      met = all(met, one);
+    }
+    return met;
+  }
+
+  Instant of(int i) {
+    const auto place = static_cast<std::size_t>(i);
+    if (!scratch_.asked[place]) {
+      scratch_.asked[place] = true;
+      scratch_.known[place] = of(certain_.set().primitives()[place]);
+    }
+    return scratch_.known[place];
+  }
+
+  Instant of(const Primitive& primitive) const {
+    return certain_.with_polynomial(primitive,
+                                    [this, &primitive](const auto& p) { return this->of(primitive, p); });
+  }
+
+  template <std::size_t N>
+  Instant of(const Primitive& primitive, const std::array<Bounded, N>& p) const {
+    const double lost = certain_.lost(primitive), error = p[0].settled(lost);
+    double moved = 0;
+    for (std::size_t k = N - 1; k > 0; --k) moved = width_ * (most(p[k]) + moved);
+    const double certain = error + 2 * moved;
+    if (p[0].value < -certain || positive_during(p, -1, lost, width_) > width_) return inside;
+    if (p[0].value > certain || positive_during(p, 1, lost, width_) > width_) return outside;
+    const DoubleDouble value = polynomial_of<0>(primitive, place_, lengths_, base_)[0];
+    // DoubleDouble loses at most 2^-97 of what the double bound counts in 2^-53.
+    const double underflow = certain_.relative().underflow;
+    const double slope = p[1].value;
+    return root_of<way>(
+        {value, error * 0x1p-44 + underflow, slope, p[1].settled(underflow), bend(p, value.high / slope)},
+        now_, base_, width_);
+  }
+
+  /// Bound on |p''| / 2 as far as the root may be.
+  template <std::size_t N>
+  double bend(const std::array<Bounded, N>& p, double step) const {
+    if constexpr (N == 2) return 0;
+    if constexpr (N == 3) return 2 * most(p[2]);
+    if constexpr (N == 5) {
+      const double span = std::max(width_, 2 * std::abs(step));
+      return 2 * (most(p[2]) + span * (3 * most(p[3]) + 6 * span * most(p[4])));
+    }
+  }
+
+  static double most(const Bounded& c) { return std::abs(c.value) + c.settled(0x1p-1060); }
+
+  CertainSet<D, Degree>& certain_;
+  const PairLengths<DoubleDouble> lengths_;
+  CrossingScratch& scratch_;
+  Powers<DoubleDouble, 0> place_[D];
+  double base_, width_, now_;
+};
+
+}  // namespace foresee

@@ -1,0 +1,126 @@
+// One pair on its way through the horizon, in double arithmetic with certified signs.
+//
+// The track leaps forward: while the pair is certainly apart, by the longest stretch for which that is
+// certain; then, from a moment at which it certainly touches, by the longest stretches of contact. What stays
+// in doubt is a sliver around each crossing, or everything where the crossing is a graze: then the answer is
+// `uncertain`, and other means must decide.
+#pragma once
+
+#include <cstdint>
+
+#include "contact/certain/certain_set.h"
+#include "contact/certain/chord.h"
+
+namespace foresee {
+
+enum class Verdict : std::uint8_t { no, yes, uncertain };
+
+/// A crossing that is certain: apart (or within) up to `before`, the opposite at `after`. Both equal the
+/// limit where there is none.
+struct Bracket {
+  double before = 0, after = 0;
+};
+
+template <int D, int Degree>
+class Track {
+ public:
+  [[gnu::flatten]] Track(const ContactSet& set, const Setup& setup, const double* row_a, const double* row_b,
+                         const Moments& moments, CertainScratch& scratch)
+      : scratch_(scratch), certain_(set, setup, row_a, row_b, scratch) {
+    constexpr double u = unit_roundoff;
+    const double begin = moments.dt_begin, end = moments.dt_end;
+    begin_ = moments.begin_exact ? begin : begin * (1 - 2 * u);
+    inner_begin_ = moments.begin_exact ? begin : begin * (1 + 2 * u);
+    end_ = moments.end_exact ? end : end * (1 + 2 * u);
+    inner_end_ = moments.end_exact ? end : end * (1 - 2 * u);
+  }
+
+  /// The cheap answer that lets most candidates go.
+  [[gnu::flatten]] bool certainly_missed() const {
+    return Chord<D>(certain_.relative(), end_).misses(certain_.set(), scratch_.lengths, begin_);
+  }
+
+  /// Is there a contact? Looks for any moment of it, not for its begin.
+  Verdict touches() {
+    if (certainly_missed()) return Verdict::no;
+    double tau = begin_;
+    for (int leaps = 0; leaps < most_leaps; ++leaps) {
+      const double step = apart(tau);
+      const double next = step >= 0 ? after_leap(tau, step) : tau;
+      if (next > end_) return Verdict::no;
+      const double inside = std::max(next * (1 + 0x1p-20), inner_begin_);
+      if (inside <= inner_end_ && certain_.now_within(inside)) return Verdict::yes;
+      if (!(next > tau)) break;
+      tau = next;
+    }
+    Bracket first;
+    return first_contact(first);
+  }
+
+  /// Is there a contact? If yes, `first` brackets its begin.
+  Verdict first_contact(Bracket& first) {
+    const double stopped = leap([this](double tau) { return apart(tau); }, begin_);
+    if (stopped > end_) return Verdict::no;
+    first = {stopped, stopped};
+    const bool met = witness([this](double tau) { return certain_.now_within(tau); }, first, inner_begin_);
+    return met ? Verdict::yes : Verdict::uncertain;
+  }
+
+  /// From a moment of certain contact: brackets its end. yes: it ends; no: it lasts to the end of the
+  /// horizon.
+  Verdict end_of_contact(double from, Bracket& last) {
+    const double stopped = leap([this](double tau) { return certain_.within(tau, room_from(tau)); }, from);
+    if (stopped > end_) return Verdict::no;
+    last = {stopped, stopped};
+    const bool left = witness([this](double tau) { return certain_.now_apart(tau); }, last, stopped);
+    return left ? Verdict::yes : Verdict::uncertain;
+  }
+
+  CertainSet<D, Degree>& certain() { return certain_; }
+
+ private:
+  static constexpr int most_leaps = 48;
+
+  static double after_leap(double tau, double step) {
+    return (tau + step) * (1 - 4 * unit_roundoff) - 0x1p-1060;
+  }
+
+  double room_from(double tau) const { return (end_ - tau) * (1 + 4 * unit_roundoff); }
+  double apart(double tau) { return certain_.apart(tau, room_from(tau)); }
+
+  /// The moment up to which what `ask` tells stays certain; for_ever if it does for the whole of [tau, end_].
+  template <class Ask>
+  double leap(Ask&& ask, double tau) const {
+    for (int leaps = 0; leaps < most_leaps; ++leaps) {
+      const double step = ask(tau);
+      if (!(step >= 0)) return tau;
+      const double next = after_leap(tau, step);
+      if (next > end_) return for_ever;
+      if (!(next > tau)) return tau;
+      tau = next;
+      if (step < 0x1p-40 * tau) return tau;  // as near to the crossing as a bracket needs to be
+    }
+    return tau;
+  }
+
+  /// Looks just behind bracket.before for a moment at which `ask` is certain.
+  template <class Ask>
+  bool witness(Ask&& ask, Bracket& bracket, double earliest) const {
+    double step = bracket.before > 0 ? 0x1p-48 * bracket.before : 0x1p-60 * inner_end_;
+    for (int attempt = 0; attempt < 9; ++attempt, step *= 64) {
+      const double tau = std::max(bracket.before + (attempt == 0 ? 0 : step), earliest);
+      if (tau > inner_end_) break;
+      if (!ask(tau)) continue;
+      bracket.after = tau;
+      return true;
+    }
+    bracket.after = inner_end_;
+    return inner_end_ >= earliest && ask(inner_end_);
+  }
+
+  const CertainScratch& scratch_;
+  CertainSet<D, Degree> certain_;
+  double begin_, inner_begin_, inner_end_, end_;
+};
+
+}  // namespace foresee

@@ -1,0 +1,145 @@
+#include "contact/exact/exact_approach.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "numbers/narrowing.h"
+#include "numbers/stays.h"
+
+namespace foresee {
+namespace {
+
+/// The double nearest to the square root, ties to even.
+double rounded_square_root(const Dyadic& square) {
+  if (square.sign() <= 0) return 0;
+  // 128 bits or one less, so that the exponent is even; what is cut off only has to be known to exist.
+  const int bits = length_of(square.mantissa());
+  int shift = 128 - bits;
+  if ((square.exponent() - shift) % 2 != 0) --shift;
+  const Integer head =
+      shift >= 0 ? Integer(square.mantissa() << shift) : Integer(square.mantissa() >> -shift);
+  Integer rest;
+  const Integer root = sqrt(head, rest);
+  const bool more = !rest.is_zero() || (shift < 0 && Integer(head << -shift) != square.mantissa());
+  return rounded(Dyadic((root << 1) + (more ? 1 : 0), (square.exponent() - shift) / 2 - 1));
+}
+
+/// A polynomial given by its coefficients, as a curve.
+class KnownCurve final : public PolynomialSource {
+ public:
+  explicit KnownCurve(const SquaredDistance& c) : polynomial_(c), curve_(rough(c), *this, 0) {}
+
+  Polynomial polynomial(int /*number*/) const override { return polynomial_; }
+  const Polynomial& polynomial() const { return polynomial_; }
+  Curve& curve() { return curve_; }
+
+ private:
+  static Curve::Coefficients rough(const SquaredDistance& c) {
+    Curve::Coefficients rough;
+    std::transform(c.begin(), c.end(), rough.begin(), [](const Dyadic& d) { return Wide(d); });
+    return rough;
+  }
+
+  Polynomial polynomial_;
+  Curve curve_;
+};
+
+class ExactApproach {
+ public:
+  ExactApproach(const SquaredDistance& square, const ExactMoments& moments)
+      : square_(square), moments_(moments), known_(square), begin_(moments.begin), end_(moments.end) {}
+
+  ClosestApproach nearest() {
+    const Moments& m = moments_.rounded;
+    const auto [first, second] = minima();
+    Event& best = second && second_is_nearer(*first, *second) ? *second : *first;
+    const double distance = distance_at(best);
+    if (&best == &begin_) return {m.t_begin, m.dt_begin, distance};
+    if (&best == &end_) return {m.t_end, m.dt_end, distance};
+    return {rounded(best, moments_.now), rounded(best, Dyadic()), distance};
+  }
+
+ private:
+  struct Minima {
+    Event *first = nullptr, *second = nullptr;
+    void add(Event& event) { (first ? second : first) = &event; }
+  };
+
+  /// Where the squared distance has fallen before and rises after, in order of time: one or two, as its slope
+  /// is a cubic.
+  Minima minima() {
+    Minima minima;
+    if (slope().degree() < 0 || !(moments_.begin < moments_.end)) return {&begin_};
+    int side = slope_after(begin_);
+    if (side > 0) minima.add(begin_);
+    const Events turns = zeros_within(slope(), {begin_, end_});
+    for (int i = 0; i < turns.count; ++i) {
+      const int after = slope_after(*turns.list[i]);
+      if (side < 0 && after > 0) minima.add(*turns.list[i]);
+      side = after;
+    }
+    if (side < 0) minima.add(end_);
+    return minima;
+  }
+
+  Curve& slope() { return known_.curve().slope(); }
+
+  /// The slope's sign just after a moment: that of its first derivative that is not zero there.
+  int slope_after(Event& event) {
+    Curve* curve = &slope();
+    int sign = curve->sign_at(event);
+    for (; sign == 0; sign = curve->sign_at(event)) curve = &curve->slope();
+    return sign;
+  }
+
+  /// The sign of the squared distance minus `limit`.
+  int sign_beyond(const Dyadic& limit, Event& event) const {
+    SquaredDistance difference = square_;
+    difference[0] = square_[0] - limit;
+    KnownCurve beyond(difference);
+    return beyond.curve().sign_at(event);
+  }
+
+  bool second_is_nearer(Event& first, Event& second) const {
+    const Polynomial& p = known_.polynomial();
+    if (first.known) return sign_beyond(value_at(p, *first.known), second) < 0;
+    if (second.known) return sign_beyond(value_at(p, *second.known), first) > 0;
+    // Two minima with a maximum between them. Of c0 + c1 t + c2 t^2 + c3 t^3 with three roots, the integral
+    // between the outer ones is negative just if the value at the mean of the roots, -c2 / (3 c3), is.
+    const Polynomial slope = derivative(p);
+    const Dyadic &c0 = slope.c[0], &c1 = slope.c[1], &c2 = slope.c[2], &c3 = slope.c[3];
+    const Dyadic two(2.0), nine(9.0), twenty_seven(27.0);
+    return (two * c2 * c2 * c2 - nine * c1 * c2 * c3 + twenty_seven * c0 * c3 * c3).sign() < 0;
+  }
+
+  /// The distance at an end or a root of the slope, rounded once.
+  double distance_at(Event& event) {
+    if (event.known) return rounded_square_root(value_at(known_.polynomial(), *event.known));
+    if (known_.curve().sign_at(event) == 0) return 0;
+    for (int bits = first_length;; bits *= 2) {
+      const Polynomial& p = known_.polynomial();
+      const Precise square = value_at(known_.curve().precise(bits), p.degree, event.enclosure(bits));
+      const double least = rounded_square_root(square.low()), most = rounded_square_root(square.high());
+      if (least == most) return least;
+      if (std::nextafter(least, most) != most) continue;
+      // Infinity stands for 2^1024, as rounding has it.
+      const Dyadic above = std::isfinite(most) ? Dyadic(most) : Dyadic::power_of_two(1024);
+      const Dyadic tie = half_of(Dyadic(least) + above);
+      const int side = sign_beyond(tie * tie, event);
+      return side < 0 ? least : side > 0 ? most : rounded(tie);
+    }
+  }
+
+  const SquaredDistance& square_;
+  const ExactMoments& moments_;
+  KnownCurve known_;
+  Event begin_, end_;
+};
+
+}  // namespace
+
+ClosestApproach exact_approach(const SquaredDistance& square, const ExactMoments& moments) {
+  return ExactApproach(square, moments).nearest();
+}
+
+}  // namespace foresee

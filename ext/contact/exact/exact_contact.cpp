@@ -1,0 +1,165 @@
+#include "contact/exact/exact_contact.h"
+
+#include <algorithm>
+#include <deque>
+#include <optional>
+
+#include "contact/certain/crossing.h"
+#include "numbers/stays.h"
+
+namespace foresee {
+namespace {
+
+class ExactPair {
+ public:
+  ExactPair(PairCurves& curves, const ExactMoments& moments)
+      : curves_(curves), moments_(moments), begin_(moments.begin), end_(moments.end) {}
+
+  bool touches() {
+    const auto pieces = curves_.set().pieces();
+    return std::any_of(pieces.begin(), pieces.end(),
+                       [this](const ContactSet::Piece& piece) { return !held(piece).empty(); });
+  }
+
+  std::optional<ContactTimes> times() {
+    std::vector<Stay> stays;
+    for (const ContactSet::Piece& piece : curves_.set().pieces()) {
+      const Stays held = this->held(piece);
+      stays.insert(stays.end(), held.begin(), held.end());
+    }
+    if (stays.empty()) return {};
+    std::iter_swap(stays.begin(), std::min_element(stays.begin(), stays.end(), begins_before));
+    return times_of(stays.data(), joined_to_first(stays));
+  }
+
+ private:
+  Instant instant(Event& event) const {
+    const Moments& m = moments_.rounded;
+    if (&event == &begin_) return {m.dt_begin, m.t_begin};
+    if (&event == &end_) return {m.dt_end, m.t_end};
+    return {rounded(event, Dyadic()), rounded(event, moments_.now)};
+  }
+
+  /// When do all conditions of the piece hold?
+  Stays held(const ContactSet::Piece& piece) {
+    const ContactSet& set = curves_.set();
+    auto all = set.members(piece.all);
+    const auto around = set.members(piece.around), beyond = set.members(piece.beyond);
+    const bool round = around.size() + beyond.size() > 0;
+    const int ball = round ? all.back() : 0;
+    if (round) all = all.first(all.size() - 1);
+    Stays met{{&begin_, &end_}};
+    for (std::size_t i = 0; i < all.size() && !met.empty(); ++i) met = common(met, inside(all[i]));
+    if (!round) return met;
+    for (std::size_t i = 0; i < beyond.size() && !met.empty(); ++i)
+      met = common(met, outside(inside(beyond[i]), {begin_, end_}));
+    if (met.empty()) return met;
+    Curve& curve = curves_.curve(curves_.number_of(ball));
+    Stays near = met;
+    if (is_bent(curve))
+      for (std::size_t i = 0; i < around.size() && !near.empty(); ++i) near = common(near, inside(around[i]));
+    if (near.empty()) return near;
+    return common(met, inside_while(near, curve));
+  }
+
+  /// Its roots are costly to find: worth asking first when they can be.
+  static bool is_bent(const Curve& curve) {
+    return curve.rough()[3].sign() != 0 || curve.rough()[4].sign() != 0;
+  }
+
+  /// A costly curve, which belongs to one piece alone: looked at only around the moments that the rest of the
+  /// piece leaves.
+  Stays inside_while(const Stays& rest, Curve& curve) {
+    const Event &first = *rest.front().first, &last = *rest.back().last;
+    Event *from = &begin_, *to = &end_;
+    if (&first != &begin_) from = known_moment(first.at.low().dyadic(), begin_);
+    if (&last != &end_) to = known_moment(last.at.high().dyadic(), end_);
+    return foresee::inside(curve, {*from, *to});
+  }
+
+  /// The moment as an event, unless it is beyond what is asked.
+  Event* known_moment(const Dyadic& moment, Event& limit) {
+    if (moment < moments_.begin || moments_.end < moment) return &limit;
+    moments_made_.push_back(moment);
+    events_made_.emplace_back(moments_made_.back());
+    return &events_made_.back();
+  }
+
+  const Stays& inside(int primitive) {
+    const std::size_t number = curves_.number_of(primitive);
+    if (inside_.size() <= number) inside_.resize(number + 1);
+    std::optional<Stays>& known = inside_[number];
+    if (!known) known = foresee::inside(curves_.curve(number), {begin_, end_});
+    return *known;
+  }
+
+  /// Two stays that certainly overlap are one contact whichever begins before: no need to compare
+  /// exactly.
+  static bool begins_before(const Stay& a, const Stay& b) {
+    const int rough = (a.first->at - b.first->at).sign();
+    if (rough != unknown_sign) return rough < 0;
+    if ((b.last->at - a.first->at).sign() == 1 && (a.last->at - b.first->at).sign() == 1) return false;
+    return compare(*a.first, *b.first) < 0;
+  }
+
+  /// Brings the stays that hang together with the first to the front, and counts them.
+  static std::size_t joined_to_first(std::vector<Stay>& stays) {
+    std::size_t joined = 1;
+    const auto joins = [&](const Stay& s) {
+      return std::any_of(stays.begin(), stays.begin() + static_cast<std::ptrdiff_t>(joined),
+                         [&](const Stay& other) { return compare(*s.first, *other.last) <= 0; });
+    };
+    for (;;) {
+      const auto rest = stays.begin() + static_cast<std::ptrdiff_t>(joined);
+      const auto next = std::find_if(rest, stays.end(), joins);
+      if (next == stays.end()) return joined;
+      std::iter_swap(next, rest);
+      ++joined;
+    }
+  }
+
+  /// Begin and end of stays that hang together. As rounding keeps order, ends that 128 bits do not tell
+  /// apart are rounded one by one and then compared.
+  ContactTimes times_of(const Stay* stays, std::size_t count) const {
+    Event *first = stays[0].first, *last = stays[0].last;
+    Instant begin = instant(*first), end = instant(*last);
+    for (std::size_t i = 1; i < count; ++i) {
+      if (stays[i].first != first && (stays[i].first->at - first->at).sign() != 1)
+        begin = earlier(begin, instant(*stays[i].first));
+      const int longer = (stays[i].last->at - last->at).sign();
+      if (stays[i].last == last || longer == -1) continue;
+      end = later(end, instant(*stays[i].last));
+      if (longer == 1) last = stays[i].last;
+    }
+    return {begin.t, end.t, begin.dt, end.dt};
+  }
+
+  PairCurves& curves_;
+  const ExactMoments& moments_;
+  Event begin_, end_;
+  std::vector<std::optional<Stays>> inside_;  ///< of each curve
+  std::deque<Dyadic> moments_made_;
+  std::deque<Event> events_made_;
+};
+
+}  // namespace
+
+ExactMoments exact_moments_of(const Setup& setup, const double* row_a, const double* row_b) {
+  ExactMoments moments;
+  moments.rounded = moments_of(setup, row_a, row_b);
+  moments.now = Dyadic(setup.horizon.now);
+  const Moments& m = moments.rounded;
+  moments.begin = Dyadic(m.t_begin) - moments.now;
+  moments.end = m.ends_with_horizon ? Dyadic(setup.horizon.h) : Dyadic(m.t_end) - moments.now;
+  return moments;
+}
+
+bool exact_touches(PairCurves& curves, const ExactMoments& moments) {
+  return ExactPair(curves, moments).touches();
+}
+
+std::optional<ContactTimes> exact_times(PairCurves& curves, const ExactMoments& moments) {
+  return ExactPair(curves, moments).times();
+}
+
+}  // namespace foresee

@@ -1,0 +1,29 @@
+// Contact decided and timed exactly: the last word where certified doubles cannot tell.
+//
+// Every polynomial is at most 0 during some stays of time, whose ends are exact events; a piece of the
+// contact set holds where all of its polynomials' stays meet, and the set is the union of its pieces.
+// Ends are compared exactly and only the answer's are rounded, once. Cost: microseconds where 128 bits tell,
+// some microseconds more for each tie.
+#pragma once
+
+#include <optional>
+
+#include "contact/exact/pair_curves.h"
+
+namespace foresee {
+
+/// The exact ends of the moments asked about, measured from now.
+struct ExactMoments {
+  Dyadic begin, end;
+  Dyadic now;
+  Moments rounded;
+};
+ExactMoments exact_moments_of(const Setup& setup, const double* row_a, const double* row_b);
+
+/// Does the pair touch at some moment asked about? Curves can be asked for one answer.
+bool exact_touches(PairCurves& curves, const ExactMoments& moments);
+
+/// Begin and end of the first contact, if there is one.
+std::optional<ContactTimes> exact_times(PairCurves& curves, const ExactMoments& moments);
+
+}  // namespace foresee

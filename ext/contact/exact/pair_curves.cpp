@@ -1,0 +1,62 @@
+#include "contact/exact/pair_curves.h"
+
+#include <algorithm>
+
+namespace foresee {
+
+template <class T>
+PairCurves::Motion<T> PairCurves::motion() const {
+  Motion<T> x;
+  for (int axis = 0; axis < setup_.a.layout.axes; ++axis) {
+    const AxisCourse<T> one = axis_course_of<T>(setup_, row_a_, row_b_, axis);
+    x[static_cast<std::size_t>(axis)] = {one.x, one.v, one.a};
+  }
+  return x;
+}
+
+PairCurves::PairCurves(const ContactSet& set, const Setup& setup, const double* row_a, const double* row_b)
+    : set_(set),
+      setup_(setup),
+      row_a_(row_a),
+      row_b_(row_b),
+      wide_motion_(motion<Wide>()),
+      number_of_(set.primitives().size(), -1) {}
+
+Polynomial PairCurves::polynomial(int primitive) const {
+  if (!exact_motion_) exact_motion_ = motion<Dyadic>();
+  return Polynomial(polynomial_of<2>(set_.primitives()[static_cast<std::size_t>(primitive)],
+                                     exact_motion_->data(), PairLengths<Dyadic>{set_, row_a_, row_b_}, 0));
+}
+
+std::size_t PairCurves::number_of(int primitive) {
+  int& number = number_of_[static_cast<std::size_t>(primitive)];
+  if (number >= 0) return static_cast<std::size_t>(number);
+  const Primitive& p = set_.primitives()[static_cast<std::size_t>(primitive)];
+  if (p.kind == Primitive::Kind::bound) {
+    for (const int known : bounds_)
+      if (same_bound(p, set_.primitives()[static_cast<std::size_t>(known)])) {
+        number = number_of_[static_cast<std::size_t>(known)];
+        return static_cast<std::size_t>(number);
+      }
+    bounds_.push_back(primitive);
+  }
+  number = static_cast<int>(curves_.size());
+  const PairLengths<Wide> lengths{set_, row_a_, row_b_};
+  curves_.emplace_back(polynomial_of<2>(p, wide_motion_.data(), lengths, 0), *this, primitive);
+  return static_cast<std::size_t>(number);
+}
+
+bool PairCurves::same_bound(const Primitive& a, const Primitive& b) const {
+  return a.parts[0].axis == b.parts[0].axis && a.parts[0].sign == b.parts[0].sign &&
+         same_length(a.size.value, b.size.value) && same_length(a.size.rate, b.size.rate) &&
+         same_length(a.size.bend, b.size.bend);
+}
+
+/// Two that differ do so by the radius, and to add what is not 0 always shows in a number's bits or in its
+/// error.
+bool PairCurves::same_length(int a, int b) const {
+  const PairLengths<Wide> lengths{set_, row_a_, row_b_};
+  return a == b || identical(length_at<Wide>(lengths, a), length_at<Wide>(lengths, b));
+}
+
+}  // namespace foresee

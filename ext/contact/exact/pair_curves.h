@@ -1,0 +1,47 @@
+// The polynomials of one pair's contact set as curves, each made when it is first asked for.
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "contact/set/contact_set.h"
+#include "numbers/curve.h"
+
+namespace foresee {
+
+class PairCurves final : public PolynomialSource {
+ public:
+  PairCurves(const ContactSet& set, const Setup& setup, const double* row_a, const double* row_b);
+  PairCurves(const PairCurves&) = delete;
+  PairCurves& operator=(const PairCurves&) = delete;
+
+  const ContactSet& set() const { return set_; }
+  /// The number of a primitive's curve. Bounds that turn out to be equal have one curve, whose ties need no
+  /// algebra.
+  std::size_t number_of(int primitive);
+  Curve& curve(std::size_t number) { return curves_[number]; }
+
+  /// The exact polynomial of a primitive.
+  Polynomial polynomial(int primitive) const override;
+
+ private:
+  template <class T>
+  using Motion = std::array<Powers<T, 2>, 3>;
+
+  template <class T>
+  Motion<T> motion() const;
+  bool same_bound(const Primitive& a, const Primitive& b) const;
+  bool same_length(int a, int b) const;
+
+  const ContactSet& set_;
+  const Setup& setup_;
+  const double *row_a_, *row_b_;
+  Motion<Wide> wide_motion_;
+  mutable std::optional<Motion<Dyadic>> exact_motion_;  ///< once it is needed
+  std::deque<Curve> curves_;
+  std::vector<int> number_of_;  ///< of each primitive's curve; -1: not made
+  std::vector<int> bounds_;     ///< the primitives among them that are bounds
+};
+
+}  // namespace foresee

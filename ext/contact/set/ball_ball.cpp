@@ -1,0 +1,13 @@
+#include "contact/set/kinds.h"
+#include "contact/set/round_ball.h"
+
+namespace foresee {
+
+ContactSet ball_ball_set(const Setup& setup) {
+  ContactSet set;
+  const int radius = set.sum(set.in_both(setup.a.at.r, setup.b.at.r), set.given(setup.within));
+  add_ball(set, setup.a.layout.axes, radius);
+  return set;
+}
+
+}  // namespace foresee

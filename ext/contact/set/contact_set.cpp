@@ -1,0 +1,69 @@
+#include "contact/set/contact_set.h"
+
+#include <algorithm>
+
+namespace foresee {
+namespace {
+
+/// Its number.
+template <class T>
+int appended(std::vector<T>& list, const T& value) {
+  list.push_back(value);
+  return static_cast<int>(list.size()) - 1;
+}
+
+Primitive primitive_of(Primitive::Kind kind, std::span<const AxisPart> parts, const Size& size) {
+  Primitive primitive{.kind = kind, .count = static_cast<int>(parts.size()), .size = size};
+  std::copy(parts.begin(), parts.end(), primitive.parts.begin());
+  return primitive;
+}
+
+int degree_of(const Size& size) {
+  return size.bend != no_length ? 2 : size.rate != no_length ? 1 : 0;
+}
+
+}  // namespace
+
+int ContactSet::add(const Length& length) {
+  if (length.varies) varying_.push_back(static_cast<int>(lengths_.size()));
+  return appended(lengths_, length);
+}
+
+int ContactSet::add(const Primitive& primitive) {
+  return appended(primitives_, primitive);
+}
+
+ContactSet::Part ContactSet::add(const std::vector<int>& members) {
+  const auto begin = static_cast<std::uint32_t>(members_.size());
+  members_.insert(members_.end(), members.begin(), members.end());
+  return {begin, static_cast<std::uint32_t>(members_.size())};
+}
+
+int ContactSet::bound(int axis, int sign, const Size& size) {
+  const AxisPart part{.axis = axis, .sign = sign};
+  return add(primitive_of(Primitive::Kind::bound, {&part, 1}, size));
+}
+
+int ContactSet::half_space(std::span<const AxisPart> normal, const Size& size) {
+  return add(primitive_of(Primitive::Kind::half_space, normal, size));
+}
+
+int ContactSet::ball(std::span<const AxisPart> centre, const Size& radius) {
+  return add(primitive_of(Primitive::Kind::ball, centre, radius));
+}
+
+void ContactSet::add_piece(const Conditions& conditions) {
+  const Part all = add(conditions.all), around = add(conditions.around), beyond = add(conditions.beyond);
+  pieces_.push_back({all, around, beyond});
+}
+
+int ContactSet::degree() const {
+  int degree = 0;
+  for (const Primitive& primitive : primitives_) {
+    degree = std::max(degree, degree_of(primitive.size));
+    for (const AxisPart& part : primitive.parts) degree = std::max(degree, degree_of(part.at));
+  }
+  return degree;
+}
+
+}  // namespace foresee

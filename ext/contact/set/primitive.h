@@ -1,0 +1,185 @@
+// What contact sets are made of: half spaces and balls, each a polynomial in time that is at most 0 inside.
+//
+// A primitive is written once, in with_polynomial(), for every number type and for every degree of the
+// motion: doubles with error bounds (Bounded), DoubleDouble, numbers of 128 bits (Wide) and exact ones
+// (Dyadic) all run the same lines, and degree 0 is the value at one moment. To add a primitive is to add its
+// kind and its polynomial there.
+//
+// A primitive holds no numbers of a pair. It names lengths of its contact set (contact_set.h), which each
+// stage computes in its own number type. A size may change with time: value + rate tau + bend tau^2, tau from
+// `now`.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "contact/set/pair_source.h"
+#include "numbers/powers.h"
+
+namespace foresee {
+
+/// In place of a length's number: 0. All its bits are set.
+constexpr int no_length = -1;
+
+/// Numbers of lengths.
+struct Size {
+  int value = no_length, rate = no_length, bend = no_length;
+
+  bool moves() const { return (rate & bend) != no_length; }
+};
+
+/// What a primitive says about one axis.
+struct AxisPart {
+  int axis = 0;
+  int sign = 1;  ///< 1 or -1
+  Size at = {};
+};
+
+struct Primitive {
+  enum class Kind : std::uint8_t {
+    bound,       ///< sign x <= size on the one axis of parts[0]
+    half_space,  ///< the sum of sign at.value x over the parts is <= size; `at` is the normal
+    ball         ///< the sum of (x - sign at)^2 over the parts is <= size^2; `at` is the centre
+  };
+  Kind kind;
+  int count = 0;  ///< of parts
+  std::array<AxisPart, 3> parts = {};
+  Size size = {};
+};
+
+/// A length, or 0. `lengths`: what has them by number, as an array does.
+template <class T, class Lengths>
+T length_at(const Lengths& lengths, int number) {
+  if (number == no_length) return T{};
+  return lengths[number];
+}
+
+/// A size by powers of the time after tau. Requires: K is at least its degree, or 0 for its value alone.
+template <int K, class T, class Lengths>
+[[gnu::noinline]] Powers<T, K> moving_size(const Size& size, const Lengths& lengths, double tau) {
+  const T t = Exactly<T>::number(tau), rate = length_at<T>(lengths, size.rate),
+          bend = length_at<T>(lengths, size.bend), turn = t * bend;
+  Powers<T, K> p;
+  p[0] = length_at<T>(lengths, size.value) + t * (rate + turn);
+  if constexpr (K >= 1) p[1] = rate + twice(turn);
+  if constexpr (K >= 2) p[2] = bend;
+  return p;
+}
+
+/// p minus sign times the size.
+template <int K, class T, class Lengths>
+[[gnu::always_inline]] inline void subtract_size(Powers<T, K>& p, const Size& size, int sign,
+                                                 const Lengths& lengths, double tau) {
+  if (!size.moves()) {
+    if (size.value == no_length) return;
+    p[0] = sign > 0 ? p[0] - lengths[size.value] : p[0] + lengths[size.value];
+    return;
+  }
+  const Powers<T, K> s = moving_size<K, T>(size, lengths, tau);
+  for (int k = 0; k <= K; ++k) p[k] = sign > 0 ? p[k] - s[k] : p[k] + s[k];
+}
+
+template <int K, class T, class Lengths>
+[[gnu::always_inline]] inline Powers<T, K> bound_polynomial(const Primitive& bound, const Powers<T, K>* x,
+                                                            const Lengths& lengths, double tau) {
+  Powers<T, K> p = x[bound.parts[0].axis];
+  if (bound.parts[0].sign < 0)
+    for (T& c : p) c = -c;
+  subtract_size<K>(p, bound.size, 1, lengths, tau);
+  return p;
+}
+
+template <int K, class T, class Lengths>
+Powers<T, K> half_space_polynomial(const Primitive& space, const Powers<T, K>* x, const Lengths& lengths,
+                                   double tau) {
+  Powers<T, K> p{};
+  for (int i = 0; i < space.count; ++i) {
+    const AxisPart& part = space.parts[i];
+    const T length = length_at<T>(lengths, part.at.value), normal = part.sign > 0 ? length : -length;
+    for (int k = 0; k <= K; ++k) p[k] = p[k] + normal * x[part.axis][k];
+  }
+  subtract_size<K>(p, space.size, 1, lengths, tau);
+  return p;
+}
+
+/// Adds the square of a polynomial to the powers above the value.
+template <int K, class T>
+[[gnu::always_inline]] inline void add_square_above(Powers<T, 2 * K>& p, const Powers<T, K>& q) {
+  if constexpr (K == 1) {
+    p[1] = p[1] + twice(q[0] * q[1]);
+    p[2] = p[2] + square(q[1]);
+  }
+  if constexpr (K == 2) {
+    p[1] = p[1] + twice(q[0] * q[1]);
+    p[2] = p[2] + (square(q[1]) + twice(q[0] * q[2]));
+    p[3] = p[3] + twice(q[1] * q[2]);
+    p[4] = p[4] + square(q[2]);
+  }
+}
+
+/// Over so many axes.
+template <int Count, int K, class T, class Lengths, class Wanted>
+[[gnu::always_inline]] inline Powers<T, 2 * K> ball_over(const Primitive& ball, const Powers<T, K>* x,
+                                                         const Lengths& lengths, double tau,
+                                                         Wanted&& wanted) {
+  Powers<T, K> gaps[Count], radius{};
+  if (ball.size.moves())
+    radius = moving_size<K, T>(ball.size, lengths, tau);
+  else
+    radius[0] = length_at<T>(lengths, ball.size.value);
+  Powers<T, 2 * K> p{};
+  p[0] = -square(radius[0]);
+  for (int i = 0; i < Count; ++i) {
+    const AxisPart& part = ball.parts[i];
+    gaps[i] = x[part.axis];
+    subtract_size<K>(gaps[i], part.at, part.sign, lengths, tau);
+    p[0] = p[0] + square(gaps[i][0]);
+  }
+  if (K == 0 || !wanted(p[0])) return p;
+  if (ball.size.moves()) {
+    add_square_above<K>(p, radius);
+    for (int k = 1; k <= 2 * K; ++k) p[k] = -p[k];
+  }
+  for (int i = 0; i < Count; ++i) add_square_above<K>(p, gaps[i]);
+  return p;
+}
+
+template <int K, class T, class Lengths, class Wanted>
+Powers<T, 2 * K> ball_polynomial(const Primitive& ball, const Powers<T, K>* x, const Lengths& lengths,
+                                 double tau, Wanted&& wanted) {
+  if (ball.count == 1) return ball_over<1, K>(ball, x, lengths, tau, wanted);
+  if (ball.count == 2) return ball_over<2, K>(ball, x, lengths, tau, wanted);
+  return ball_over<3, K>(ball, x, lengths, tau, wanted);
+}
+
+/// Gives `take` the primitive by powers of the time after tau: at most 0 inside. `x`: the relative motion on
+/// each axis, likewise as it is seen from tau. A ball has powers up to 2 K, others up to K. `wanted` is asked
+/// with the value at tau whether more than that value matters; if not, the rest may be anything.
+template <int K, class T, class Lengths, class Wanted, class Take>
+[[gnu::always_inline]] inline auto with_polynomial(const Primitive& primitive, const Powers<T, K>* x,
+                                                   const Lengths& lengths, double tau, Wanted&& wanted,
+                                                   Take&& take) {
+  switch (primitive.kind) {
+    case Primitive::Kind::bound:
+      return take(bound_polynomial<K>(primitive, x, lengths, tau));
+    case Primitive::Kind::half_space:
+      return take(half_space_polynomial<K>(primitive, x, lengths, tau));
+    default:
+      return take(ball_polynomial<K>(primitive, x, lengths, tau, wanted));
+  }
+}
+
+/// All of it, filled up with zeros to powers up to 2 K.
+template <int K, class T, class Lengths>
+Powers<T, 2 * K> polynomial_of(const Primitive& primitive, const Powers<T, K>* x, const Lengths& lengths,
+                               double tau) {
+  const auto wanted = [](const T&) { return true; };
+  return with_polynomial<K>(primitive, x, lengths, tau, wanted, [](const auto& some) {
+    Powers<T, 2 * K> all{};
+    std::copy(some.begin(), some.end(), all.begin());
+    return all;
+  });
+}
+
+}  // namespace foresee

@@ -1,0 +1,147 @@
+#include "contact/set/rounded_box.h"
+
+#include <bit>
+
+#include "contact/window_contact.h"
+
+namespace foresee {
+namespace {
+
+/// One face of a box: where it is, and its bound as it is and moved outward by the radius; none: no such
+/// face.
+struct Side {
+  bool there = false;
+  Size at;
+  int bound = -1, grown = -1;
+};
+
+class RoundedBox {
+ public:
+  RoundedBox(ContactSet& set, std::span<const Faces> faces, int radius, std::vector<int> also)
+      : set_(set), faces_(faces), radius_(radius), also_(std::move(also)) {
+    for (const Faces& f : faces) {
+      sides_.push_back(side(f.axis, -1, f.has_below, f.below));
+      sides_.push_back(side(f.axis, 1, f.has_above, f.above));
+    }
+  }
+
+  void add_pieces() {
+    const auto subsets = 1U << faces_.size();
+    for (unsigned along = 1; along < subsets; along <<= 1) add_grown_along(along);
+    for (int corners = 2; corners <= static_cast<int>(faces_.size()); ++corners)
+      for (unsigned round = 1; round < subsets; ++round)
+        if (std::popcount(round) == corners) add_rounded_over(round);
+  }
+
+ private:
+  Side side(int axis, int sign, bool there, int at) {
+    if (!there) return {};
+    return {true, {at}, set_.bound(axis, sign, {at}), set_.bound(axis, sign, {set_.sum(at, radius_)})};
+  }
+
+  static bool has(unsigned axes, std::size_t i) { return (axes >> i & 1) != 0; }
+  const Side& side(std::size_t i, bool upper) const { return sides_[2 * i + (upper ? 1 : 0)]; }
+
+  /// Between the faces of the axes that are not in `other`.
+  std::vector<int> straight(unsigned other) const {
+    std::vector<int> bounds = also_;
+    for (std::size_t i = 0; i < faces_.size(); ++i)
+      for (const bool upper : {false, true})
+        if (!has(other, i) && side(i, upper).there) bounds.push_back(side(i, upper).bound);
+    return bounds;
+  }
+
+  void add_grown_along(unsigned axis) {
+    Conditions piece{.all = straight(axis)};
+    const auto i = static_cast<std::size_t>(std::countr_zero(axis));
+    for (const bool upper : {false, true})
+      if (side(i, upper).there) piece.all.push_back(side(i, upper).grown);
+    set_.add_piece(piece);
+  }
+
+  /// Around every corner (in three axes: also edge) at which faces of the axes `round` meet.
+  void add_rounded_over(unsigned round) {
+    for (unsigned signs = 0; signs < 1U << faces_.size(); ++signs)
+      if ((signs & ~round) == 0) add_corner(round, signs);
+  }
+
+  void add_corner(unsigned round, unsigned signs) {
+    Conditions piece{.all = straight(round)};
+    std::vector<AxisPart> centre;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+      if (!has(round, i)) continue;
+      const bool upper = has(signs, i);
+      const Side& face = side(i, upper);
+      if (!face.there) return;
+      centre.push_back({.axis = faces_[i].axis, .sign = upper ? 1 : -1, .at = face.at});
+      piece.around.push_back(face.grown);
+      piece.beyond.push_back(face.bound);
+    }
+    piece.all.push_back(set_.ball(centre, {radius_}));
+    set_.add_piece(piece);
+  }
+
+  ContactSet& set_;
+  std::span<const Faces> faces_;
+  int radius_;
+  std::vector<int> also_;
+  std::vector<Side> sides_;  ///< below and above of each axis
+};
+
+}  // namespace
+
+std::vector<Faces> faces_of_boxes(ContactSet& set, const Setup& setup) {
+  const auto place = [](int half, int axis) { return half == Offsets::absent ? half : half + axis; };
+  std::vector<Faces> faces;
+  for (int axis = 0; axis < setup.a.layout.axes; ++axis) {
+    const int half = set.in_both(place(setup.a.at.half, axis), place(setup.b.at.half, axis));
+    faces.push_back({.axis = axis, .below = half, .above = half});
+  }
+  return faces;
+}
+
+std::vector<Faces> faces_of_window(ContactSet& set, const Setup& setup) {
+  // Coordinates run from the window's reference: a finite lower face is at 0, an upper one at the exact
+  // width.
+  const WindowFaces& window = *setup.window;
+  std::vector<Faces> faces;
+  for (int axis = 0; axis < setup.a.layout.axes; ++axis) {
+    const auto j = static_cast<std::size_t>(axis);
+    const bool below = window.has_lower(axis), above = window.has_upper(axis);
+    int width = no_length;
+    if (below && above) width = set.difference(set.given(window.upper[j]), set.given(window.lower[j]));
+    faces.push_back({.axis = axis, .above = width, .has_below = below, .has_above = above});
+  }
+  return faces;
+}
+
+Faces grown(ContactSet& set, Faces faces, int length) {
+  faces.below = set.sum(faces.below, length), faces.above = set.sum(faces.above, length);
+  return faces;
+}
+
+std::vector<int> between(ContactSet& set, std::span<const Faces> faces) {
+  std::vector<int> bounds;
+  for (const Faces& f : faces) {
+    if (f.has_below) bounds.push_back(set.bound(f.axis, -1, {f.below}));
+    if (f.has_above) bounds.push_back(set.bound(f.axis, 1, {f.above}));
+  }
+  return bounds;
+}
+
+void add_box(ContactSet& set, std::span<const Faces> faces) {
+  for (const Faces& f : faces) set.enclose(f);
+  set.add_piece({.all = between(set, faces)});
+}
+
+void add_rounded_box(ContactSet& set, std::span<const Faces> faces, int radius, const Faces* along_z) {
+  for (const Faces& f : faces) set.enclose(grown(set, f, radius));
+  std::vector<int> also;
+  if (along_z) {
+    also = between(set, {along_z, 1});
+    set.enclose(*along_z);
+  }
+  RoundedBox(set, faces, radius, std::move(also)).add_pieces();
+}
+
+}  // namespace foresee

@@ -1,0 +1,12 @@
+#include "contact/set/kinds.h"
+#include "contact/set/rounded_box.h"
+
+namespace foresee {
+
+ContactSet window_ball_set(const Setup& setup) {
+  ContactSet set;
+  add_rounded_box(set, faces_of_window(set, setup), set.in_both(setup.a.at.r, setup.b.at.r));
+  return set;
+}
+
+}  // namespace foresee
