@@ -13,13 +13,6 @@ std::unique_ptr<Contact> make_for_degree(const Setup& setup, ContactSet set, int
 
 }  // namespace
 
-template class SetContact<1, 1>;
-template class SetContact<1, 2>;
-template class SetContact<2, 1>;
-template class SetContact<2, 2>;
-template class SetContact<3, 1>;
-template class SetContact<3, 2>;
-
 std::unique_ptr<Contact> make_set_contact(const Setup& setup, ContactSet set, int degree) {
   switch (setup.a.layout.axes) {
     case 1:

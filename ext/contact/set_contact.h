@@ -62,7 +62,7 @@ class SetContact : public Contact {
     return {set_, setup_, row_a, row_b, moments, certain_scratch_};
   }
 
-  bool touches(const double* row_a, const double* row_b) {
+  [[gnu::noinline]] bool touches(const double* row_a, const double* row_b) {
     const Moments moments = moments_of(setup_, row_a, row_b);
     if (moments.none) return false;
     const Verdict verdict = track(row_a, row_b, moments).touches();
@@ -70,7 +70,8 @@ class SetContact : public Contact {
     return exactly<bool>(row_a, row_b, exact_touches);
   }
 
-  bool first_contact(const double* row_a, const double* row_b, TimesWanted wanted, ContactTimes& found) {
+  [[gnu::noinline]] bool first_contact(const double* row_a, const double* row_b, TimesWanted wanted,
+                                       ContactTimes& found) {
     const Moments moments = moments_of(setup_, row_a, row_b);
     if (moments.none) return false;
     Instant begin = unknown_instant(), end = unknown_instant();
@@ -81,6 +82,13 @@ class SetContact : public Contact {
     const auto exact = exactly<std::optional<ContactTimes>>(row_a, row_b, exact_times);
     if (exact) found = *exact;
     return exact.has_value();
+  }
+
+  /// The end of the contact that the pair certainly has at `from`, or unknown.
+  [[gnu::noinline]] Instant end_of_contact(const double* row_a, const double* row_b, double from) {
+    const Moments moments = moments_of(setup_, row_a, row_b);
+    auto track = this->track(row_a, row_b, moments);
+    return end_of_contact(track, from, moments, row_a, row_b);
   }
 
   /// The end of the contact that certainly is at `from`, or unknown.

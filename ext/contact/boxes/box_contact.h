@@ -152,7 +152,8 @@ class BoxContact final : public SetContact<D, Degree> {
     Instant end = begin;
     if (wanted == TimesWanted::both && begin.known()) {
       end = settled == Settled::by_rows ? quick_end(l) : unknown_instant();
-      if (!end.known()) end = slow_end(pair, touches_now ? 0 : lanes_.after[l]);
+      if (!end.known())
+        end = this->end_of_contact(row_a(pair), row_b(pair), touches_now ? 0 : lanes_.after[l]);
     }
     found = {begin.t, end.t, begin.dt, end.dt};
     return begin.known() && end.known();
@@ -162,13 +163,6 @@ class BoxContact final : public SetContact<D, Degree> {
     const Horizon& horizon = setup_.horizon;
     if (ends_.stays[l] > 0) return {horizon.h, horizon.now + horizon.h};
     return ends_.leaves[l] > 0 ? Instant{endings_.dt[l], endings_.t[l]} : unknown_instant();
-  }
-
-  Instant slow_end(const Pair& pair, double from) {
-    const double *a = row_a(pair), *b = row_b(pair);
-    const Moments moments = moments_of(setup_, a, b);
-    auto track = this->track(a, b, moments);
-    return this->end_of_contact(track, from, moments, a, b);
   }
 
   void find_ends() {
