@@ -1,0 +1,109 @@
+// A file that version 0.1 has written: read, written and made as version 0.1 did, byte for byte.
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "sqlite/foresee.h"
+#include "storage/database.h"
+#include "storage/format/crc32c.h"
+
+namespace foresee {
+namespace {
+
+const std::string files = FORESEE_SOURCE_DIR "/tests/storage/files/";
+const std::vector<std::string> tables{"ships", "crates", "drones"};
+
+std::string content(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+class VersionZeroOne : public ::testing::Test {
+ protected:
+  VersionZeroOne()
+      : path(std::filesystem::path(FORESEE_BINARY_DIR) / "version_0_1_copy.db"), db((copy(), path)) {
+    sqlite3_foresee_init(db, nullptr, nullptr);
+  }
+  ~VersionZeroOne() override { std::filesystem::remove(path); }
+  void copy() {
+    std::filesystem::remove(path);
+    std::filesystem::copy_file(files + "version_0_1.db", path);
+    using std::filesystem::perms;
+    std::filesystem::permissions(path, perms::owner_read | perms::owner_write);
+  }
+
+  static std::string rows(Database& db, const std::string& sql) {
+    std::string text;
+    sqlite3_stmt* select = nullptr;
+    EXPECT_EQ(sqlite3_prepare_v2(db, sql.c_str(), -1, &select, nullptr), SQLITE_OK) << sqlite3_errmsg(db);
+    for (; sqlite3_step(select) == SQLITE_ROW; text += '\n')
+      for (int i = 0; i < sqlite3_column_count(select); ++i) {
+        const void* bytes = sqlite3_column_blob(select, i);
+        text.append(static_cast<const char*>(bytes),
+                    static_cast<std::size_t>(sqlite3_column_bytes(select, i)));
+        text += '|';
+      }
+    EXPECT_EQ(sqlite3_finalize(select), SQLITE_OK);
+    return text;
+  }
+  /// What the shadow tables hold, but for the stamp, which is random.
+  static std::string stored(Database& db, const std::string& table) {
+    std::string text = rows(db, "SELECT * FROM " + table + "_node") +
+                       rows(db, "SELECT * FROM " + table + "_map") +
+                       rows(db, "SELECT * FROM " + table + "_meta WHERE key <> 'stamp'");
+    return table == "crates" ? text + rows(db, "SELECT * FROM crates_aux") : text;
+  }
+  void expect_sound() {
+    for (const std::string& table : tables)
+      db.run("INSERT INTO " + table + "(" + table + ") VALUES('integrity-check')");
+  }
+
+  std::string path;
+  Database db;
+};
+
+TEST_F(VersionZeroOne, IsReadWithoutChangingAByte) {
+  EXPECT_EQ(rows(db, "SELECT count(*), sum(id), sum(t), sum(x) FROM ships"), "180|18020|18185.25|85711.0|\n");
+  EXPECT_EQ(rows(db, "SELECT count(*), sum(x), count(cargo) FROM crates"), "40|-170.0|32|\n");
+  EXPECT_EQ(rows(db, "SELECT count(*), sum(z), count(until) FROM drones"), "40|500.0|20|\n");
+  const std::string pairs = "SELECT count(*), sum(a), sum(b) FROM predictive_join";
+  EXPECT_EQ(rows(db, pairs + "(60, 'ships', 20)"), "68|2906|10663|\n");
+  EXPECT_EQ(rows(db, pairs + "(30, 'crates')"), "1|-5|5|\n");
+  EXPECT_EQ(rows(db, pairs + "(30, 'drones')"), "7|96|211|\n");
+  expect_sound();
+  EXPECT_TRUE(content(path) == content(files + "version_0_1.db"));
+}
+
+TEST_F(VersionZeroOne, IsWrittenAsVersionZeroOneWroteIt) {
+  const std::string crates = stored(db, "crates"), drones = stored(db, "drones");
+  db.run("BEGIN; UPDATE ships SET x = x + 0.5, vx = 2 WHERE id % 3 = 0; DELETE FROM ships WHERE id = 12");
+  db.run("INSERT INTO ships VALUES(500, 102, 1.5, 2.5, 0, 0, 1); COMMIT");
+  expect_sound();
+  std::uint32_t checksum = 0;
+  Statement nodes(db, "SELECT data FROM ships_node ORDER BY nodeno");
+  for (Statement::Run run(nodes); run.step();)
+    checksum = crc32c(run.blob(0).data(), run.blob(0).size(), checksum);
+  EXPECT_EQ(checksum, 0x2366c1fbu) << "what the library of version 0.1 left after the same statements";
+  EXPECT_EQ(db.number("SELECT count(*) FROM ships_meta"), 6);
+  EXPECT_TRUE(stored(db, "crates") == crates);
+  EXPECT_TRUE(stored(db, "drones") == drones);
+}
+
+TEST_F(VersionZeroOne, MadeAnewHasTheSameBytes) {
+  Database fresh;
+  sqlite3_foresee_init(fresh, nullptr, nullptr);
+  const std::string sql = content(files + "version_0_1.sql");
+  fresh.run(sql.substr(0, sql.find("VACUUM INTO")));
+  const std::string schema = "SELECT name, sql FROM sqlite_schema ORDER BY name";
+  EXPECT_EQ(rows(fresh, schema), rows(db, schema));
+  for (const std::string& table : tables) {
+    EXPECT_TRUE(stored(fresh, table) == stored(db, table)) << table;
+    const std::string all = "SELECT * FROM " + table + " ORDER BY id";
+    EXPECT_EQ(rows(fresh, all), rows(db, all));
+  }
+}
+
+}  // namespace
+}  // namespace foresee
