@@ -33,12 +33,21 @@ StoreOrFault open_store(sqlite3* db, const std::string& schema, const std::strin
   return {.store = nullptr, .fault = error};
 }
 
+/// A newer foresee may have declared what this one cannot read: then the stored table says so by name.
+Declaration declaration_of(OpenStore open, sqlite3* db, const std::string& schema, const std::string& name,
+                           const std::vector<std::string_view>& arguments) try {
+  return parse_declaration(name, arguments);
+} catch (const Error&) {
+  if (open == open_store) refuse_unknown_features(db, {schema, name});
+  throw;
+}
+
 int connect(OpenStore open, sqlite3* db, void* aux, int argc, const char* const* argv, sqlite3_vtab** table,
             char** message) noexcept {
   return guarded(message, [&] {
     const std::string schema = argv[1];
     const std::string name = argv[2];
-    const Declaration declaration = parse_declaration(name, {argv + 3, argv + argc});
+    const Declaration declaration = declaration_of(open, db, schema, name, {argv + 3, argv + argc});
     sqlite3_vtab_config(db, SQLITE_VTAB_CONSTRAINT_SUPPORT, 1);
     sqlite3_vtab_config(db, SQLITE_VTAB_INNOCUOUS);
     const int rc = sqlite3_declare_vtab(db, declared_schema(declaration, name).c_str());

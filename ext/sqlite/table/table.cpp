@@ -35,7 +35,7 @@ void Table::drop() {
   if (opened_.store)
     opened_.store->drop();
   else
-    drop_shadow_tables(connection->db(), {schema, name}, declaration());
+    shadow_tables(connection->db(), {schema, name}, declaration()).drop();
 }
 
 }  // namespace foresee

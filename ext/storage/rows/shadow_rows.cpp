@@ -5,20 +5,6 @@
 namespace foresee {
 namespace {
 
-// Replaces {node}, {map}, {aux} and {meta} by the quoted names of the shadow tables.
-std::string with_names(const std::string& sql, const QualifiedName& name) {
-  std::string result;
-  std::size_t done = 0;
-  for (auto open = sql.find('{'); open != std::string::npos; open = sql.find('{', done)) {
-    const auto close = sql.find('}', open);
-    const std::string suffix = sql.substr(open + 1, close - open - 1);
-    result += sql.substr(done, open - done);
-    result += format_sql("\"%w\".\"%w_%s\"", name.schema.c_str(), name.table.c_str(), suffix.c_str());
-    done = close + 1;
-  }
-  return result + sql.substr(done);
-}
-
 // A statement of 16 rows costs half as much a row as one of a single row; more rows gain nothing.
 constexpr std::size_t map_rows = 16, map_columns = 2;
 
@@ -51,7 +37,8 @@ std::optional<std::int64_t> one_integer(Statement::Run& run) {
 
 ShadowRows::ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries)
     : db_(db), table_(name.table) {
-  auto sql = [&](const std::string& text) { return Statement(db, with_names(text, name)); };
+  const ShadowTables tables = shadow_tables(db, name, auxiliaries);
+  auto sql = [&](const std::string& text) { return tables.statement(text); };
   largest_node_ = sql("SELECT max(nodeno) FROM {node}");
   node_by_number_ = sql("SELECT data FROM {node} WHERE nodeno = ?");
   nodes_after_ = sql("SELECT nodeno, data FROM {node} WHERE nodeno > ? ORDER BY nodeno LIMIT 1");
@@ -93,18 +80,6 @@ void ShadowRows::require_variables(std::size_t needed) const {
                      table_ + ": to write its auxiliary columns takes " + std::to_string(needed) +
                          " SQL variables, and this connection allows " + std::to_string(variables()) +
                          "; raise SQLITE_LIMIT_VARIABLE_NUMBER, or declare fewer columns");
-}
-
-std::int64_t ShadowRows::number_after(std::optional<std::int64_t> last, Statement::Run& run,
-                                      const char* suffix) const {
-  const auto damaged = [&](const std::string& what) {
-    throw StoreError(SQLITE_CORRUPT_VTAB, table_ + ": " + table_ + "_" + suffix + " is damaged: " + what);
-  };
-  if (!run.is_integer(0)) damaged("the number of a row is no integer");
-  const std::int64_t number = run.integer(0);
-  if (last && number <= *last)
-    damaged("row " + std::to_string(number) + " comes after row " + std::to_string(*last));
-  return number;
 }
 
 std::int64_t ShadowRows::largest_node() {

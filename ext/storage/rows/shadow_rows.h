@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "storage/rows/ascending_rows.h"
 #include "storage/rows/id_table.h"
 #include "storage/rows/shadow_schema.h"
 #include "storage/rows/statement.h"
@@ -37,20 +38,21 @@ class ShadowRows {
     Statement::Run run(nodes_after_);
     run.bind(1, after);
     if (!run.step()) return false;
-    read(number_after(after, run, "node"), run.blob(1));
+    read(number_after(after, run, {table_, "node"}), run.blob(1));
     return true;
   }
   /// Calls read(number, blob) with every node by ascending number.
   template <class Read>
   void read_all_nodes(Read read) {
-    read_rows(all_nodes_, "node",
-              [&](std::int64_t number, Statement::Run& run) { read(number, run.blob(1)); });
+    read_ascending(all_nodes_, {table_, "node"},
+                   [&](std::int64_t number, Statement::Run& run) { read(number, run.blob(1)); });
   }
   void write_node(std::int64_t number, std::span<const std::byte> blob);
   void erase_node(std::int64_t number);
   template <class Read>
   void read_node_numbers(Read read) {
-    read_rows(node_numbers_, "node", [&](std::int64_t number, Statement::Run&) { read(number); });
+    read_ascending(node_numbers_, {table_, "node"},
+                   [&](std::int64_t number, Statement::Run&) { read(number); });
   }
 
   // --- _map
@@ -60,7 +62,8 @@ class ShadowRows {
   bool map_is_empty();
   template <class Read>
   void read_map(Read read) {
-    read_rows(all_ids_, "map", [&](std::int64_t id, Statement::Run& run) { read(id, run.integer(1)); });
+    read_ascending(all_ids_, {table_, "map"},
+                   [&](std::int64_t id, Statement::Run& run) { read(id, run.integer(1)); });
   }
   /// Each id's leaf; 0: the id goes. Fast if the ids ascend.
   void write_map(std::span<const IdTable::Entry> changes);
@@ -74,7 +77,7 @@ class ShadowRows {
   void result_auxiliary(sqlite3_context* context, std::int64_t id, int column);
   template <class Read>
   void read_auxiliary_ids(Read read) {
-    read_rows(auxiliary_ids_, "aux", [&](std::int64_t id, Statement::Run&) { read(id); });
+    read_ascending(auxiliary_ids_, {table_, "aux"}, [&](std::int64_t id, Statement::Run&) { read(id); });
   }
   /// One row for each object of the map: strays go, missing ones come with NULLs.
   void match_auxiliaries_to_map();
@@ -88,15 +91,6 @@ class ShadowRows {
   void write_root(std::int64_t root);
 
  private:
-  /// Calls read(number, run) with every row; the first column is its number.
-  template <class Read>
-  void read_rows(Statement& statement, const char* suffix, Read read) {
-    Statement::Run run(statement);
-    for (std::optional<std::int64_t> last; run.step(); read(*last, run))
-      last = number_after(last, run, suffix);
-  }
-  std::int64_t number_after(std::optional<std::int64_t> last, Statement::Run& run, const char* suffix) const;
-
   std::size_t variables() const;
   void require_variables(std::size_t needed) const;
 

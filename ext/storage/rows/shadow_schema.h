@@ -6,7 +6,8 @@
 //   <name>_meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID             see below
 //
 // _meta: `format` version of all this, `columns` as declared, `node_size`, `horizon`, `root` (0: there are no
-// objects), `stamp` (random, rewritten by every write transaction).
+// objects), `stamp` (random, rewritten by every write transaction); `features` only where a table uses more
+// than version 0.1 had (format/features.h).
 #pragma once
 
 #include <string>
@@ -14,15 +15,9 @@
 
 #include "storage/format/declaration.h"
 #include "storage/format/node_format.h"
-#include "storage/rows/sqlite_api.h"
+#include "storage/rows/shadow_tables.h"
 
 namespace foresee {
-
-/// A table as SQL names it.
-struct QualifiedName {
-  std::string schema;
-  std::string table;
-};
 
 /// True for node, map, aux and meta: what stands behind `<name>_` in a shadow table's name.
 bool is_shadow_suffix(std::string_view suffix);
@@ -30,18 +25,20 @@ bool is_shadow_suffix(std::string_view suffix);
 /// The record's columns in their order, then the auxiliary ones: what `columns` holds in _meta.
 std::string describe_columns(const Declaration& declaration);
 
+/// The tables themselves, with so many auxiliary columns.
+ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, int auxiliaries);
+ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
+
 /// Makes the shadow tables of a new, empty table and returns its nodes' format.
 NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
 
 /// The nodes' format of an existing table. Throws StoreError if the shadow tables were written for another
 /// declaration or by a version of foresee that this one does not understand, or if one of them is no table.
-/// Cost: one scan of sqlite_schema, three look-ups in _meta, and bounded memory, whatever they hold.
+/// Cost: one scan of sqlite_schema, four look-ups in _meta, and bounded memory, whatever they hold.
 NodeFormat read_node_format(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
 
-void rename_shadow_tables(sqlite3* db, const QualifiedName& name, const std::string& new_table,
-                          const Declaration& declaration);
-
-/// Tables that are missing are no obstacle.
-void drop_shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
+/// Throws StoreError if an existing table was written with a feature that this foresee does not know. For a
+/// declaration that cannot be read: the feature says why.
+void refuse_unknown_features(sqlite3* db, const QualifiedName& name);
 
 }  // namespace foresee

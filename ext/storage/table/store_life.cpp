@@ -231,7 +231,7 @@ void Store::back_to(const Savepoint& savepoint) {
 void Store::rename(const std::string& new_table) {
   flush();
   const OwnStatements own(*this);
-  rename_shadow_tables(db_, name_, new_table, declaration_);
+  shadow_tables(db_, name_, declaration_).rename(new_table);
   go_by(new_table);
   note_change();
 }
@@ -254,7 +254,7 @@ void Store::drop() {
                            " has changes from before an open savepoint: RELEASE it, or COMMIT, "
                            "and then DROP the table");
   const OwnStatements own(*this);
-  drop_shadow_tables(db_, name_, declaration_);
+  shadow_tables(db_, name_, declaration_).drop();
   cache_.forget_all();
   loose_->clear();
 }

@@ -1,0 +1,31 @@
+#include "storage/format/features.h"
+
+#include <algorithm>
+
+namespace foresee {
+
+std::span<const Feature> known_features() {
+  return {};
+}
+
+std::string features_of(const Declaration& declaration, std::span<const Feature> known) {
+  std::string names;
+  for (const Feature& feature : known) {
+    if (!feature.is_used(declaration)) continue;
+    if (!names.empty()) names += ',';
+    names += feature.name;
+  }
+  return names;
+}
+
+std::string unknown_feature(std::string_view names, std::span<const Feature> known) {
+  while (!names.empty()) {
+    const std::string_view name = names.substr(0, names.find(','));
+    if (std::none_of(known.begin(), known.end(), [&](const Feature& one) { return one.name == name; }))
+      return name.empty() ? "," : std::string(name);
+    names.remove_prefix(std::min(names.size(), name.size() + 1));
+  }
+  return "";
+}
+
+}  // namespace foresee

@@ -1,0 +1,32 @@
+// What does a stored table use that version 0.1 of foresee did not know?
+//
+//   features_of(declaration)                          // "growth,shapes", which _meta keeps; "": nothing
+//   unknown_feature("shapes,tiles") == "tiles"        // of two, this library knows the first
+//
+// The format's number says how nodes are drawn; a feature says that there is more to a table than that. A
+// library that does not know one of them would answer wrongly, so it refuses the table and says which.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "storage/format/declaration.h"
+
+namespace foresee {
+
+struct Feature {
+  std::string_view name;  ///< one word
+  bool (*is_used)(const Declaration&);
+};
+
+/// Those that this library knows: none yet.
+std::span<const Feature> known_features();
+
+/// The names of those that a table uses, with commas between them.
+std::string features_of(const Declaration& declaration, std::span<const Feature> known = known_features());
+
+/// The first name that is not known; "" if all are.
+std::string unknown_feature(std::string_view names, std::span<const Feature> known = known_features());
+
+}  // namespace foresee

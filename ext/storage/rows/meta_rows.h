@@ -1,0 +1,43 @@
+// What does a virtual table say about itself? Keys and values in <name>_meta.
+//
+//   MetaRows meta(tables);                      // MetaRows::table() is one of them
+//   meta.write("format", std::int64_t{2});
+//   meta.read("format") == "2"
+//
+// Cost: a look-up each; both statements are compiled once for each MetaRows.
+#pragma once
+
+#include "storage/rows/shadow_tables.h"
+
+namespace foresee {
+
+class MetaRows {
+ public:
+  static ShadowTable table() { return {"meta", "(key TEXT PRIMARY KEY, value) WITHOUT ROWID"}; }
+
+  explicit MetaRows(const ShadowTables& tables)
+      : read_(tables.statement("SELECT substr(value, 1, ?2) FROM {meta} WHERE key = ?1")),
+        write_(tables.statement("INSERT OR REPLACE INTO {meta} VALUES(?1, ?2)")) {}
+
+  /// What stands under a key, as text; "" where there is nothing. Of a text that is longer than `most` only
+  /// the beginning: who reads it compares it with what is shorter.
+  std::string read(const std::string& key, std::size_t most = 100) {
+    Statement::Run run(read_);
+    run.bind(1, key);
+    run.bind(2, static_cast<std::int64_t>(most));
+    return run.step() ? run.text(0) : "";
+  }
+
+  template <class Value>
+  void write(const std::string& key, const Value& value) {
+    Statement::Run run(write_);
+    run.bind(1, key);
+    run.bind(2, value);
+    run.step();
+  }
+
+ private:
+  Statement read_, write_;
+};
+
+}  // namespace foresee
