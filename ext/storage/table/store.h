@@ -20,6 +20,7 @@
 #include "storage/nodes/loose_objects.h"
 #include "storage/nodes/memory_budget.h"
 #include "storage/nodes/node_cache.h"
+#include "storage/nodes/object_changes.h"
 #include "storage/table/object_store.h"
 
 namespace foresee {
@@ -51,6 +52,19 @@ class Store final : public ObjectStore, private MemoryHolder, public std::enable
   void update(std::int64_t id, std::int64_t new_id, std::span<const double> record,
               std::span<sqlite3_value*> auxiliaries) override;
   void erase(std::int64_t id) override;
+
+  // --- what a transaction has changed
+  // --------------------------------------------------------------------------------------------
+  /// From now on for_each_change() knows; where nobody wants it nothing is kept. Not wanted any more: from
+  /// the end of this transaction on. After a schema change SQLite may open another store of the table, but
+  /// never while this one has changes: whoever wants them says so at each begin().
+  void keep_changes(bool wanted);
+  /// Calls each(id, before, after) for every object whose record is not bit for bit what it was when the
+  /// transaction began, or keep_changes() within it; an empty record: there was, or is, no such object. What
+  /// was taken back is no change. In the order of the first changes. Cost: a read() for each.
+  void for_each_change(const std::function<void(std::int64_t id, std::span<const double> before,
+                                                std::span<const double> after)>& each);
+  std::size_t changes_memory() const { return object_changes_.memory(); }
 
   void rebuild(Interrupt& interrupt) override;
   void optimize(Interrupt& interrupt) override;
@@ -108,6 +122,7 @@ class Store final : public ObjectStore, private MemoryHolder, public std::enable
   void start_change(std::span<const double> record);
   void write_new_stamp();
   std::int64_t shown(std::int64_t stored_stamp) const;
+  void about_to_change(std::int64_t id);
   void take_out(std::int64_t id);
   void add(std::int64_t id, std::span<const double> record);
   const Largest& largest();
@@ -127,12 +142,14 @@ class Store final : public ObjectStore, private MemoryHolder, public std::enable
     std::size_t map_position;
     std::shared_ptr<LooseObjects> loose;
     std::size_t loose_position;
+    std::size_t changes_position;
     Largest largest;
     std::uint64_t change;
     std::optional<std::int64_t> own_stamp;
     std::string table;
-    bool waits;  ///< something that is not stored yet
+    bool waits;  ///< something that only memory knows
   };
+  /// Something is not stored yet.
   bool waits() const { return cache_.waits() || loose_->count() > 0; }
   void back_to(const Savepoint& savepoint);
   void back_to_begin() noexcept;
@@ -152,6 +169,8 @@ class Store final : public ObjectStore, private MemoryHolder, public std::enable
   NodeCache cache_;
   std::unique_ptr<TprTree> tree_;
   std::shared_ptr<LooseObjects> loose_;  ///< shared with savepoints that would take it back
+  ObjectChanges object_changes_;         ///< empty where nobody wants them
+  bool keeps_changes_ = false, wants_changes_ = false;
 
   bool in_transaction_;
   bool writing_ = false;      ///< this transaction has changed something: nobody else can

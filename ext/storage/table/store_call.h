@@ -35,6 +35,7 @@ class Store::Call {
         store_(store),
         loose_(store.loose_),
         loose_position_(store.loose_->position()),
+        changes_position_(store.object_changes_.position()),
         largest_(store.largest_) {
     store_.cache_.begin_call();
   }
@@ -44,6 +45,7 @@ class Store::Call {
     store_.cache_.cancel_call();
     store_.loose_ = std::move(loose_);
     store_.loose_->rewind(loose_position_);
+    store_.object_changes_.rewind(changes_position_);
     store_.largest_ = largest_;
   }
 
@@ -58,7 +60,7 @@ class Store::Call {
   OwnStatements own_;
   Store& store_;
   std::shared_ptr<LooseObjects> loose_;
-  std::size_t loose_position_;
+  std::size_t loose_position_, changes_position_;
   Largest largest_;
   bool done_ = false;
 };

@@ -119,6 +119,8 @@ void Store::end_transaction() noexcept {
   largest_ = {};
   own_stamp_.reset();
   loose_->clear();
+  object_changes_.clear();
+  keeps_changes_ = wants_changes_;
   note_memory();
 }
 
@@ -157,6 +159,7 @@ void Store::back_to_begin() noexcept {
   cache_.roll_back();
   if (!savepoints_.empty()) loose_ = savepoints_.front().loose;
   loose_->clear();
+  object_changes_.clear();
   give_up_savepoints(0);
 }
 
@@ -172,7 +175,8 @@ void Store::savepoint(int level) {
     savepoints_.reserve(std::max<std::size_t>(8, 2 * savepoints_.size()));
   std::string table = name_.table;
   savepoints_.push_back({level, cache_.mark(false), cache_.map_position(), loose_, loose_->position(),
-                         largest_, change_, own_stamp_, std::move(table), waits()});
+                         object_changes_.position(), largest_, change_, own_stamp_, std::move(table),
+                         waits() || object_changes_.count() > 0});
 }
 
 void Store::give_up_savepoints(std::size_t from) noexcept {
@@ -221,6 +225,7 @@ void Store::back_to(const Savepoint& savepoint) {
   cache_.restore(savepoint.mark, savepoint.map_position);
   loose_ = savepoint.loose;
   loose_->rewind(savepoint.loose_position);
+  object_changes_.rewind(savepoint.changes_position);
   largest_ = savepoint.largest;
   stamped_ = torn_ = false;
   note_change();
@@ -244,8 +249,8 @@ void Store::go_by(const std::string& table) {
   remember_open_store(db_, name_, shared_from_this());
 }
 
-// What waited at a savepoint would be lost with this object, and SQLite may go back to there. The newest mark
-// is that of the DROP itself.
+// What only memory knew at a savepoint would be lost with this object, and SQLite may go back to there. The
+// newest mark is that of the DROP itself.
 void Store::drop() {
   for (std::size_t i = 0; i + 1 < savepoints_.size(); ++i)
     if (savepoints_[i].waits)

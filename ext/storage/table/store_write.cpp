@@ -1,4 +1,5 @@
 // Writing: each change is one call, all or nothing.
+#include <cstring>
 #include <limits>
 
 #include "storage/format/leaf_node.h"
@@ -56,6 +57,30 @@ std::int64_t Store::next_id() {
   throw StoreError(SQLITE_FULL, name_.table + ": there is no id left");
 }
 
+// --- what a transaction has changed
+
+void Store::keep_changes(bool wanted) {
+  wants_changes_ = wanted;
+  if (wanted || !in_transaction_) keeps_changes_ = wanted;
+}
+
+void Store::about_to_change(std::int64_t id) {
+  if (!keeps_changes_ || object_changes_.knows(id)) return;
+  const std::optional<std::vector<double>> before = read(id);
+  object_changes_.add(id, before ? std::span<const double>(*before) : std::span<const double>());
+}
+
+void Store::for_each_change(
+    const std::function<void(std::int64_t, std::span<const double>, std::span<const double>)>& each) {
+  object_changes_.for_each([&](std::int64_t id, std::span<const double> before) {
+    const std::vector<double> after = read(id).value_or(std::vector<double>());
+    if (before.size() != after.size() || std::memcmp(before.data(), after.data(), before.size_bytes()) != 0)
+      each(id, before, after);
+  });
+}
+
+// --- changes
+
 void Store::add(std::int64_t id, std::span<const double> record) {
   const std::optional<std::int64_t> last = largest().id;
   loose_->add(id, record);
@@ -73,6 +98,7 @@ void Store::take_out(std::int64_t id) {
 void Store::insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries) {
   start_change(record);
   Call call(*this);
+  if (keeps_changes_ && !object_changes_.knows(id)) object_changes_.add(id, {});
   add(id, record);
   if (has_auxiliaries()) rows().insert_auxiliaries(id, auxiliaries);
   call.done();
@@ -83,6 +109,8 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
   start_change(record);
   Call call(*this);
   with_sound_tree([&] {
+    about_to_change(id);
+    about_to_change(new_id);
     if (new_id != id) {
       if (contains(new_id)) take_out(new_id);
       take_out(id);
@@ -100,7 +128,10 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
 void Store::erase(std::int64_t id) {
   start_change({});
   Call call(*this);
-  with_sound_tree([&] { take_out(id); });
+  with_sound_tree([&] {
+    about_to_change(id);
+    take_out(id);
+  });
   if (has_auxiliaries()) rows().erase_auxiliaries(id);
   call.done();
 }

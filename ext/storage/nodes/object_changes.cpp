@@ -1,0 +1,31 @@
+#include "storage/nodes/object_changes.h"
+
+namespace foresee {
+
+void ObjectChanges::add(std::int64_t id, std::span<const double> before) {
+  known_.prepare(id);
+  firsts_.push_back({id, records_.size() + before.size()});
+  try {
+    records_.insert(records_.end(), before.begin(), before.end());
+  } catch (...) {
+    firsts_.pop_back();
+    throw;
+  }
+  known_.set(id, 1);
+}
+
+std::size_t ObjectChanges::memory() const {
+  return firsts_.capacity() * sizeof(First) + records_.capacity() * sizeof(double) + known_.memory();
+}
+
+void ObjectChanges::rewind(std::size_t position) noexcept {
+  for (; firsts_.size() > position; firsts_.pop_back()) known_.set(firsts_.back().id, IdTable::unknown);
+  records_.resize(firsts_.empty() ? 0 : firsts_.back().end);
+}
+
+// With the room that a large transaction took.
+void ObjectChanges::clear() noexcept {
+  if (!firsts_.empty()) *this = ObjectChanges();
+}
+
+}  // namespace foresee

@@ -1,0 +1,196 @@
+// What a transaction has changed: always the difference between its beginning and now.
+#include "storage/nodes/object_changes.h"
+
+#include <map>
+#include <random>
+
+#include "sqlite/foresee.h"
+#include "storage/database.h"
+#include "storage/table/open_stores.h"
+#include "storage/table/store.h"
+
+namespace foresee {
+namespace {
+
+using Record = std::vector<double>;
+using Objects = std::map<std::int64_t, Record>;
+using Difference = std::map<std::int64_t, std::pair<Record, Record>>;
+
+TEST(ObjectChanges, KeepWhatWasBeforeTheFirstChange) {
+  ObjectChanges changes;
+  const Record before{1, 2};
+  changes.add(7, before);
+  changes.add(8, {});
+  EXPECT_TRUE(changes.knows(7) && changes.knows(8));
+  EXPECT_FALSE(changes.knows(9));
+  const auto mark = changes.position();
+  changes.add(9, before);
+  changes.rewind(mark);
+  EXPECT_FALSE(changes.knows(9));
+  changes.add(-9, before);
+  std::vector<std::pair<std::int64_t, Record>> seen;
+  changes.for_each([&](std::int64_t id, std::span<const double> record) {
+    seen.emplace_back(id, Record(record.begin(), record.end()));
+  });
+  EXPECT_EQ(seen, (decltype(seen){{7, before}, {8, {}}, {-9, before}}));
+  changes.clear();
+  EXPECT_EQ(changes.count(), 0u);
+  EXPECT_EQ(changes.memory(), 0u);
+}
+
+class StoreChanges : public ::testing::Test {
+ protected:
+  StoreChanges() {
+    sqlite3_foresee_init(db, nullptr, nullptr);
+    db.run("CREATE VIRTUAL TABLE ships USING moving_objects(id, x, r, +name)");
+    db.run(
+        "CREATE TRIGGER refuse BEFORE INSERT ON ships_aux WHEN new.a0 = 'bad' "
+        "BEGIN SELECT raise(ABORT, 'bad'); END");
+  }
+  bool run(const std::string& sql) {
+    return sqlite3_exec(db, sql.c_str(), nullptr, nullptr, nullptr) == SQLITE_OK;
+  }
+  Store& store() { return *find_open_store(db, {"main", "ships"}); }
+  Objects objects() {
+    Objects all;
+    sqlite3_stmt* select = nullptr;
+    sqlite3_prepare_v2(db, "SELECT id, x, r FROM ships", -1, &select, nullptr);
+    while (sqlite3_step(select) == SQLITE_ROW)
+      all[sqlite3_column_int64(select, 0)] = {sqlite3_column_double(select, 1),
+                                              sqlite3_column_double(select, 2)};
+    EXPECT_EQ(sqlite3_finalize(select), SQLITE_OK);
+    return all;
+  }
+  Difference told() {
+    Difference all;
+    store().for_each_change([&](std::int64_t id, std::span<const double> before,
+                                std::span<const double> after) {
+      EXPECT_TRUE(
+          all.emplace(id, std::pair{Record(before.begin(), before.end()), Record(after.begin(), after.end())})
+              .second)
+          << id << " is told twice";
+    });
+    return all;
+  }
+  static Difference difference(const Objects& before, const Objects& after) {
+    Difference all;
+    for (const auto& [id, record] : before) all[id].first = record;
+    for (const auto& [id, record] : after) all[id].second = record;
+    std::erase_if(all, [](const auto& one) { return one.second.first == one.second.second; });
+    return all;
+  }
+
+  Database db;
+};
+
+TEST_F(StoreChanges, AreTheDifferenceOfATransaction) {
+  run("INSERT INTO ships VALUES(1, 10, 1, 'one'), (2, 20, 2, 'two'), (3, 30, 3, 'three'), (4, 40, 4, "
+      "'four')");
+  store().keep_changes(true);
+  EXPECT_EQ(told(), Difference{});
+  run("BEGIN; UPDATE ships SET x = 11 WHERE id = 1; UPDATE ships SET x = 12 WHERE id = 1");
+  run("UPDATE ships SET id = 5 WHERE id = 2; DELETE FROM ships WHERE id = 3; INSERT INTO ships VALUES(6, 60, "
+      "6, '')");
+  run("UPDATE ships SET name = 'other' WHERE id = 4");
+  EXPECT_EQ(told(), (Difference{{1, {{10, 1}, {12, 1}}},
+                                {2, {{20, 2}, {}}},
+                                {3, {{30, 3}, {}}},
+                                {5, {{}, {20, 2}}},
+                                {6, {{}, {60, 6}}}}));
+  run("UPDATE ships SET x = 10 WHERE id = 1; DELETE FROM ships WHERE id = 6; INSERT INTO ships VALUES(3, 30, "
+      "3, '')");
+  EXPECT_EQ(told(), (Difference{{2, {{20, 2}, {}}}, {5, {{}, {20, 2}}}}));
+  run("INSERT OR REPLACE INTO ships VALUES(4, -40, 4, ''); UPDATE OR REPLACE ships SET id = 1 WHERE id = 5");
+  EXPECT_EQ(told(), (Difference{{1, {{10, 1}, {20, 2}}}, {2, {{20, 2}, {}}}, {4, {{40, 4}, {-40, 4}}}}));
+  run("COMMIT");
+  EXPECT_EQ(told(), Difference{});
+}
+
+TEST_F(StoreChanges, AZeroThatChangesItsSignIsOne) {
+  run("INSERT INTO ships VALUES(1, 0.0, 1, '')");
+  store().keep_changes(true);
+  run("BEGIN; UPDATE ships SET x = -0.0");
+  EXPECT_EQ(told().size(), 1u);
+  run("ROLLBACK");
+}
+
+TEST_F(StoreChanges, AreToldTheSameWhateverIsTakenBackWrittenOrRefused) {
+  std::mt19937 random(20261122);
+  const auto below = [&](unsigned n) { return random() % n; };
+  const auto id = [&] { return std::to_string(1 + below(30)); };
+  unsigned refused = 0, differences = 0;
+  for (int transaction = 0; transaction < 60; ++transaction) {
+    const Objects before = objects();
+    store().keep_changes(true);  // a rollback may have taken a schema change back, and SQLite connected anew
+    ASSERT_TRUE(run("BEGIN"));
+    unsigned depth = 0;
+    for (unsigned step = 0; step < 40 && !sqlite3_get_autocommit(db); ++step) {
+      const std::string x = std::to_string(below(5)), level = std::to_string(depth == 0 ? 0 : below(depth));
+      const std::string statements[] = {
+          "INSERT INTO ships VALUES(" + id() + ", " + x + ", 1, '')",
+          "INSERT OR REPLACE INTO ships VALUES(" + id() + ", " + x + ", 2, '')",
+          "INSERT OR REPLACE INTO ships VALUES(" + id() + ", " + x + ", 2, 'bad')",
+          "INSERT OR IGNORE INTO ships VALUES(" + id() + ", 1, 2, ''), (" + id() + ", 2, 2, '')",
+          "INSERT OR FAIL INTO ships VALUES(" + id() + ", 1, 3, ''), (" + id() + ", 1, 3, 'bad')",
+          "INSERT INTO ships SELECT " + id() +
+              " + value, value, 1, '' FROM (SELECT 0 AS value UNION VALUES(1), (2))",
+          "UPDATE ships SET x = " + x + " WHERE id = " + id(),
+          "UPDATE ships SET x = CASE WHEN id > " + id() + " THEN -1 ELSE 1e999 END",
+          "UPDATE OR REPLACE ships SET id = " + id() + " WHERE id = " + id(),
+          "UPDATE ships SET id = " + id() + " WHERE id = " + id(),
+          "DELETE FROM ships WHERE id = " + id(),
+          "INSERT INTO ships(ships) VALUES('integrity-check')",
+          "INSERT INTO ships(ships) VALUES('optimize')",
+          "CREATE TABLE other" + std::to_string(step) + "(a); ALTER TABLE other" + std::to_string(step) +
+              " ADD b",
+          "SAVEPOINT s" + std::to_string(depth),
+          "SAVEPOINT s" + std::to_string(depth),
+          "ROLLBACK TO s" + level,
+          "RELEASE s" + level,
+          below(8) == 0 ? "INSERT OR ROLLBACK INTO ships VALUES(1, 1e999, 1, '')" : "SELECT 1"};
+      const std::string& sql = statements[below(std::size(statements))];
+      const bool done = run(sql);
+      refused += !done;
+      if (done && sql.starts_with("SAVEPOINT")) ++depth;
+      if (done && sql.starts_with("ROLLBACK TO")) depth = static_cast<unsigned>(std::stoi(level)) + 1;
+      if (done && sql.starts_with("RELEASE")) depth = static_cast<unsigned>(std::stoi(level));
+      const Difference expected = difference(before, objects());
+      if (sqlite3_get_autocommit(db)) break;
+      store().keep_changes(true);
+      ASSERT_EQ(told(), expected) << "transaction " << transaction << ", step " << step << ": " << sql;
+      differences += !expected.empty();
+    }
+    if (!sqlite3_get_autocommit(db)) {
+      ASSERT_TRUE(run(below(3) ? "COMMIT" : "ROLLBACK"));
+    }
+    ASSERT_TRUE(objects().size() < 40 && told().empty());
+  }
+  EXPECT_GT(refused, 100u);
+  EXPECT_GT(differences, 1000u);
+}
+
+TEST_F(StoreChanges, AreNotKeptWhereNobodyWantsThem) {
+  run("INSERT INTO ships VALUES(1, 10, 1, '')");
+  run("BEGIN; UPDATE ships SET x = 11; INSERT INTO ships VALUES(2, 0, 0, '')");
+  EXPECT_EQ(store().changes_memory(), 0u);
+  store().keep_changes(true);
+  run("DELETE FROM ships WHERE id = 1; UPDATE ships SET x = 1 WHERE id = 2");
+  EXPECT_EQ(told(), (Difference{{1, {{11, 1}, {}}}, {2, {{0, 0}, {1, 0}}}})) << "since somebody wanted them";
+  store().keep_changes(false);
+  EXPECT_EQ(told().size(), 2u) << "to the end of the transaction";
+  run("COMMIT; BEGIN; UPDATE ships SET x = 12");
+  EXPECT_EQ(store().changes_memory(), 0u);
+  run("ROLLBACK");
+}
+
+TEST_F(StoreChanges, OfATableDroppedAndBackAreNotLost) {
+  store().keep_changes(true);
+  run("BEGIN; INSERT INTO ships VALUES(1, 10, 1, ''); INSERT INTO ships(ships) VALUES('integrity-check')");
+  EXPECT_FALSE(run("SAVEPOINT s; DROP TABLE ships")) << "a new store would not know what is written already";
+  run("ROLLBACK TO s");
+  EXPECT_EQ(told(), (Difference{{1, {{}, {10, 1}}}}));
+  run("COMMIT; DROP TABLE ships");
+}
+
+}  // namespace
+}  // namespace foresee
