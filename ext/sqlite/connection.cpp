@@ -11,7 +11,7 @@ std::size_t memory_of(const Scene& scene) {
 
 }  // namespace
 
-std::int64_t Connection::announce(std::shared_ptr<ObjectStore> store, const std::string& schema,
+std::int64_t Connection::announce(std::shared_ptr<Store> store, const std::string& schema,
                                   const std::string& table) {
   const std::int64_t number = last_number_ + 1;
   tables_.emplace(number, OpenTable{std::move(store), schema, table, number});
@@ -42,13 +42,13 @@ const Connection::OpenTable* Connection::find(std::int64_t number) const {
   return open == tables_.end() ? nullptr : &open->second;
 }
 
-void Connection::closed(const ObjectStore* store, TableCursor& cursor) noexcept {
+void Connection::closed(const Store* store, TableCursor& cursor) noexcept {
   const auto open = cursors_.find(store);
   std::erase(open->second, &cursor);
   if (open->second.empty()) cursors_.erase(open);
 }
 
-std::span<TableCursor* const> Connection::cursors(const ObjectStore* store) const noexcept {
+std::span<TableCursor* const> Connection::cursors(const Store* store) const noexcept {
   const auto open = cursors_.find(store);
   if (open == cursors_.end()) return {};
   return open->second;

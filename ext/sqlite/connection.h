@@ -19,7 +19,7 @@
 #include "query/scene.h"
 #include "sqlite/names/table_lookups.h"
 #include "storage/rows/statement_interrupt.h"
-#include "storage/table/object_store.h"
+#include "storage/table/store.h"
 
 namespace foresee {
 
@@ -41,8 +41,7 @@ class Connection {
 
   // A table announces itself in xConnect and leaves in xDisconnect; the number finds it again (see
   // open_table.h).
-  std::int64_t announce(std::shared_ptr<ObjectStore> store, const std::string& schema,
-                        const std::string& table);
+  std::int64_t announce(std::shared_ptr<Store> store, const std::string& schema, const std::string& table);
   void rename(std::int64_t number, const std::string& table);
   void leave(std::int64_t number) noexcept;
 
@@ -52,7 +51,7 @@ class Connection {
   void finalize() noexcept;
 
   struct OpenTable {
-    std::shared_ptr<ObjectStore> store;
+    std::shared_ptr<Store> store;
     std::string schema, table;
     std::int64_t number;
   };
@@ -61,9 +60,9 @@ class Connection {
 
   // Scans that are open, by what they read: SQLite may connect a table anew while a scan of its older self
   // goes on, and both have one store.
-  void opened(const ObjectStore* store, TableCursor& cursor) { cursors_[store].push_back(&cursor); }
-  void closed(const ObjectStore* store, TableCursor& cursor) noexcept;
-  std::span<TableCursor* const> cursors(const ObjectStore* store) const noexcept;
+  void opened(const Store* store, TableCursor& cursor) { cursors_[store].push_back(&cursor); }
+  void closed(const Store* store, TableCursor& cursor) noexcept;
+  std::span<TableCursor* const> cursors(const Store* store) const noexcept;
 
   /// The table's contents as they are now, decoded at most once per version.
   std::shared_ptr<const Scene> scene(const OpenTable& table) { return scene(table, false); }
@@ -95,8 +94,8 @@ class Connection {
   TableLookups lookups_;
   std::int64_t last_number_ = 0;
   std::map<std::int64_t, OpenTable> tables_;
-  std::map<const ObjectStore*, std::vector<TableCursor*>> cursors_;
-  std::map<const ObjectStore*, CachedScene> scenes_;
+  std::map<const Store*, std::vector<TableCursor*>> cursors_;
+  std::map<const Store*, CachedScene> scenes_;
   std::size_t scene_memory_;
   std::uint64_t last_use_ = 0;
   std::shared_ptr<GridSpace> space_ = std::make_shared<GridSpace>();

@@ -29,7 +29,7 @@ class RoomGuard(unittest.TestCase):
     def test_a_room_may_include_rooms_to_its_right(self):
         self.passes("contact/ball.h", '#include "motion/vec.h"')
         self.passes("query/join/join.h", '#include "index/candidates.h"\n#include "contact/contact.h"')
-        self.passes("sqlite/table/table.cpp", '#include "storage/table/object_store.h"\n#include "query/join/join.h"')
+        self.passes("sqlite/table/table.cpp", '#include "storage/table/store.h"\n#include "query/join/join.h"')
         self.passes("motion/vec.h", '#include <Eigen/Core>\n#include "motion/law.h"')
         self.passes("index/gpcd_grid/stripes.cpp", '#include "index/gpcd_grid/stripes.h"')
 
@@ -39,7 +39,7 @@ class RoomGuard(unittest.TestCase):
         self.catches("contact/ball.h", '#include "index/candidates.h"', "contact may include base, motion")
         self.catches("index/all_pairs.cpp", '#include "query/scene.h"', "index may include")
         self.catches("query/join/join.h", '#include "sqlite/foresee.h"', "query may include")
-        self.catches("query/join/join.h", '  #  include "storage/table/object_store.h"', "query may include")
+        self.catches("query/join/join.h", '  #  include "storage/table/store.h"', "query may include")
 
     def test_storage_sees_the_page_interface_shape_and_motion_only(self):
         self.passes("storage/pages.cpp", '#include "index/pages.h"\n#include "shape/layout.h"')

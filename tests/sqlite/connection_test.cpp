@@ -23,7 +23,7 @@ class Scenes : public ::testing::Test {
 
   static constexpr std::size_t scene_size = 100 * 7 * 8;  // an id and six numbers each
   Database db;
-  std::vector<std::shared_ptr<ObjectStore>> stores;
+  std::vector<std::shared_ptr<Store>> stores;
 };
 
 TEST_F(Scenes, ThatWereUsedLongAgoMakeRoom) {

@@ -15,13 +15,13 @@ class Damage : public ::testing::Test {
     for (int id = 1; id <= 100; ++id) store->insert(id, ship(id), values);  // nodes 1 and 2, and 3 above
     commit(db, *store);
     store = nullptr;
-    store = ObjectStore::open(db, "main", "ships", named_ships());  // one that has read nothing
+    store = Store::open(db, "main", "ships", named_ships());  // one that has read nothing
   }
 
   void expect_faults(const std::vector<std::string>& expected) { EXPECT_EQ(faults(*store), expected); }
   NeverInterrupt never;
   Database db;
-  std::shared_ptr<ObjectStore> store;
+  std::shared_ptr<Store> store;
 };
 
 TEST_F(Damage, NoneIsNoFault) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "storage/rows/statement.h"
-#include "storage/table/object_store.h"
+#include "storage/table/store.h"
 
 namespace foresee {
 
@@ -71,39 +71,39 @@ class Database {
 };
 
 /// Makes a table as SQLite does, in a transaction of its own.
-inline std::shared_ptr<ObjectStore> make_store(Database& db, const Declaration& declaration = ships(),
-                                               const std::string& table = "ships",
-                                               const std::string& schema = "main") {
+inline std::shared_ptr<Store> make_store(Database& db, const Declaration& declaration = ships(),
+                                         const std::string& table = "ships",
+                                         const std::string& schema = "main") {
   db.run("BEGIN IMMEDIATE");
-  auto store = ObjectStore::create(db, schema, table, declaration);
+  auto store = Store::create(db, schema, table, declaration);
   store->sync();
   db.run("COMMIT");
   store->commit();
   return store;
 }
 
-inline void begin(Database& db, ObjectStore& store) {
+inline void begin(Database& db, Store& store) {
   db.run("BEGIN IMMEDIATE");
   store.begin();
 }
 
-inline void commit(Database& db, ObjectStore& store) {
+inline void commit(Database& db, Store& store) {
   store.sync();
   db.run("COMMIT");
   store.commit();
 }
 
-inline void roll_back(Database& db, ObjectStore& store) {
+inline void roll_back(Database& db, Store& store) {
   db.run("ROLLBACK");
   store.rollback();
 }
 
-inline void open_savepoint(Database& db, ObjectStore& store, int level) {
+inline void open_savepoint(Database& db, Store& store, int level) {
   store.savepoint(level);
   db.run("SAVEPOINT s" + std::to_string(level));
 }
 
-inline void roll_back_to(Database& db, ObjectStore& store, int level) {
+inline void roll_back_to(Database& db, Store& store, int level) {
   db.run("ROLLBACK TO s" + std::to_string(level));
   store.rollback_to(level);
 }
@@ -113,13 +113,13 @@ inline std::vector<double> ship(double mark) {
   return {100, mark, -mark, 1, 0.5, 2};
 }
 
-inline std::vector<std::string> faults(ObjectStore& store) {
+inline std::vector<std::string> faults(Store& store) {
   NeverInterrupt never;
   return store.check(never);
 }
 
 /// Every id and its first coordinate, as load() sees them.
-inline std::vector<std::pair<std::int64_t, double>> contents(ObjectStore& store) {
+inline std::vector<std::pair<std::int64_t, double>> contents(Store& store) {
   NeverInterrupt never;
   std::vector<std::int64_t> ids;
   std::vector<double> rows;
@@ -132,7 +132,7 @@ inline std::vector<std::pair<std::int64_t, double>> contents(ObjectStore& store)
   return result;
 }
 
-inline std::int64_t count_of(ObjectStore& store) {
+inline std::int64_t count_of(Store& store) {
   return static_cast<std::int64_t>(contents(store).size());
 }
 

@@ -31,7 +31,7 @@ class Faults : public ::testing::Test {
 
   Database db;
   SqlValues values;
-  std::shared_ptr<ObjectStore> store;
+  std::shared_ptr<Store> store;
 };
 
 TEST_F(Faults, InsertUpdateAndEraseFailWholeWhenAuxiliariesCannotBeWritten) {
@@ -86,7 +86,7 @@ TEST_F(Faults, AStampThatCannotBeWrittenStopsTheChange) {
 
 TEST_F(Faults, AFirstChangeThatFailsIsNotTakenForTheCommit) {
   store = nullptr;
-  store = ObjectStore::open(db, "main", "ships", named_ships());  // one that has changed nothing
+  store = Store::open(db, "main", "ships", named_ships());  // one that has changed nothing
   forbid("INSERT", "aux");
   begin(db, *store);
   expect_forbidden([&] { store->insert(101, ship(1), values); });
@@ -103,7 +103,7 @@ TEST_F(Faults, AFirstChangeThatFailsIsNotTakenForTheCommit) {
 TEST_F(Faults, AnAuthorizerThatSaysNoIsAnErrorNotACrash) {
   // No statement of the new store is compiled yet, so each meets the authorizer.
   store = nullptr;
-  store = ObjectStore::open(db, "main", "ships", named_ships());
+  store = Store::open(db, "main", "ships", named_ships());
   sqlite3_set_authorizer(
       db,
       [](void*, int action, const char* table, const char*, const char*, const char*) {

@@ -24,7 +24,7 @@ class Pack : public ::testing::Test {
     commit(db, *store);
   }
   Database db;
-  std::shared_ptr<ObjectStore> store;
+  std::shared_ptr<Store> store;
   NeverInterrupt never;
 };
 

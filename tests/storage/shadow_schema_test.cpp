@@ -46,7 +46,7 @@ TEST(ShadowSchema, AnyNameInAnySchemaWorks) {
       store->insert(2, ship(2), values);
       store->rename("re" + table);
       commit(db, *store);
-      EXPECT_EQ(ObjectStore::open(db, schema, "re" + table, named_ships()), store);
+      EXPECT_EQ(Store::open(db, schema, "re" + table, named_ships()), store);
       EXPECT_EQ(contents(*store).size(), 2u);
       EXPECT_EQ(faults(*store), std::vector<std::string>{});
       store->drop();
@@ -64,20 +64,20 @@ TEST(ShadowSchema, SmallPagesStillHoldFourObjects) {
   for (int id = 1; id <= 50; ++id) store->insert(id, record, {});
   commit(db, *store);
   EXPECT_EQ(contents(*store).size(), 50u);
-  EXPECT_EQ(count_of(*ObjectStore::open(db, "main", "ships", {.layout = layout})), 50);
+  EXPECT_EQ(count_of(*Store::open(db, "main", "ships", {.layout = layout})), 50);
 }
 
 TEST(ShadowSchema, AnotherDeclarationIsRefused) {
   Database db;
   make_store(db);
   expect_store_error(SQLITE_CORRUPT_VTAB, "declared with (id, t, x, y, vx, vy, r, +name, +cargo)",
-                     [&] { ObjectStore::open(db, "main", "ships", named_ships()); });
+                     [&] { Store::open(db, "main", "ships", named_ships()); });
 }
 
 TEST(ShadowSchema, OtherFormatsAreRefused) {
   Database db;
   make_store(db);
-  const auto open = [&] { ObjectStore::open(db, "main", "ships", ships()); };
+  const auto open = [&] { Store::open(db, "main", "ships", ships()); };
   open();
   db.run("UPDATE ships_meta SET value = 1 WHERE key = 'format'");
   expect_store_error(SQLITE_ERROR,

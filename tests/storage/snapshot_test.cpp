@@ -25,7 +25,7 @@ Model walk(NodeSource& source) {
   return all;
 }
 
-Model now(ObjectStore& store) {
+Model now(Store& store) {
   const auto all = contents(store);
   return {all.begin(), all.end()};
 }
@@ -44,7 +44,7 @@ class Snapshot : public ::testing::Test {
   }
   NeverInterrupt never;
   Database db;
-  std::shared_ptr<ObjectStore> store;
+  std::shared_ptr<Store> store;
 };
 
 TEST_F(Snapshot, SeesWhatWaitsAndStaysThroughChangesAndCommit) {

@@ -60,7 +60,7 @@ TEST(Transactions, RollbackBelowTheFirstSavepointSeenMeansTheBeginning) {
 TEST(Transactions, CreateIsAWriteTransactionWithoutBegin) {
   Database db;
   db.run("BEGIN");
-  auto store = ObjectStore::create(db, "main", "ships", ships());
+  auto store = Store::create(db, "main", "ships", ships());
   store->insert(1, ship(1), {});
   store->sync();
   db.run("COMMIT");
@@ -127,7 +127,7 @@ TEST(Transactions, ASecondVirtualTableOfOneTransactionSharesTheStore) {
   auto store = make_store(db);
   begin(db, *store);
   store->insert(1, ship(1), {});
-  auto again = ObjectStore::open(db, "main", "ships", ships());
+  auto again = Store::open(db, "main", "ships", ships());
   again->begin();
   EXPECT_EQ(contents(*again), (Contents{{1, 1}}));
   again->insert(2, ship(2), {});
@@ -152,7 +152,7 @@ TEST_F(TwoConnections, SeeEachOthersCommitsAndBelieveNothingOld) {
   Database writer(file_.string()), other(file_.string());
   writer.run("PRAGMA journal_mode = wal");
   auto mine = make_store(writer);
-  auto theirs = ObjectStore::open(other, "main", "ships", ships());
+  auto theirs = Store::open(other, "main", "ships", ships());
   for (int id = 1; id <= 200; id += 2) {
     begin(writer, *mine);
     EXPECT_EQ(mine->next_id(), id);

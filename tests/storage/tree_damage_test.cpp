@@ -60,7 +60,7 @@ class TreeDamage : public ::testing::Test {
   NeverInterrupt never;
   Database db;
   NodeFormat format;
-  std::shared_ptr<ObjectStore> store;
+  std::shared_ptr<Store> store;
   std::int64_t root = 0;
 };
 
@@ -132,7 +132,7 @@ TEST_F(TreeDamage, ARootThatIsNotTheRoot) {
 TEST_F(TreeDamage, NoRootDemandsAnEmptyMap) {
   db.run("UPDATE ships_meta SET value = 0 WHERE key = 'root'");
   store = nullptr;
-  store = ObjectStore::open(db, "main", "ships", ships());
+  store = Store::open(db, "main", "ships", ships());
   expect_store_error(SQLITE_CORRUPT_VTAB, "ships: there is no root, but the map has objects",
                      [&] { store->snapshot(); });
   expect_store_error(SQLITE_CORRUPT_VTAB, "ships: there is no root", [&] { store->newest_t(); });

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "storage/table/object_store.h"
+#include "storage/table/store.h"
 
 namespace foresee {
 namespace {

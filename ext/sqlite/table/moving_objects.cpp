@@ -1,7 +1,7 @@
 // The virtual table moving_objects: SQLite's callbacks, each of which hands its work to the file that knows.
 //
 //   CREATE  declare.h      plan  plan.h      scan  cursor.h      write  write.h, values.h
-//   transactions, savepoints, rename and drop: ObjectStore, whose methods are named as the callbacks
+//   transactions, savepoints, rename and drop: Store, whose methods are named as the callbacks
 #include "sqlite/callback.h"
 #include "sqlite/modules.h"
 #include "sqlite/table/commands.h"
@@ -20,13 +20,13 @@ using OpenStore = StoreOrFault (*)(sqlite3* db, const std::string& schema, const
 
 StoreOrFault create_store(sqlite3* db, const std::string& schema, const std::string& table,
                           const Declaration& declaration) {
-  return {.store = ObjectStore::create(db, schema, table, declaration)};
+  return {.store = Store::create(db, schema, table, declaration)};
 }
 
 /// A table whose bytes cannot be read is connected all the same: or else nobody could drop it.
 StoreOrFault open_store(sqlite3* db, const std::string& schema, const std::string& table,
                         const Declaration& declaration) try {
-  return {.store = ObjectStore::open(db, schema, table, declaration)};
+  return {.store = Store::open(db, schema, table, declaration)};
 } catch (const StoreError& error) {
   const int code = error.code & 0xff;
   if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;  // busy, out of memory: it will pass
@@ -117,14 +117,14 @@ int table_update(sqlite3_vtab* base, int count, sqlite3_value** arguments, sqlit
 }
 
 /// A callback that is one call of the store, or nothing where it cannot be read.
-template <void (ObjectStore::*step)()>
+template <void (Store::*step)()>
 int forward(sqlite3_vtab* base) noexcept {
   Table& table = table_of(base);
   if (!table.has_store()) return SQLITE_OK;
   return guarded(&base->zErrMsg, [&] { (table.store().*step)(); });
 }
 
-template <void (ObjectStore::*step)(int)>
+template <void (Store::*step)(int)>
 int forward(sqlite3_vtab* base, int level) noexcept {
   Table& table = table_of(base);
   if (!table.has_store()) return SQLITE_OK;
@@ -137,12 +137,12 @@ void abort_scans(Table& table) noexcept {
 
 int table_rollback(sqlite3_vtab* base) noexcept {
   abort_scans(table_of(base));
-  return forward<&ObjectStore::rollback>(base);
+  return forward<&Store::rollback>(base);
 }
 
 int table_rollback_to(sqlite3_vtab* base, int level) noexcept {
   abort_scans(table_of(base));
-  return forward<&ObjectStore::rollback_to>(base, level);
+  return forward<&Store::rollback_to>(base, level);
 }
 
 int table_rename(sqlite3_vtab* base, const char* new_name) noexcept {
@@ -187,14 +187,14 @@ constexpr ModuleWithIntegrity moving_objects_module = {{
                                                            .xColumn = cursor_column,
                                                            .xRowid = cursor_rowid,
                                                            .xUpdate = table_update,
-                                                           .xBegin = forward<&ObjectStore::begin>,
-                                                           .xSync = forward<&ObjectStore::sync>,
-                                                           .xCommit = forward<&ObjectStore::commit>,
+                                                           .xBegin = forward<&Store::begin>,
+                                                           .xSync = forward<&Store::sync>,
+                                                           .xCommit = forward<&Store::commit>,
                                                            .xRollback = table_rollback,
                                                            .xFindFunction = nullptr,
                                                            .xRename = table_rename,
-                                                           .xSavepoint = forward<&ObjectStore::savepoint>,
-                                                           .xRelease = forward<&ObjectStore::release>,
+                                                           .xSavepoint = forward<&Store::savepoint>,
+                                                           .xRelease = forward<&Store::release>,
                                                            .xRollbackTo = table_rollback_to,
                                                            .xShadowName = is_shadow_name,
 #if SQLITE_VERSION_NUMBER >= 3044000

@@ -12,7 +12,7 @@
 
 #include "sqlite/connection.h"
 #include "sqlite/table/values.h"
-#include "storage/table/object_store.h"
+#include "storage/table/store.h"
 
 namespace foresee {
 
@@ -20,7 +20,7 @@ class TableCursor;
 
 /// The storage of a table, or why it cannot be read: shadow tables are missing or written by a later version.
 struct StoreOrFault {
-  std::shared_ptr<ObjectStore> store;  ///< null: there is a fault
+  std::shared_ptr<Store> store;  ///< null: there is a fault
   StoreError fault{SQLITE_OK, ""};
 };
 
@@ -33,7 +33,7 @@ struct Table : sqlite3_vtab {
 
   const Declaration& declaration() const { return declared_; }
   /// Throws the fault if there is one.
-  ObjectStore& store() {
+  Store& store() {
     if (!opened_.store) throw opened_.fault;
     return *opened_.store;
   }

@@ -6,7 +6,7 @@
 #include "index/tpr_tree/tpr_tree.h"
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
-#include "storage/table/object_store.h"
+#include "storage/rows/store_error.h"
 
 namespace foresee {
 namespace {

@@ -1,15 +1,25 @@
-// The store behind object_store.h: a TPR-tree over the shadow tables, and before it what a write transaction
-// has changed but not written yet.
+// Where do the bytes rest? The objects of one table in its shadow tables, behind plain calls.
+//
+//   store.insert(42, record, auxiliaries);                // record: record_offsets(layout).size doubles
+//   store.load(ids, rows, interrupt);                     // everything, for a query
+//
+// Between SQLite and the rows stand a TPR-tree, and before it what a write transaction has changed but not
+// written yet:
 //
 //   insert ─► LooseObjects ─► tree over NodeCache (nodes, MapChanges) ─► shadow rows, once a transaction
 //   read   ─► loose, else the cache, else the tables
 //
-// Changes wait in memory until commit, or until many MB wait in all tables of the connection together. A
-// savepoint is a mark in memory (marks.h): it writes nothing, and going back to it undoes what memory did
-// since, while SQLite takes back what was written. What was read in one transaction is believed in the next
-// only under the same stamp.
+// Every double comes back bit for bit. All state lives in SQLite's tables, so transactions, WAL readers,
+// VACUUM and backup are SQLite's own. Changes wait in memory until sync(), or until many MB wait in all
+// tables of the connection together, and every read sees them. A savepoint is a mark in memory (marks.h): it
+// writes nothing, and going back to it undoes what memory did since, while SQLite takes back what was
+// written. What was read in one transaction is believed in the next only under the same stamp. Blobs are
+// checked before they are believed.
 //
 // Auxiliary values are written at once. Every change is one call (store_call.h): all or nothing.
+//
+// Errors: SQLite's result codes as StoreError; a blob that is not what this code wrote is
+// SQLITE_CORRUPT_VTAB.
 #pragma once
 
 #include <functional>
@@ -17,44 +27,73 @@
 #include <optional>
 
 #include "index/tpr_tree/tpr_tree.h"
+#include "storage/format/declaration.h"
 #include "storage/nodes/loose_objects.h"
 #include "storage/nodes/memory_budget.h"
 #include "storage/nodes/node_cache.h"
 #include "storage/nodes/object_changes.h"
-#include "storage/table/object_store.h"
+#include "storage/rows/store_error.h"
 
 namespace foresee {
 
+/// The state of a table's contents: equal versions of one table on one connection mean equal contents.
+struct ContentVersion {
+  std::uint64_t stamp = 0;    ///< rewritten at random by every write transaction, stored
+  std::uint64_t changes = 0;  ///< moved by this connection's uncommitted changes and by rollbacks
+
+  friend bool operator==(const ContentVersion&, const ContentVersion&) = default;
+};
+
 class LeafView;
 
-class Store final : public ObjectStore, private MemoryHolder, public std::enable_shared_from_this<Store> {
+class Store final : private MemoryHolder, public std::enable_shared_from_this<Store> {
  public:
-  Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format, bool is_new,
-        std::shared_ptr<MemoryBudget> memory);
+  /// Makes the shadow tables of a new table.
+  static std::shared_ptr<Store> create(sqlite3* db, const std::string& schema, const std::string& table,
+                                       const Declaration& declaration);
+  /// Opens the shadow tables of an existing one. Reads nothing but _meta. In the middle of a transaction
+  /// SQLite may connect a table again (any ALTER does it) while the old virtual table still holds unwritten
+  /// changes: then both share one store, hence shared_ptr.
+  static std::shared_ptr<Store> open(sqlite3* db, const std::string& schema, const std::string& table,
+                                     const Declaration& declaration);
 
-  const Declaration& declaration() const override { return declaration_; }
+  const Declaration& declaration() const { return declaration_; }
   const NodeFormat& format() const { return format_; }
 
-  ContentVersion version() override;
-  bool contains(std::int64_t id) override;
-  std::optional<std::vector<double>> read(std::int64_t id) override;
-  void load(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt) override;
-  std::int64_t next_leaf(std::int64_t after, std::vector<std::int64_t>& ids,
-                         std::vector<double>& records) override;
-  void result_auxiliary(sqlite3_context* context, std::int64_t id, int column) override;
-  std::shared_ptr<NodeSource> snapshot() override;
-  double newest_t() override;
-  void expect_objects(std::size_t found) override;
+  // --- reading
+  ContentVersion version();
+  bool contains(std::int64_t id);
+  /// The record of `id`, or nothing.
+  std::optional<std::vector<double>> read(std::int64_t id);
+  /// All ids and rows (row_from_record of each record), leaf by leaf.
+  void load(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt);
+  /// The leaf that follows leaf number `after` (0 to begin): its number, or 0 at the end; fills ids and
+  /// records.
+  std::int64_t next_leaf(std::int64_t after, std::vector<std::int64_t>& ids, std::vector<double>& records);
+  /// Hands the auxiliary column of `id` to `context` as the result; NULL where there is none.
+  void result_auxiliary(sqlite3_context* context, std::int64_t id, int column);
+  /// The tree as it is at this moment. Reads stay as of this moment while it is held, whatever this
+  /// connection then writes, commits or rolls back to. It must not outlive the statement that asks.
+  std::shared_ptr<NodeSource> snapshot();
+  /// The newest reference time stored; 0 without objects or without t. Reads one node.
+  double newest_t();
+  /// Whoever has read every leaf says how many objects there were: SQLITE_CORRUPT_VTAB if the map has others.
+  /// While changed leaves wait to be written, nothing can be said.
+  void expect_objects(std::size_t found);
 
-  std::int64_t next_id() override;
-  void insert(std::int64_t id, std::span<const double> record,
-              std::span<sqlite3_value*> auxiliaries) override;
+  // --- writing: each call is all or nothing
+  /// The id that SQLite would give to a row without one: one more than the largest.
+  std::int64_t next_id();
+  /// Requires: no object has this id. `auxiliaries`: one value per auxiliary column.
+  void insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries);
+  /// Requires: `id` exists. Auxiliary values that are sqlite3_value_nochange stay as they are. Another object
+  /// that has `new_id` is replaced; so INSERT OR REPLACE of an existing id is update(id, id, …).
   void update(std::int64_t id, std::int64_t new_id, std::span<const double> record,
-              std::span<sqlite3_value*> auxiliaries) override;
-  void erase(std::int64_t id) override;
+              std::span<sqlite3_value*> auxiliaries);
+  /// Requires: `id` exists.
+  void erase(std::int64_t id);
 
   // --- what a transaction has changed
-  // --------------------------------------------------------------------------------------------
   /// From now on for_each_change() knows; where nobody wants it nothing is kept. Not wanted any more: from
   /// the end of this transaction on. After a schema change SQLite may open another store of the table, but
   /// never while this one has changes: whoever wants them says so at each begin().
@@ -66,19 +105,29 @@ class Store final : public ObjectStore, private MemoryHolder, public std::enable
                                                 std::span<const double> after)>& each);
   std::size_t changes_memory() const { return object_changes_.memory(); }
 
-  void rebuild(Interrupt& interrupt) override;
-  void optimize(Interrupt& interrupt) override;
-  std::vector<std::string> check(Interrupt& interrupt) override;
+  // --- commands
+  /// Writes tree and map anew from what the leaves hold, whatever else says, neighbours in space and velocity
+  /// together; drops auxiliary values that belong to no object.
+  void rebuild(Interrupt& interrupt);
+  /// The same for a table without fault; SQLITE_CORRUPT_VTAB if check() finds any.
+  void optimize(Interrupt& interrupt);
+  /// What is wrong with the stored bytes, a sentence each; empty: nothing.
+  std::vector<std::string> check(Interrupt& interrupt);
 
-  void begin() override;
-  void sync() override;
-  void commit() override;
-  void rollback() override;
-  void savepoint(int level) override;
-  void release(int level) override;
-  void rollback_to(int level) override;
-  void rename(const std::string& new_table) override;
-  void drop() override;
+  // --- the virtual table's life, named as SQLite's callbacks
+  void begin();
+  void sync();
+  void commit();
+  void rollback();
+  void savepoint(int level);
+  void release(int level);
+  void rollback_to(int level);
+  void rename(const std::string& new_table);
+  void drop();
+
+  /// For create() and open().
+  Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format, bool is_new,
+        std::shared_ptr<MemoryBudget> memory);
 
   // For a table that is connected again.
   bool goes_by(const std::string& table) const { return name_.table == table; }

@@ -17,8 +17,8 @@ bool same_columns(const Declaration& a, const Declaration& b) {
 
 }  // namespace
 
-std::shared_ptr<ObjectStore> ObjectStore::create(sqlite3* db, const std::string& schema,
-                                                 const std::string& table, const Declaration& declaration) {
+std::shared_ptr<Store> Store::create(sqlite3* db, const std::string& schema, const std::string& table,
+                                     const Declaration& declaration) {
   const QualifiedName name{schema, table};
   const NodeFormat format = create_shadow_tables(db, name, declaration);
   auto store = std::make_shared<Store>(db, name, declaration, format, true, memory_budget_of(db));
@@ -26,8 +26,8 @@ std::shared_ptr<ObjectStore> ObjectStore::create(sqlite3* db, const std::string&
   return store;
 }
 
-std::shared_ptr<ObjectStore> ObjectStore::open(sqlite3* db, const std::string& schema,
-                                               const std::string& table, const Declaration& declaration) {
+std::shared_ptr<Store> Store::open(sqlite3* db, const std::string& schema, const std::string& table,
+                                   const Declaration& declaration) {
   const QualifiedName name{schema, table};
   const NodeFormat format = read_node_format(db, name, declaration);
   if (auto live = find_open_store(db, name);
