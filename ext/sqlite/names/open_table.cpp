@@ -3,14 +3,11 @@
 #include <vector>
 
 #include "sqlite/names/moving_objects_tables.h"
+#include "sqlite/sql_tokens.h"
 #include "storage/rows/text.h"
 
 namespace foresee {
 namespace {
-
-bool same_name(const std::string& a, const std::string& b) {
-  return a.size() == b.size() && sqlite3_stricmp(a.c_str(), b.c_str()) == 0;
-}
 
 bool in_schema(const VisibleTable& table, const std::optional<std::string>& schema) {
   return !schema || same_name(table.schema, *schema);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "sqlite/sql_tokens.h"
 #include "sqlite/table/arguments.h"
 #include "sqlite/table/layout_rules.h"
 #include "sqlite/table/vocabulary.h"

@@ -5,6 +5,8 @@
 #include <iterator>
 #include <vector>
 
+#include "sqlite/sql_tokens.h"
+
 namespace foresee {
 namespace {
 
@@ -21,10 +23,6 @@ constexpr std::array words = {
     Word{"until", Quantity::until, 0},
 };
 
-char lower(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 /// Letters inserted, left out or exchanged on the way from a to b (Levenshtein).
 std::size_t edits_between(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -33,7 +31,7 @@ std::size_t edits_between(std::string_view a, std::string_view b) {
     std::size_t diagonal = row[0];
     row[0] = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
-      const std::size_t exchanged = diagonal + (lower(a[i - 1]) == lower(b[j - 1]) ? 0 : 1);
+      const std::size_t exchanged = diagonal + (same_name(a.substr(i - 1, 1), b.substr(j - 1, 1)) ? 0 : 1);
       diagonal = row[j];
       row[j] = std::min({row[j] + 1, row[j - 1] + 1, exchanged});
     }
@@ -42,11 +40,6 @@ std::size_t edits_between(std::string_view a, std::string_view b) {
 }
 
 }  // namespace
-
-bool same_name(std::string_view a, std::string_view b) {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char l, char r) { return lower(l) == lower(r); });
-}
 
 const Word* find_word(std::string_view name) {
   const auto* found =

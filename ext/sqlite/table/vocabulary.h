@@ -38,7 +38,4 @@ std::string_view word_for(Quantity quantity, int axis);
 /// The known word (or "id") that differs from `name` by one letter or two, or "" if none is that near.
 std::string_view nearest_word(std::string_view name);
 
-/// Equal as SQLite compares names: ASCII letters in any case.
-bool same_name(std::string_view a, std::string_view b);
-
 }  // namespace foresee
