@@ -3,15 +3,15 @@
 #include "sqlite/foresee.h"
 #include "sqlite/host.h"
 #include "sqlite/modules.h"
-#include "sqlite/names/select.h"
+#include "storage/rows/statement.h"
 
 namespace {
 
 /// This PRAGMA reads no schema: a file may still wait for its key.
 bool is_registered(sqlite3* db) {
-  foresee::Select modules(db, "PRAGMA module_list");
-  while (modules.step())
-    if (modules.text(0) == "predictive_join") return true;
+  foresee::Statement modules(db, "PRAGMA module_list");
+  for (foresee::Statement::Run run(modules); run.step();)
+    if (run.text(0) == "predictive_join") return true;
   return false;
 }
 

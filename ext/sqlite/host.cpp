@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "base/error.h"
-#include "sqlite/names/select.h"
 #include "sqlite/version.h"
+#include "storage/rows/statement.h"
 
 namespace foresee {
 namespace {
@@ -50,8 +50,8 @@ std::vector<std::string> schema_names(sqlite3* db) {
   if (host_has(tells_schemas)) {
     for (int place = 0; const char* name = sqlite3_db_name(db, place); ++place) add(place, name);
   } else {
-    Select schemas(db, "PRAGMA database_list");
-    while (schemas.step()) add(schemas.integer(0).value_or(0), schemas.text(1));
+    Statement schemas(db, "PRAGMA database_list");
+    for (Statement::Run run(schemas); run.step();) add(run.integer(0), run.text(1));
   }
   return names;
 }

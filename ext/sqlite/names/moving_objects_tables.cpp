@@ -1,16 +1,17 @@
 #include "sqlite/names/moving_objects_tables.h"
 
 #include "sqlite/host.h"
-#include "sqlite/names/select.h"
 #include "sqlite/sql_tokens.h"
+#include "storage/rows/statement.h"
 
 namespace foresee {
 namespace {
 
 void add_tables(sqlite3* db, const std::string& schema, std::vector<VisibleTable>& tables) {
-  Select select(db, "SELECT name, sql FROM \"%w\".sqlite_master WHERE type IN ('table', 'view')",
-                schema.c_str());
-  while (select.step()) tables.push_back({schema, select.text(0), uses_moving_objects(select.text(1))});
+  Statement select(
+      db, "SELECT name, sql FROM " + quoted_name(schema) + ".sqlite_master WHERE type IN ('table', 'view')");
+  Statement::Run run(select);
+  while (run.step()) tables.push_back({schema, run.text(0), uses_moving_objects(run.text(1))});
 }
 
 }  // namespace

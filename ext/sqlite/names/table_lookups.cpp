@@ -5,17 +5,6 @@
 #include "storage/table/store.h"
 
 namespace foresee {
-namespace {
-
-std::string quoted_schema(const std::optional<std::string>& schema) {
-  if (!schema) return "";
-  std::string text = "\"";
-  for (char c : *schema) text += c == '"' ? "\"\"" : std::string(1, c);
-  return text + "\".";
-}
-
-}  // namespace
-
 /// Takes the witness off the list: while it runs SQLite may disconnect tables, and finalize() be called.
 std::optional<std::int64_t> TableLookups::kept_number(const AskedTable& name) {
   const auto found =
@@ -24,24 +13,27 @@ std::optional<std::int64_t> TableLookups::kept_number(const AskedTable& name) {
   Kept kept = std::move(*found);
   kept_.erase(found);
   try {
-    kept.witness->step();
+    Statement::Run(kept.witness).step();
   } catch (const StoreError& error) {
     const int code = error.code & 0xff;
     if (code != SQLITE_ERROR && code != SQLITE_AUTH) throw;
     return std::nullopt;  // the schema is gone, or may be read no longer
   }
-  kept.witness->rewind();
-  if (kept.witness->was_compiled_anew()) return std::nullopt;
+  if (kept.witness.was_compiled_anew()) return std::nullopt;
   const std::int64_t number = kept.number;
   kept_.push_back(std::move(kept));
   return number;
 }
 
 std::optional<std::int64_t> TableLookups::ask(const AskedTable& name) {
-  const char* t = name.table->c_str();
-  Select select(db_, "SELECT \"%w\" FROM %s\"%w\" WHERE \"%w\" MATCH 'foresee-handle'", t,
-                quoted_schema(name.schema).c_str(), t, t);
-  return select.step() ? select.integer(0) : std::nullopt;
+  const std::string table = quoted_name(*name.table);
+  const std::string schema = name.schema ? quoted_name(*name.schema) + "." : "";
+  Statement select(
+      db_, "SELECT " + table + " FROM " + schema + table + " WHERE " + table + " MATCH 'foresee-handle'",
+      Statement::Reads::virtual_tables_too);
+  Statement::Run run(select);
+  if (!run.step() || !run.is_integer(0)) return std::nullopt;
+  return run.integer(0);
 }
 
 std::optional<std::int64_t> TableLookups::number_of(const AskedTable& name) {
@@ -52,8 +44,8 @@ std::optional<std::int64_t> TableLookups::number_of(const AskedTable& name) {
 void TableLookups::keep(const AskedTable& name, std::int64_t number, const std::string& schema) {
   if (!kept_.empty() && kept_.back().name == name) return;
   try {
-    auto witness =
-        std::make_unique<Select>(db_, "SELECT 1 FROM \"%w\".sqlite_master WHERE 0", schema.c_str());
+    Statement witness(db_, "SELECT 1 FROM " + quoted_name(schema) + ".sqlite_master WHERE 0");
+    witness.prepared();
     if (kept_.size() == most_kept) kept_.erase(kept_.begin());
     kept_.push_back({name, number, std::move(witness)});
   } catch (const StoreError&) {

@@ -16,12 +16,11 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "sqlite/names/select.h"
+#include "storage/rows/statement.h"
 
 namespace foresee {
 
@@ -50,7 +49,7 @@ class TableLookups {
   struct Kept {
     AskedTable name;
     std::int64_t number;
-    std::unique_ptr<Select> witness;
+    Statement witness;
   };
   static constexpr std::size_t most_kept = 8;
 

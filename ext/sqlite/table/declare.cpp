@@ -8,6 +8,7 @@
 #include "sqlite/table/arguments.h"
 #include "sqlite/table/layout_rules.h"
 #include "sqlite/table/vocabulary.h"
+#include "storage/rows/statement.h"
 
 namespace foresee {
 namespace {
@@ -115,12 +116,6 @@ class Declarer {
   bool has_horizon_ = false;
 };
 
-std::string quoted(std::string_view name) {
-  std::string text = "\"";
-  for (char c : name) text.append(c == '"' ? 2 : 1, c);
-  return text + "\"";
-}
-
 }  // namespace
 
 Declaration parse_declaration(std::string_view table, const std::vector<std::string_view>& arguments) try {
@@ -149,10 +144,10 @@ void require_table_name(const Declaration& declaration, std::string_view table) 
 
 std::string declared_schema(const Declaration& declaration, std::string_view table) {
   std::string sql = "CREATE TABLE x(id INTEGER PRIMARY KEY";
-  for (const MotionColumn& column : declaration.columns) sql += ", " + quoted(column.name) + " REAL";
+  for (const MotionColumn& column : declaration.columns) sql += ", " + quoted_name(column.name) + " REAL";
   for (const AuxiliaryColumn& column : declaration.auxiliaries)
-    sql += ", " + quoted(column.name) + " " + column.type;
-  return sql + ", " + quoted(table) + " HIDDEN)";
+    sql += ", " + quoted_name(column.name) + " " + column.type;
+  return sql + ", " + quoted_name(std::string(table)) + " HIDDEN)";
 }
 
 }  // namespace foresee

@@ -26,6 +26,10 @@ std::string format_sql(const char* format, ...) {
   return text.get();
 }
 
+std::string quoted_name(const std::string& name) {
+  return format_sql("\"%w\"", name.c_str());
+}
+
 void throw_sqlite_error(sqlite3* db, int code) {
   if ((code & 0xff) == SQLITE_NOMEM) throw std::bad_alloc();
   throw StoreError(code, sqlite3_errmsg(db));
@@ -43,6 +47,7 @@ Statement::Statement(Statement&& other) noexcept {
 Statement& Statement::operator=(Statement&& other) noexcept {
   std::swap(db_, other.db_);
   std::swap(sql_, other.sql_);
+  std::swap(reads_, other.reads_);
   std::swap(statement_, other.statement_);
   std::swap(running_, other.running_);
   return *this;
@@ -54,9 +59,9 @@ Statement::~Statement() {
 
 sqlite3_stmt* Statement::prepared() {
   if (statement_) return statement_;
+  const unsigned flags = SQLITE_PREPARE_PERSISTENT | (reads_ == Reads::tables ? SQLITE_PREPARE_NO_VTAB : 0u);
   const int code =
-      sqlite3_prepare_v3(db_, sql_.c_str(), static_cast<int>(sql_.size()) + 1,
-                         SQLITE_PREPARE_PERSISTENT | SQLITE_PREPARE_NO_VTAB, &statement_, nullptr);
+      sqlite3_prepare_v3(db_, sql_.c_str(), static_cast<int>(sql_.size()) + 1, flags, &statement_, nullptr);
   if (code != SQLITE_OK) throw_sqlite_error(db_, code);
   return statement_;
 }

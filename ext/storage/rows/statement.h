@@ -1,4 +1,5 @@
-// SQL for our own tables: text with quoted names, and prepared statements that never stay open.
+// SQL that the extension runs on its own: text with quoted names, and prepared statements that never stay
+// open.
 //
 //   Statement find(db, format_sql("SELECT leaf FROM \"%w\".\"%w_map\" WHERE id = ?", schema, table));
 //   Statement::Run run(find);
@@ -22,6 +23,9 @@ namespace foresee {
 /// SQL text by the rules of sqlite3_mprintf: "%w" for a name, %Q for a string.
 std::string format_sql(const char* format, ...);
 
+/// A name as SQL writes it whatever is in it: "my ships".
+std::string quoted_name(const std::string& name);
+
 /// Runs statements that give no rows.
 void execute(sqlite3* db, const std::string& sql);
 
@@ -30,19 +34,30 @@ void execute(sqlite3* db, const std::string& sql);
 
 class Statement {
  public:
+  /// A name of ours may have become a virtual table's, which would run what it likes: such a statement fails
+  /// unless it says that it wants them.
+  enum class Reads : std::uint8_t { tables, virtual_tables_too };
+
   Statement() = default;
-  Statement(sqlite3* db, std::string sql) : db_(db), sql_(std::move(sql)) {}
+  Statement(sqlite3* db, std::string sql, Reads reads = Reads::tables)
+      : db_(db), sql_(std::move(sql)), reads_(reads) {}
   Statement(Statement&& other) noexcept;
   Statement& operator=(Statement&& other) noexcept;
   ~Statement();
 
   class Run;
 
- private:
+  /// Compiles it if that has not been done.
   sqlite3_stmt* prepared();
+  /// A schema that it reads, or all of them, changed between two of its runs or before the first.
+  bool was_compiled_anew() const {
+    return statement_ && sqlite3_stmt_status(statement_, SQLITE_STMTSTATUS_REPREPARE, 0) > 0;
+  }
 
+ private:
   sqlite3* db_ = nullptr;
   std::string sql_;
+  Reads reads_ = Reads::tables;
   sqlite3_stmt* statement_ = nullptr;
   bool running_ = false;
 };
