@@ -1,20 +1,15 @@
 #include "query/checks.h"
 
-#include <charconv>
 #include <cmath>
 
 #include "base/error.h"
+#include "base/shown.h"
 
 namespace foresee {
 namespace {
 
-std::string written(double value) {
-  char digits[32];
-  return {digits, std::to_chars(digits, digits + sizeof digits, value).ptr};
-}
-
 [[noreturn]] void reject(const char* name, const char* kind, double value) {
-  throw Error(std::string(name) + " must be " + kind + ", not " + written(value));
+  throw Error(std::string(name) + " must be " + kind + ", not " + shown(value));
 }
 
 std::string axes_in_words(const Searched& objects) {
@@ -43,7 +38,7 @@ void check_upper_bound(const char* name, double value) {
 void check_order(const char* lower_name, double lower, const char* upper_name, double upper) {
   if (lower <= upper) return;
   throw Error(std::string(lower_name) + " must not be greater than " + upper_name + ": " + lower_name +
-              " is " + written(lower) + ", " + upper_name + " is " + written(upper));
+              " is " + shown(lower) + ", " + upper_name + " is " + shown(upper));
 }
 
 void reject_axis(const Searched& objects, const std::string& given) {

@@ -38,7 +38,7 @@ TEST_F(JoinErrors, QuoteTheWrongInput) {
   EXPECT_EQ(error("predictive_join(1) WHERE other = 2"),
             "predictive_join: other must be a name in quotes, not 2");
   EXPECT_EQ(error("predictive_join(1) WHERE schema = x'00'"),
-            "predictive_join: schema must be a name in quotes, not a blob");
+            "predictive_join: schema must be a name in quotes, not a blob of 1 bytes");
 }
 
 TEST_F(JoinErrors, RefuseExtraInputs) {

@@ -89,7 +89,8 @@ TEST_F(TableFunctionTest, SaysWhatIsMissingOrWrong) {
   EXPECT_EQ(db.error_of("SELECT * FROM countdown(NULL)"),
             "countdown: start is missing: write countdown(start, step, label)");
   EXPECT_EQ(db.error_of("SELECT * FROM countdown('soon')"), "countdown: start must be a number, not 'soon'");
-  EXPECT_EQ(db.error_of("SELECT * FROM countdown(x'00')"), "countdown: start must be a number, not a blob");
+  EXPECT_EQ(db.error_of("SELECT * FROM countdown(x'00')"),
+            "countdown: start must be a number, not a blob of 1 bytes");
   EXPECT_EQ(db.error_of("SELECT * FROM countdown(9007199254740993)"),
             "countdown: start must be a number that a double holds exactly, not 9007199254740993");
   EXPECT_EQ(db.error_of("SELECT * FROM countdown(1, 1, 2)"),

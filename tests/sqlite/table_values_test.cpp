@@ -116,7 +116,7 @@ TEST_F(TableValues, InfinitiesAreRefused) {
 TEST_F(TableValues, AnIntegerThatNoDoubleHoldsIsRefused) {
   EXPECT_EQ(ship("x", "9007199254740993"),
             "ships.x of row 7 is 9007199254740993: no double holds this integer;"
-            " write 9007199254740992.0 for the nearest that one does");
+            " write 9007199254740992 for the nearest that one does");
   EXPECT_NE(ship("x", "9223372036854775807").find("no double holds this integer"), std::string::npos);
   EXPECT_NE(ship("t", "'9007199254740993'").find("no double holds this integer"), std::string::npos);
   EXPECT_EQ(ship("x", "9223372036854774784"), ship("x", "9223372036854774784.0"));
@@ -151,13 +151,11 @@ TEST_F(TableValues, AMotionDoesNotEndBeforeItsReferenceTime) {
   db.exec("INSERT INTO ships(id, t, x, y, until) VALUES(1, 10, 0, 0, 10)");
   EXPECT_EQ(
       db.error_of("INSERT INTO ships(id, t, x, y, until) VALUES(2, 10, 0, 0, 9.5)"),
-      "ships.until of row 2 is 9.5: before the reference time 10.0; write that or more, or NULL for ever");
-  EXPECT_EQ(
-      db.error_of("UPDATE ships SET t = 11 WHERE id = 1"),
-      "ships.until of row 1 is 10.0: before the reference time 11.0; write that or more, or NULL for ever");
-  EXPECT_EQ(
-      db.error_of("INSERT INTO guests VALUES(1, 0, -1)"),
-      "guests.until of row 1 is -1.0: before the reference time 0.0; write that or more, or NULL for ever");
+      "ships.until of row 2 is 9.5: before the reference time 10; write that or more, or NULL for ever");
+  EXPECT_EQ(db.error_of("UPDATE ships SET t = 11 WHERE id = 1"),
+            "ships.until of row 1 is 10: before the reference time 11; write that or more, or NULL for ever");
+  EXPECT_EQ(db.error_of("INSERT INTO guests VALUES(1, 0, -1)"),
+            "guests.until of row 1 is -1: before the reference time 0; write that or more, or NULL for ever");
 }
 
 TEST_F(TableValues, AWrongRowAmongManyChangesNothing) {

@@ -10,13 +10,6 @@
 namespace foresee {
 namespace {
 
-/// The value as a person would write it in SQL.
-std::string written(sqlite3_value* value) {
-  if (sqlite3_value_type(value) == SQLITE_BLOB) return "a blob";
-  const char* quote = sqlite3_value_type(value) == SQLITE_TEXT ? "'" : "";
-  return quote + without_nul(text_of(value)) + quote;
-}
-
 constexpr double two_to_63 = 0x1p63;
 
 bool holds_exactly(double value, std::int64_t integer) {
@@ -27,7 +20,7 @@ bool holds_exactly(double value, std::int64_t integer) {
 
 void Call::reject(int input, const char* kind) const {
   const auto place = static_cast<std::size_t>(input);
-  throw Error(std::string(function_.inputs[place]) + " must be " + kind + ", not " + written(inputs_[place]));
+  throw Error(std::string(function_.inputs[place]) + " must be " + kind + ", not " + shown(inputs_[place]));
 }
 
 std::optional<double> Call::number(int input) const {

@@ -1,10 +1,10 @@
 #include "sqlite/table/values.h"
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include "base/float_environment.h"
+#include "base/shown.h"
 #include "sqlite/callback.h"
 #include "storage/rows/text.h"
 
@@ -12,13 +12,6 @@ namespace foresee {
 namespace {
 
 constexpr double two_to_the_63 = 9223372036854775808.0;
-
-std::string shown(double number) {
-  char digits[32];
-  std::string text(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
-  const bool looks_integral = text.find_first_not_of("-0123456789") == std::string::npos;
-  return looks_integral ? text + ".0" : text;
-}
 
 /// The integer that a double is, if it is one and fits.
 std::optional<std::int64_t> integer_of(double number) {
@@ -57,28 +50,6 @@ const char* rule_for_infinity(Quantity quantity) {
 }
 
 }  // namespace
-
-std::string shown(sqlite3_value* value) {
-  constexpr std::size_t most = 40;
-  switch (sqlite3_value_type(value)) {
-    case SQLITE_NULL:
-      return "NULL";
-    case SQLITE_INTEGER:
-      return std::to_string(sqlite3_value_int64(value));
-    case SQLITE_FLOAT:
-      return shown(sqlite3_value_double(value));
-    case SQLITE_BLOB:
-      return "a blob of " + std::to_string(sqlite3_value_bytes(value)) + " bytes";
-    default: {
-      const std::string text = without_nul(text_of(value));
-      const std::string_view kept = text;
-      if (kept.size() <= most) return std::string("'").append(kept).append("'");
-      std::size_t cut = most;  // not inside a character
-      while (cut > 0 && (static_cast<unsigned char>(kept[cut]) & 0xC0) == 0x80) --cut;
-      return std::string("'").append(kept.substr(0, cut)).append("...'");
-    }
-  }
-}
 
 Values::Values(const Declaration& declaration, const std::string& table)
     : table_(table), layout_(declaration.layout), at_(record_offsets(layout_)) {

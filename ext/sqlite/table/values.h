@@ -54,7 +54,4 @@ class Values {
   std::vector<double> record_;
 };
 
-/// A value as a message shows it: 1.5, 'text', x'00ff', shortened where it is long.
-std::string shown(sqlite3_value* value);
-
 }  // namespace foresee

@@ -2,6 +2,9 @@
 
 #include <cstddef>
 #include <new>
+#include <string_view>
+
+#include "base/shown.h"
 
 namespace foresee {
 namespace {
@@ -31,6 +34,28 @@ std::string text_of(sqlite3_stmt* row, int column) {
 std::string without_nul(std::string text) {
   for (std::size_t at = 0; (at = text.find('\0', at)) != std::string::npos;) text.replace(at, 1, "\\0");
   return text;
+}
+
+std::string shown(sqlite3_value* value) {
+  constexpr std::size_t most = 40;
+  switch (sqlite3_value_type(value)) {
+    case SQLITE_NULL:
+      return "NULL";
+    case SQLITE_INTEGER:
+      return std::to_string(sqlite3_value_int64(value));
+    case SQLITE_FLOAT:
+      return shown(sqlite3_value_double(value));
+    case SQLITE_BLOB:
+      return "a blob of " + std::to_string(sqlite3_value_bytes(value)) + " bytes";
+    default: {
+      const std::string text = without_nul(text_of(value));
+      const std::string_view kept = text;
+      if (kept.size() <= most) return std::string("'").append(kept).append("'");
+      std::size_t cut = most;  // not inside a character
+      while (cut > 0 && (static_cast<unsigned char>(kept[cut]) & 0xC0) == 0x80) --cut;
+      return std::string("'").append(kept.substr(0, cut)).append("...'");
+    }
+  }
 }
 
 }  // namespace foresee

@@ -1,4 +1,4 @@
-// Text that comes out of SQLite, as long as it is: a NUL does not end it.
+// Text that comes out of SQLite, as long as it is: a NUL does not end it. And values as messages show them.
 //
 //   text_of(argument) == "ships"            // false for 'ships' || char(0) || 'x'
 //
@@ -17,5 +17,8 @@ std::string text_of(sqlite3_stmt* row, int column);
 
 /// For a message, which a NUL would end: each one as \0.
 std::string without_nul(std::string text);
+
+/// A value as a message shows it: 1.5, 'text' (its beginning, if it is long), a blob of 2 bytes, NULL.
+std::string shown(sqlite3_value* value);
 
 }  // namespace foresee

@@ -1,0 +1,12 @@
+// A number as messages show it: as few digits as tell it from its neighbours.
+//
+//   shown(0.1) == "0.1"    shown(-3.0) == "-3"    shown(1e300) == "1e+300"    shown(HUGE_VAL) == "inf"
+#pragma once
+
+#include <string>
+
+namespace foresee {
+
+std::string shown(double number);
+
+}  // namespace foresee
