@@ -11,6 +11,7 @@
 namespace foresee {
 namespace {
 
+/// In the order of join_input_names().
 enum Input { in_h, in_tbl, in_within, in_other, in_now, in_method, in_within_z, in_schema };
 
 using Table = Connection::OpenTable;
@@ -23,10 +24,9 @@ struct Tables {
   bool are_one() const { return b && b->store == a.store; }
 };
 
-Tables open_tables(const Call& call) {
-  const auto schema = call.text(in_schema);
-  Tables tables{open_table(call.connection(), {call.text(in_tbl), schema})};
-  if (const auto other = call.text(in_other)) tables.b = open_table(call.connection(), {other, schema});
+Tables open_tables(Connection& connection, const JoinInputs& inputs) {
+  Tables tables{open_table(connection, inputs.tbl)};
+  if (inputs.other) tables.b = open_table(connection, {inputs.other, inputs.tbl.schema});
   return tables;
 }
 
@@ -86,26 +86,38 @@ void take_object_and_near(Connection& connection, const Tables& tables, const As
 
 }  // namespace
 
-std::vector<const char*> join_inputs() {
+std::vector<const char*> join_input_names() {
   return {"h", "tbl", "within", "other", "now", "method", "within_z", "schema"};
 }
 
-JoinQuestion read_join_inputs(const Call& call, const AskedIds& ids) {
+JoinInputs read_join_inputs(const Call& call) {
+  JoinInputs inputs;
+  inputs.h = call.required_number(in_h);
+  inputs.within = call.number(in_within).value_or(inputs.within);
+  inputs.within_z = call.number(in_within_z);
+  if (const auto method = call.text(in_method)) inputs.method = join_method(without_nul(*method));
+  inputs.now = call.number(in_now);
+  inputs.tbl.schema = call.text(in_schema);
+  inputs.tbl.table = call.text(in_tbl);
+  inputs.other = call.text(in_other);
+  return inputs;
+}
+
+JoinQuestion join_question(Connection& connection, const JoinInputs& inputs, const AskedIds& ids) {
+  const Tables tables = open_tables(connection, inputs);
   JoinQuestion question;
-  question.h = call.required_number(in_h);
-  question.within = call.number(in_within).value_or(0);
-  question.within_z = call.number(in_within_z);
-  if (const auto method = call.text(in_method)) question.method = join_method(without_nul(*method));
-  const auto now = call.number(in_now);
-  const Tables tables = open_tables(call);
-  question.now = now ? *now : newest_t_of(tables);
+  question.now = inputs.now ? *inputs.now : newest_t_of(tables);
+  question.h = inputs.h;
+  question.within = inputs.within;
+  question.within_z = inputs.within_z;
+  question.method = inputs.method;
   const bool by_tree = question.method == JoinMethod::automatic || question.method == JoinMethod::tree;
   if (by_tree && (ids.a || ids.b)) {
-    take_object_and_near(call.connection(), tables, ids, question);
+    take_object_and_near(connection, tables, ids, question);
   } else {
-    take_scenes(call.connection(), tables, question);
+    take_scenes(connection, tables, question);
     question.only_a = ids.a, question.only_b = ids.b;
-    question.space = call.connection().grid_space();
+    question.space = connection.grid_space();
   }
   return question;
 }

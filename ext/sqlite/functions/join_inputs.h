@@ -1,23 +1,45 @@
-// What predictive_join and predictive_explain are called with: h, tbl, within, other, now, method, within_z,
-// schema.
+// What is a join asked by? The inputs of predictive_join by their names, and the JoinQuestion that they make.
+//
+//   const JoinInputs inputs{.h = 600, .tbl = {.table = "ships", .schema = {}}, .within = 926};
+//   Join join(join_question(connection, inputs), connection.interrupt());
+//
+// A field is what the input of its name means: where SQL leaves an input out, the field is as it is here.
+// join_question() opens the tables, so it throws Error where there is no such table (open_table.h).
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "query/join/join.h"
-#include "sqlite/functions/table_function.h"
+#include "sqlite/functions/call.h"
 
 namespace foresee {
 
-/// Their names, in call order.
-std::vector<const char*> join_inputs();
+struct JoinInputs {
+  double h = 0;
+  AskedTable tbl = {};  ///< with `schema`, where `other` is too
+  double within = 0;
+  std::optional<std::string> other = {};  ///< none: pairs within tbl, each once
+  std::optional<double> now = {};         ///< none: the newest t stored
+  JoinMethod method = {};                 ///< automatic
+  std::optional<double> within_z = {};
+};
+
+/// As SQL names them, in call order.
+std::vector<const char*> join_input_names();
+
+/// Throws Error where an input is missing or of the wrong kind.
+JoinInputs read_join_inputs(const Call& call);
 
 /// The ids that the query wants in columns a and b.
 struct AskedIds {
   std::optional<std::int64_t> a = {}, b = {};
 };
 
-/// Reads the inputs and opens the tables. A question about one id comes back as one about that object and
-/// those near it, looked up in the tree, unless another method was asked for. Throws Error where an input is
-/// missing or of the wrong kind.
-JoinQuestion read_join_inputs(const Call& call, const AskedIds& ids = {});
+/// A question about one id comes back as one about that object and those near it, looked up in the tree,
+/// unless another method was asked for.
+JoinQuestion join_question(Connection& connection, const JoinInputs& inputs, const AskedIds& ids = {});
 
 }  // namespace foresee

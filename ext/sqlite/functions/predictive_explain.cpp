@@ -39,7 +39,9 @@ class ExplainRows final : public Rows {
 };
 
 std::unique_ptr<Rows> start(const Call& call) {
-  return std::make_unique<ExplainRows>(explain_join(read_join_inputs(call), call.connection().interrupt()));
+  Connection& connection = call.connection();
+  const JoinQuestion question = join_question(connection, read_join_inputs(call));
+  return std::make_unique<ExplainRows>(explain_join(question, connection.interrupt()));
 }
 
 }  // namespace
@@ -48,7 +50,7 @@ const TableFunction& predictive_explain() {
   static const TableFunction function = {.name = "predictive_explain",
                                          .outputs = {"stage TEXT", "n_before INTEGER", "n_after INTEGER",
                                                      "prune_power REAL", "seconds REAL", "detail TEXT"},
-                                         .inputs = join_inputs(),
+                                         .inputs = join_input_names(),
                                          .key = "stage",
                                          .hinted = 0,
                                          .cost = 1e6,

@@ -63,7 +63,8 @@ AskedTimes asked(const Call::Bounds& bounds) {
 }
 
 std::unique_ptr<Rows> start(const Call& call) {
-  JoinQuestion question = read_join_inputs(call, {call.only(out_a), call.only(out_b)});
+  JoinQuestion question =
+      join_question(call.connection(), read_join_inputs(call), {call.only(out_a), call.only(out_b)});
   question.asked_t = asked(call.bounds(out_t)), question.asked_dt = asked(call.bounds(out_dt));
   question.order = order_of(call.order());
   question.likely_rows = call.limit().in_all().value_or(all_rows);
@@ -81,7 +82,7 @@ const TableFunction& predictive_join() {
       .name = "predictive_join",
       .outputs = {"a INTEGER", "b INTEGER", "t REAL", "t_end REAL", "dt REAL", "dt_end REAL", "t_cpa REAL",
                   "dt_cpa REAL", "d_cpa REAL"},
-      .inputs = join_inputs(),
+      .inputs = join_input_names(),
       .key = "a, b",
       .hinted = 1u << out_a | 1u << out_b | 1u << out_t | 1u << out_dt,
       .cost = 1e6,
