@@ -39,6 +39,28 @@ TEST(Text, IsAsLongAsItIs) {
   EXPECT_EQ(reading.text, "1.5");
 }
 
+void show_argument(sqlite3_context* context, int, sqlite3_value** arguments) {
+  *static_cast<std::string*>(sqlite3_user_data(context)) = shown(arguments[0]);
+}
+
+TEST(Text, ShowsAValueAsAMessageNeedsIt) {
+  Database db;
+  std::string text;
+  sqlite3_create_function(db, "show", 1, SQLITE_UTF8, &text, show_argument, nullptr, nullptr);
+  const auto shown_text = [&](const std::string& value) {
+    db.run("SELECT show(" + value + ")");
+    return text;
+  };
+  EXPECT_EQ(shown_text("NULL"), "NULL");
+  EXPECT_EQ(shown_text("9007199254740993"), "9007199254740993");
+  EXPECT_EQ(shown_text("0.1"), "0.1");
+  EXPECT_EQ(shown_text("-3.0"), "-3");
+  EXPECT_EQ(shown_text("x'3132'"), "a blob of 2 bytes");
+  EXPECT_EQ(shown_text("'a' || char(0) || 'b'"), "'a\\0b'");
+  EXPECT_EQ(shown_text("printf('%.*c', 40, 'x')"), "'" + std::string(40, 'x') + "'");
+  EXPECT_EQ(shown_text("printf('%.*c', 41, 'x')"), "'" + std::string(40, 'x') + "...'");
+}
+
 TEST(Text, IsNotEmptyWhereMemoryIsOut) {
   Database db;
   Reading reading{.starved = true, .text = ""};
