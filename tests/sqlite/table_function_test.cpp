@@ -10,7 +10,7 @@ namespace {
 using testing::Database;
 
 /// countdown(from, step, label): n = from, from - step, … 0; half = n / 2; label || n.
-class Countdown final : public Rows {
+class Countdown final : public FunctionRows {
  public:
   Countdown(double from, double step, std::string label)
       : n_(from + step), step_(step), label_(std::move(label)) {}
@@ -46,7 +46,7 @@ const TableFunction countdown = {.name = "countdown",
                                  .hinted = 0b11,
                                  .cost = 1e6,
                                  .rows = 1e5,
-                                 .start = [](const Call& call) -> std::unique_ptr<Rows> {
+                                 .start = [](const FunctionCall& call) -> std::unique_ptr<FunctionRows> {
                                    ++seen.calls;
                                    seen.reads_half = call.reads(1);
                                    seen.only_n = call.only(0);

@@ -14,12 +14,12 @@ namespace {
 /// In the order of join_input_names().
 enum Input { in_h, in_tbl, in_within, in_other, in_now, in_method, in_within_z, in_schema };
 
-using Table = Connection::OpenTable;
+using OpenTable = Connection::OpenTable;
 
 /// tbl and other. The same table as `other` makes pairs in both orders.
 struct Tables {
-  Table a;
-  std::optional<Table> b = {};  ///< none: pairs within a, each once
+  OpenTable a;
+  std::optional<OpenTable> b = {};  ///< none: pairs within a, each once
 
   bool are_one() const { return b && b->store == a.store; }
 };
@@ -36,7 +36,7 @@ double newest_t_of(const Tables& tables) {
 }
 
 void take_scenes(Connection& connection, const Tables& tables, JoinQuestion& question) {
-  const auto scene = [&](const Table& table) {
+  const auto scene = [&](const OpenTable& table) {
     return question.method == JoinMethod::tree ? connection.scene_with_outline(table)
                                                : connection.scene(table);
   };
@@ -44,14 +44,14 @@ void take_scenes(Connection& connection, const Tables& tables, JoinQuestion& que
   if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b);
 }
 
-std::shared_ptr<Scene> empty_scene(const Table& table) {
+std::shared_ptr<Scene> empty_scene(const OpenTable& table) {
   auto scene = std::make_shared<Scene>();
   scene->name = table.table, scene->layout = table.store->declaration().layout;
   return scene;
 }
 
 /// A scene of one object, or of none if nothing has this id.
-std::shared_ptr<const Scene> scene_of(const Table& table, std::int64_t id) {
+std::shared_ptr<const Scene> scene_of(const OpenTable& table, std::int64_t id) {
   const FloatEnvironment environment;  // accelerations are computed on loading
   auto scene = empty_scene(table);
   if (const auto record = table.store->read(id)) {
@@ -67,8 +67,8 @@ void take_object_and_near(Connection& connection, const Tables& tables, const As
                           JoinQuestion& question) {
   const bool by_a = ids.a.has_value();
   const std::int64_t id = by_a ? *ids.a : *ids.b;
-  const Table& last = tables.b ? *tables.b : tables.a;
-  const Table &one = by_a ? tables.a : last, &others = by_a ? last : tables.a;
+  const OpenTable& last = tables.b ? *tables.b : tables.a;
+  const OpenTable &one = by_a ? tables.a : last, &others = by_a ? last : tables.a;
   std::shared_ptr<const Scene>&object = by_a ? question.a : question.b,
                         &near = by_a ? question.b : question.a;
   object = scene_of(one, id);
@@ -90,7 +90,7 @@ std::vector<const char*> join_input_names() {
   return {"h", "tbl", "within", "other", "now", "method", "within_z", "schema"};
 }
 
-JoinInputs read_join_inputs(const Call& call) {
+JoinInputs read_join_inputs(const FunctionCall& call) {
   JoinInputs inputs;
   inputs.h = call.required_number(in_h);
   inputs.within = call.number(in_within).value_or(inputs.within);

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "query/join/join.h"
-#include "sqlite/functions/call.h"
+#include "sqlite/functions/function_call.h"
 
 namespace foresee {
 
@@ -31,7 +31,7 @@ struct JoinInputs {
 std::vector<const char*> join_input_names();
 
 /// Throws Error where an input is missing or of the wrong kind.
-JoinInputs read_join_inputs(const Call& call);
+JoinInputs read_join_inputs(const FunctionCall& call);
 
 /// The ids that the query wants in columns a and b.
 struct AskedIds {

@@ -8,7 +8,7 @@ namespace {
 
 enum Output { out_stage, out_n_before, out_n_after, out_prune_power, out_seconds, out_detail };
 
-class ExplainRows final : public Rows {
+class ExplainRows final : public FunctionRows {
  public:
   explicit ExplainRows(std::vector<ExplainRow> rows) : rows_(std::move(rows)) {}
 
@@ -38,7 +38,7 @@ class ExplainRows final : public Rows {
   std::size_t next_ = 0;
 };
 
-std::unique_ptr<Rows> start(const Call& call) {
+std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   Connection& connection = call.connection();
   const JoinQuestion question = join_question(connection, read_join_inputs(call));
   return std::make_unique<ExplainRows>(explain_join(question, connection.interrupt()));

@@ -7,7 +7,7 @@ namespace {
 
 enum Output { out_a, out_b, out_t, out_t_end, out_dt, out_dt_end, out_t_cpa, out_dt_cpa, out_d_cpa };
 
-class JoinRows final : public Rows {
+class JoinRows final : public FunctionRows {
  public:
   JoinRows(JoinQuestion question, Interrupt& interrupt) : join_(std::move(question), interrupt) {}
 
@@ -58,11 +58,11 @@ JoinOrder order_of(std::span<const int> outputs) {
   return outputs.size() > 1 ? JoinOrder::by_t_and_ids : JoinOrder::by_t;
 }
 
-AskedTimes asked(const Call::Bounds& bounds) {
+AskedTimes asked(const FunctionCall::Bounds& bounds) {
   return {bounds.least, bounds.most};
 }
 
-std::unique_ptr<Rows> start(const Call& call) {
+std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   JoinQuestion question =
       join_question(call.connection(), read_join_inputs(call), {call.only(out_a), call.only(out_b)});
   question.asked_t = asked(call.bounds(out_t)), question.asked_dt = asked(call.bounds(out_dt));

@@ -9,7 +9,7 @@ namespace {
 enum NearestOutput { out_id, out_rank, out_distance, out_t, out_dt };
 enum NearestInput { in_h, in_tbl, in_k, in_x, in_now = in_x + 3, in_qvx, in_method = in_qvx + 3, in_schema };
 
-class NearestRows final : public Rows {
+class NearestRows final : public FunctionRows {
  public:
   explicit NearestRows(std::vector<NearestRow> rows) : rows_(std::move(rows)) {}
 
@@ -36,7 +36,7 @@ class NearestRows final : public Rows {
   std::size_t rank_ = 0;
 };
 
-std::unique_ptr<Rows> start(const Call& call) {
+std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   NearestQuestion question;
   question.h = call.required_number(in_h);
   question.k = call.required_integer(in_k);

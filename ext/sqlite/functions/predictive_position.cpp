@@ -9,7 +9,7 @@ namespace {
 enum Output { out_id, out_x, out_vx = out_x + 3 };
 enum Input { in_at, in_tbl, in_schema };
 
-class PositionRows final : public Rows {
+class PositionRows final : public FunctionRows {
  public:
   PositionRows(std::shared_ptr<const Scene> scene, double moment, Interrupt& interrupt)
       : axes_(scene->layout.axes), positions_(std::move(scene), moment), interrupt_(interrupt) {}
@@ -35,7 +35,7 @@ class PositionRows final : public Rows {
   std::optional<PositionRow> row_;
 };
 
-std::unique_ptr<Rows> start(const Call& call) {
+std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const double at = call.required_number(in_at);
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});

@@ -9,7 +9,7 @@ namespace {
 enum WindowOutput { out_id, out_t, out_t_end, out_dt, out_dt_end };
 enum WindowInput { in_h, in_tbl, in_x0, in_now = in_x0 + 6, in_wvx, in_method = in_wvx + 3, in_schema };
 
-class WindowRows final : public Rows {
+class WindowRows final : public FunctionRows {
  public:
   WindowRows(WindowQuestion question, Interrupt& interrupt) : window_(std::move(question), interrupt) {}
 
@@ -44,7 +44,7 @@ class WindowRows final : public Rows {
   std::size_t row_ = 0;
 };
 
-std::unique_ptr<Rows> start(const Call& call) {
+std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   WindowQuestion question;
   question.h = call.required_number(in_h);
   WindowFaces& faces = question.faces;

@@ -6,7 +6,7 @@
 
 namespace foresee {
 
-SearchedTable searched_table(const Call& call, const SearchInputs& inputs) {
+SearchedTable searched_table(const FunctionCall& call, const SearchInputs& inputs) {
   const std::string method = call.text(inputs.method).value_or("auto");
   if (method != "auto" && method != "tree" && method != "scan")
     throw Error("method must be 'auto', 'tree' or 'scan', not '" + without_nul(method) + "'");

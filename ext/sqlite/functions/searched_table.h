@@ -2,7 +2,7 @@
 #pragma once
 
 #include "query/searched.h"
-#include "sqlite/functions/call.h"
+#include "sqlite/functions/function_call.h"
 
 namespace foresee {
 
@@ -17,6 +17,6 @@ struct SearchedTable {
 };
 
 /// Throws Error where no such table is to be found, and for an unknown method.
-SearchedTable searched_table(const Call& call, const SearchInputs& inputs);
+SearchedTable searched_table(const FunctionCall& call, const SearchInputs& inputs);
 
 }  // namespace foresee

@@ -21,9 +21,9 @@ struct FunctionTable : sqlite3_vtab {
 };
 
 struct FunctionCursor : sqlite3_vtab_cursor {
-  std::unique_ptr<Rows> rows;      ///< null at the end
-  std::vector<OwnedValue> inputs;  ///< copies, one per input, null where it was left out
-  std::uint32_t lose_rows = 0;     ///< bit set: this input was given as NULL, and SQLite compares it again
+  std::unique_ptr<FunctionRows> rows;  ///< null at the end
+  std::vector<OwnedValue> inputs;      ///< copies, one per input, null where it was left out
+  std::uint32_t lose_rows = 0;  ///< bit set: this input was given as NULL, and SQLite compares it again
 };
 
 FunctionTable& table_of(sqlite3_vtab* table) {
@@ -141,9 +141,9 @@ int function_filter(sqlite3_vtab_cursor* base, int number, const char* plan, int
     Arguments sorted;
     const std::span<sqlite3_value*> given(arguments, static_cast<std::size_t>(count));
     if (!sort_arguments(cursor, table, plan, given, sorted)) return;
-    const Call call(table.function(), *table.registration->connection, sorted.inputs, std::move(sorted.hints),
-                    planned_outputs(table.function(), number), planned_order(table.function(), number),
-                    sorted.limit);
+    const FunctionCall call(table.function(), *table.registration->connection, sorted.inputs,
+                            std::move(sorted.hints), planned_outputs(table.function(), number),
+                            planned_order(table.function(), number), sorted.limit);
     cursor.rows = table.function().start(call);
     step(cursor);
   });

@@ -8,7 +8,7 @@
 //       .hinted = 0,
 //       .cost = 1e6,
 //       .rows = 1e5,
-//       .start = [](const Call& call) -> std::unique_ptr<Rows> { … }};
+//       .start = [](const FunctionCall& call) -> std::unique_ptr<FunctionRows> { … }};
 //
 // All functions are read-only, need no CREATE, and may be used in views and triggers that nobody vouches for.
 // An input can be given by place or by name in WHERE. Rows are pulled one at a time; whatever start() or
@@ -22,14 +22,14 @@
 #include <string>
 #include <vector>
 
-#include "sqlite/functions/call.h"
+#include "sqlite/functions/function_call.h"
 
 namespace foresee {
 
 /// The rows of one call, and the tables as they were when it started.
-class Rows {
+class FunctionRows {
  public:
-  virtual ~Rows() = default;
+  virtual ~FunctionRows() = default;
   /// Steps to the first or next row; false at the end.
   virtual bool next() = 0;
   /// Hands an output of the current row to `context`; leaves it alone for NULL.
@@ -44,7 +44,7 @@ struct TableFunction {
   std::uint32_t hinted;              ///< bit set: constraints on these outputs may make the call cheaper
   double cost;                       ///< of a call, in the planner's unit: about one row looked at
   double rows;                       ///< how many rows a call gives, roughly
-  std::unique_ptr<Rows> (*start)(const Call& call);
+  std::unique_ptr<FunctionRows> (*start)(const FunctionCall& call);
   std::uint32_t probed = 0;                   ///< of those: one value of them makes the call much cheaper
   std::vector<std::vector<int>> orders = {};  ///< outputs by which rows can come, rising
 };

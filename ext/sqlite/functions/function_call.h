@@ -34,10 +34,11 @@ struct Hint {
   sqlite3_value* value;
 };
 
-class Call {
+class FunctionCall {
  public:
-  Call(const TableFunction& function, Connection& connection, std::span<sqlite3_value* const> inputs,
-       std::vector<Hint> hints, std::uint32_t outputs_read, std::span<const int> order, const RowLimit& limit)
+  FunctionCall(const TableFunction& function, Connection& connection, std::span<sqlite3_value* const> inputs,
+               std::vector<Hint> hints, std::uint32_t outputs_read, std::span<const int> order,
+               const RowLimit& limit)
       : function_(function),
         connection_(connection),
         inputs_(inputs),

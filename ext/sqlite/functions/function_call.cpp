@@ -1,4 +1,4 @@
-#include "sqlite/functions/call.h"
+#include "sqlite/functions/function_call.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,12 +18,12 @@ bool holds_exactly(double value, std::int64_t integer) {
 
 }  // namespace
 
-void Call::reject(int input, const char* kind) const {
+void FunctionCall::reject(int input, const char* kind) const {
   const auto place = static_cast<std::size_t>(input);
   throw Error(std::string(function_.inputs[place]) + " must be " + kind + ", not " + shown(inputs_[place]));
 }
 
-std::optional<double> Call::number(int input) const {
+std::optional<double> FunctionCall::number(int input) const {
   sqlite3_value* value = inputs_[static_cast<std::size_t>(input)];
   if (!value) return std::nullopt;
   const int type = sqlite3_value_numeric_type(value);
@@ -34,26 +34,26 @@ std::optional<double> Call::number(int input) const {
   return number;
 }
 
-double Call::required_number(int input) const {
+double FunctionCall::required_number(int input) const {
   if (const auto given = number(input)) return *given;
   const std::string name = function_.inputs[static_cast<std::size_t>(input)];
   throw Error(name + " is missing: write " + usage(function_));
 }
 
-std::int64_t Call::required_integer(int input) const {
+std::int64_t FunctionCall::required_integer(int input) const {
   const double number = required_number(input);
   if (!(std::abs(number) < two_to_63 && std::trunc(number) == number)) reject(input, "a whole number");
   return static_cast<std::int64_t>(number);
 }
 
-std::optional<std::string> Call::text(int input) const {
+std::optional<std::string> FunctionCall::text(int input) const {
   sqlite3_value* value = inputs_[static_cast<std::size_t>(input)];
   if (!value) return std::nullopt;
   if (sqlite3_value_type(value) != SQLITE_TEXT) reject(input, "a name in quotes");
   return text_of(value);
 }
 
-std::optional<std::int64_t> Call::only(int output) const {
+std::optional<std::int64_t> FunctionCall::only(int output) const {
   for (const Hint& hint : hints_) {
     if (hint.output != output || hint.op != SQLITE_INDEX_CONSTRAINT_EQ) continue;
     const int type = sqlite3_value_numeric_type(hint.value);
@@ -66,7 +66,7 @@ std::optional<std::int64_t> Call::only(int output) const {
   return std::nullopt;
 }
 
-Call::Bounds Call::bounds(int output) const {
+FunctionCall::Bounds FunctionCall::bounds(int output) const {
   constexpr double inf = std::numeric_limits<double>::infinity();
   Bounds bounds{-inf, inf};
   for (const Hint& hint : hints_) {
