@@ -146,7 +146,7 @@ class Explanation {
 
 std::vector<ExplainRow> explain_join(const JoinQuestion& asked, Interrupt& interrupt) {
   const FloatEnvironment environment;
-  check_question(asked);
+  require_valid(asked);
   JoinQuestion question = asked;
   question.only_a = question.only_b = {};
   question.asked_t = question.asked_dt = {};

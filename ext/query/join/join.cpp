@@ -54,7 +54,7 @@ struct Join::Progress {
   }
 
   static JoinQuestion with_space(JoinQuestion question) {
-    check_question(question);
+    require_valid(question);
     if (!question.space) question.space = std::make_shared<GridSpace>();
     return question;
   }

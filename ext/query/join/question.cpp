@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "query/checks.h"
+#include "query/require.h"
 
 namespace foresee {
 namespace {
@@ -14,11 +14,11 @@ std::string axes_of(const Scene& scene) {
 
 }  // namespace
 
-void check_question(const JoinQuestion& question) {
-  check_not_negative("h", question.h);
-  check_not_negative("within", question.within);
-  if (question.within_z) check_not_negative("within_z", *question.within_z);
-  check_finite("now", question.now);
+void require_valid(const JoinQuestion& question) {
+  require_not_negative("h", question.h);
+  require_not_negative("within", question.within);
+  if (question.within_z) require_not_negative("within_z", *question.within_z);
+  require_finite("now", question.now);
   if (question.b && question.a->layout.axes != question.b->layout.axes)
     throw Error(axes_of(*question.a) + " and " + axes_of(*question.b) +
                 ": a join takes two tables with the same number of axes");

@@ -9,7 +9,7 @@
 namespace foresee {
 
 /// Throws Error as Join's constructor says.
-void check_question(const JoinQuestion& question);
+void require_valid(const JoinQuestion& question);
 
 /// The question's scenes and shapes at contact's door. The scenes must outlive the contact.
 std::unique_ptr<Contact> contact_of(const JoinQuestion& question);

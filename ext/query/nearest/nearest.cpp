@@ -10,7 +10,7 @@
 #include "contact/closest_approach.h"
 #include "contact/window_contact.h"
 #include "index/tpr_tree/nearest_walk.h"
-#include "query/checks.h"
+#include "query/require.h"
 
 namespace foresee {
 namespace {
@@ -124,9 +124,9 @@ std::vector<NearestRow> search(const NearestQuestion& question, Interrupt& inter
                        : std::move(search).in_tree(*objects.tree);
 }
 
-void check(const NearestQuestion& question) {
-  check_not_negative("h", question.h);
-  check_finite("now", question.now);
+void require_valid(const NearestQuestion& question) {
+  require_not_negative("h", question.h);
+  require_finite("now", question.now);
   if (question.k < 1) throw Error("k must be a whole number >= 1, not " + std::to_string(question.k));
   const int axes = question.objects.layout().axes;
   for (int axis = 0; axis < 3; ++axis) {
@@ -135,8 +135,8 @@ void check(const NearestQuestion& question) {
     const auto& at = question.point[j];
     if (axis < axes) {
       if (!at) reject_missing(question.objects, letter);
-      check_finite(letter.c_str(), *at);
-      check_finite(("qv" + letter).c_str(), question.velocity[j]);
+      require_finite(letter.c_str(), *at);
+      require_finite(("qv" + letter).c_str(), question.velocity[j]);
     } else {
       if (at) reject_axis(question.objects, letter);
       if (question.velocity[j] != 0) reject_axis(question.objects, "qv" + letter);
@@ -148,7 +148,7 @@ void check(const NearestQuestion& question) {
 
 std::vector<NearestRow> nearest(const NearestQuestion& question, Interrupt& interrupt) {
   const FloatEnvironment environment;
-  check(question);
+  require_valid(question);
   return with_axes(question.objects.layout().axes,
                    [&]<int D>(Axes<D>) { return search<D>(question, interrupt); });
 }

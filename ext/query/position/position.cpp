@@ -3,7 +3,7 @@
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "motion/position.h"
-#include "query/checks.h"
+#include "query/require.h"
 
 namespace foresee {
 namespace {
@@ -29,7 +29,7 @@ bool position_of(const Bodies& bodies, std::size_t i, double moment, PositionRow
 
 Positions::Positions(std::shared_ptr<const Scene> scene, double moment)
     : scene_(std::move(scene)), bodies_(scene_->bodies()), moment_(moment) {
-  check_finite("at", moment);
+  require_finite("at", moment);
 }
 
 std::optional<PositionRow> Positions::next() {

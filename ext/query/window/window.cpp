@@ -4,24 +4,24 @@
 #include <utility>
 
 #include "base/float_environment.h"
-#include "query/checks.h"
+#include "query/require.h"
 
 namespace foresee {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-void check_axis(const WindowFaces& faces, int axis) {
+void require_axis(const WindowFaces& faces, int axis) {
   const auto j = static_cast<std::size_t>(axis);
   const std::string letter(1, "xyz"[axis]);
-  check_lower_bound((letter + "0").c_str(), faces.lower[j]);
-  check_upper_bound((letter + "1").c_str(), faces.upper[j]);
-  check_order((letter + "0").c_str(), faces.lower[j], (letter + "1").c_str(), faces.upper[j]);
-  check_finite(("wv" + letter).c_str(), faces.velocity[j]);
+  require_lower_bound((letter + "0").c_str(), faces.lower[j]);
+  require_upper_bound((letter + "1").c_str(), faces.upper[j]);
+  require_order((letter + "0").c_str(), faces.lower[j], (letter + "1").c_str(), faces.upper[j]);
+  require_finite(("wv" + letter).c_str(), faces.velocity[j]);
 }
 
 /// What the objects do not have must be left out.
-void check_no_axis(const WindowQuestion& question, int axis) {
+void require_no_axis(const WindowQuestion& question, int axis) {
   const auto j = static_cast<std::size_t>(axis);
   const std::string letter(1, "xyz"[axis]);
   const WindowFaces& faces = question.faces;
@@ -33,13 +33,13 @@ void check_no_axis(const WindowQuestion& question, int axis) {
 }
 
 WindowQuestion checked(WindowQuestion question) {
-  check_not_negative("h", question.h);
-  check_finite("now", question.now);
+  require_not_negative("h", question.h);
+  require_finite("now", question.now);
   for (int axis = 0; axis < 3; ++axis) {
     if (axis < question.objects.layout().axes)
-      check_axis(question.faces, axis);
+      require_axis(question.faces, axis);
     else
-      check_no_axis(question, axis);
+      require_no_axis(question, axis);
   }
   return question;
 }

@@ -73,7 +73,7 @@ void take_object_and_near(Connection& connection, const Tables& tables, const As
                         &near = by_a ? question.b : question.a;
   object = scene_of(one, id);
   near = empty_scene(others);
-  check_question(question);
+  require_valid(question);
   const auto keep = [&](std::int64_t other) {
     if (tables.are_one()) return other != id;
     return tables.b.has_value() || (by_a ? id < other : other < id);

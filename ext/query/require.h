@@ -8,18 +8,18 @@
 namespace foresee {
 
 /// "h must be a finite number >= 0, not -3"
-void check_not_negative(const char* name, double value);
+void require_not_negative(const char* name, double value);
 
 /// "now must be a finite number, not inf"
-void check_finite(const char* name, double value);
+void require_finite(const char* name, double value);
 
 /// "x0 must be a finite number, or left out for no bound, not inf"; an infinity of the other sign is no
 /// bound.
-void check_lower_bound(const char* name, double value);
-void check_upper_bound(const char* name, double value);
+void require_lower_bound(const char* name, double value);
+void require_upper_bound(const char* name, double value);
 
 /// "x0 must not be greater than x1: x0 is 5, x1 is 3"
-void check_order(const char* lower_name, double lower, const char* upper_name, double upper);
+void require_order(const char* lower_name, double lower, const char* upper_name, double upper);
 
 /// "ships has 2 axes (x, y): leave out z0"
 [[noreturn]] void reject_axis(const Searched& objects, const std::string& given);

@@ -1,4 +1,4 @@
-#include "query/checks.h"
+#include "query/require.h"
 
 #include <cmath>
 
@@ -19,23 +19,23 @@ std::string axes_in_words(const Searched& objects) {
 
 }  // namespace
 
-void check_not_negative(const char* name, double value) {
+void require_not_negative(const char* name, double value) {
   if (!(std::isfinite(value) && value >= 0)) reject(name, "a finite number >= 0", value);
 }
 
-void check_finite(const char* name, double value) {
+void require_finite(const char* name, double value) {
   if (!std::isfinite(value)) reject(name, "a finite number", value);
 }
 
-void check_lower_bound(const char* name, double value) {
+void require_lower_bound(const char* name, double value) {
   if (!(value < HUGE_VAL)) reject(name, "a finite number, or left out for no bound", value);
 }
 
-void check_upper_bound(const char* name, double value) {
+void require_upper_bound(const char* name, double value) {
   if (!(value > -HUGE_VAL)) reject(name, "a finite number, or left out for no bound", value);
 }
 
-void check_order(const char* lower_name, double lower, const char* upper_name, double upper) {
+void require_order(const char* lower_name, double lower, const char* upper_name, double upper) {
   if (lower <= upper) return;
   throw Error(std::string(lower_name) + " must not be greater than " + upper_name + ": " + lower_name +
               " is " + shown(lower) + ", " + upper_name + " is " + shown(upper));
