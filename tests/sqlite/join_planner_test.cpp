@@ -102,9 +102,13 @@ TEST_F(JoinPlanner, ProbesOneObjectAlsoWhereInputsAreBound) {
       EXPECT_EQ(bound(sql, {"3", "ships", id.c_str()}),
                 db.rows("SELECT a, b, t FROM whole WHERE a = " + id + " OR b = " + id + " ORDER BY a, b"));
   }
+  // Never fewer rows: where SQLite compares the NULL again, an error.
   const char* const lost = "error: predictive_join: tbl is NULL, which SQLite compares again";
-  for (const std::string& sql : {by_place, by_name, computed})
-    EXPECT_TRUE(bound(sql, {"3", nullptr, "42"}).starts_with(lost)) << bound(sql, {"3", nullptr, "42"});
+  const std::string all = db.rows("SELECT a, b, t FROM whole WHERE a = 42 OR b = 42 ORDER BY a, b");
+  for (const std::string& sql : {by_place, by_name, computed}) {
+    const std::string rows = bound(sql, {"3", nullptr, "42"});
+    EXPECT_TRUE(rows == all || rows.starts_with(lost)) << sql << ": " << rows;
+  }
   const std::string one = "SELECT a, b, tbl FROM predictive_join(?1, ?2) WHERE a = ?3 ORDER BY b";
   EXPECT_EQ(bound(one, {"3", nullptr, "42"}),
             db.rows("SELECT a, b, NULL FROM whole WHERE a = 42 ORDER BY b"));

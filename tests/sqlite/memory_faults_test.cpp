@@ -96,11 +96,7 @@ struct MemoryFaults : ::testing::Test {
 
   static bool run_once(const std::string& sql, const std::string& table, long n, bool for_good, bool utf_16) {
     Database db;
-    if (utf_16) {
-      db.exec("PRAGMA encoding = 'UTF-16'");
-      // Else small texts would come from memory that SQLite has put aside.
-      EXPECT_EQ(sqlite3_db_config(db.handle(), SQLITE_DBCONFIG_LOOKASIDE, nullptr, 0, 0), SQLITE_OK);
-    }
+    if (utf_16) db.exec("PRAGMA encoding = 'UTF-16'");
     db.exec(
         "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, +name);"
         "INSERT INTO ships VALUES(1, 0, 1, 1, 0, 0, 'a'), (2, 0, 2, 2, 0, 0, 'b'), (3, 0, 3, 3, 0, 0, NULL)");
@@ -171,12 +167,18 @@ TEST_F(MemoryFaults, CreateAndDrop) {
   run("CREATE VIRTUAL TABLE IF NOT EXISTS boats USING moving_objects(id, x); DROP TABLE boats");
 }
 
-/// Texts in UTF-16 take memory when they are read.
+/// Texts in UTF-16 take memory when they are read; small ones too, where SQLite has put none aside.
 TEST_F(MemoryFaults, TextsInUtf16) {
+  sqlite3_shutdown();
+  sqlite3_config(SQLITE_CONFIG_LOOKASIDE, 0, 0);
+  sqlite3_initialize();
   run("INSERT INTO ships(ships) VALUES('rebuild')", "ships", true);
   run("INSERT INTO ships VALUES('7', '0', '1', '1', '0', '0', 'new')", "ships", true);
   run("SELECT count(*) FROM predictive_join(9, 'ships', 0, 'ships', 0, 'scan')", "ships", true);
   run("SELECT count(*) FROM predictive_window(9) WHERE tbl = 'ships' AND method = 'tree'", "ships", true);
+  sqlite3_shutdown();
+  sqlite3_config(SQLITE_CONFIG_LOOKASIDE, 1200, 40);  // as SQLite has it
+  sqlite3_initialize();
 }
 
 TEST_F(MemoryFaults, SmallQuestions) {

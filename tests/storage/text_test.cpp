@@ -64,9 +64,12 @@ TEST(Text, ShowsAValueAsAMessageNeedsIt) {
 TEST(Text, IsNotEmptyWhereMemoryIsOut) {
   Database db;
   Reading reading{.starved = true, .text = ""};
-  // In UTF-16 as the function asks for it: reading it as UTF-8 takes memory.
+  // In UTF-16 as it is stored: reading it as UTF-8 takes memory.
   sqlite3_create_function(db, "reading_of", 1, SQLITE_UTF16, &reading, read_argument, nullptr, nullptr);
-  sqlite3_exec(db, "SELECT reading_of(hex(zeroblob(5000)))", nullptr, nullptr, nullptr);
+  sqlite3_exec(db,
+               "PRAGMA encoding = 'UTF-16'; CREATE TABLE texts AS SELECT hex(zeroblob(5000)) AS x;"
+               "SELECT reading_of(x) FROM texts",
+               nullptr, nullptr, nullptr);
   EXPECT_EQ(reading.text, "no memory");
 }
 

@@ -6,8 +6,8 @@
 //            input that SQLite compares once more
 //
 // Constraints on inputs are consumed; those on outputs are hints that SQLite checks again. Where it does so
-// with an input, a NULL would lose every row, since no comparison with NULL is true: then that column must
-// not be read. LIMIT and OFFSET are hints too (row_limit.h).
+// with an input, a NULL would lose every row, since no comparison with NULL is true: such a call must be
+// refused. LIMIT and OFFSET are hints too (row_limit.h).
 #pragma once
 
 #include <cstddef>

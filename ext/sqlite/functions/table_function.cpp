@@ -23,7 +23,6 @@ struct FunctionTable : sqlite3_vtab {
 struct FunctionCursor : sqlite3_vtab_cursor {
   std::unique_ptr<FunctionRows> rows;  ///< null at the end
   std::vector<OwnedValue> inputs;      ///< copies, one per input, null where it was left out
-  std::uint32_t lose_rows = 0;  ///< bit set: this input was given as NULL, and SQLite compares it again
 };
 
 FunctionTable& table_of(sqlite3_vtab* table) {
@@ -95,6 +94,12 @@ void step(FunctionCursor& cursor) {
   if (!cursor.rows->next()) cursor.rows.reset();
 }
 
+[[noreturn]] void refuse_null(const TableFunction& function, int input) {
+  const std::string name = function.inputs[static_cast<std::size_t>(input)];
+  throw Error(name + " is NULL, which SQLite compares again and so would lose every row: leave " + name +
+              " out, write fewer conditions, or in place of a = ... OR b = ... two questions with UNION ALL");
+}
+
 /// What xFilter is handed.
 struct Arguments {
   std::vector<sqlite3_value*> inputs;
@@ -107,7 +112,6 @@ struct Arguments {
 /// its numeric type.
 bool sort_arguments(FunctionCursor& cursor, const FunctionTable& table, const char* plan,
                     std::span<sqlite3_value*> values, Arguments& sorted) {
-  cursor.lose_rows = 0;
   cursor.inputs.clear();
   cursor.inputs.resize(table.function().inputs.size());
   sorted.inputs.resize(cursor.inputs.size());
@@ -121,7 +125,7 @@ bool sort_arguments(FunctionCursor& cursor, const FunctionTable& table, const ch
       if (is_null) return false;
       sorted.hints.push_back({planned.column, planned.op, value});
     } else if (is_null) {
-      if (planned.compared_again) cursor.lose_rows |= 1u << input;
+      if (planned.compared_again) refuse_null(table.function(), input);
     } else {
       OwnedValue copy(sqlite3_value_dup(value));
       if (!copy) throw std::bad_alloc();
@@ -157,18 +161,11 @@ int function_eof(sqlite3_vtab_cursor* cursor) noexcept {
   return !cursor_of(cursor).rows;
 }
 
-[[noreturn]] void refuse_null(const TableFunction& function, int input) {
-  const std::string name = function.inputs[static_cast<std::size_t>(input)];
-  throw Error(name + " is NULL, which SQLite compares again and so would lose this row: leave " + name +
-              " out, write fewer conditions, or in place of a = ... OR b = ... two questions with UNION ALL");
-}
-
 int function_column(sqlite3_vtab_cursor* base, sqlite3_context* context, int column) noexcept {
   return guarded_by_name(base->pVtab, [&] {
     const FunctionCursor& cursor = cursor_of(base);
     const int input = column - table_of(base->pVtab).output_count();
     if (input < 0) return cursor.rows->output(context, column);
-    if (cursor.lose_rows >> input & 1) refuse_null(table_of(base->pVtab).function(), input);
     const OwnedValue& given = cursor.inputs[static_cast<std::size_t>(input)];
     if (given) sqlite3_result_value(context, given.get());
   });
