@@ -12,8 +12,9 @@ namespace {
 
 // As sqlite3_libversion_number() counts.
 constexpr int oldest = 3031000;
-constexpr int tells_constraints = 3038000;  // sqlite3_vtab_in, sqlite3_vtab_rhs_value
-constexpr int tells_schemas = 3039000;      // sqlite3_db_name
+constexpr int tells_constraints = 3038000;                    // sqlite3_vtab_in, sqlite3_vtab_rhs_value
+constexpr int tells_schemas = 3039000;                        // sqlite3_db_name
+constexpr int reads_first = 3040000, past_reading = 3041000;  // reads_to_compare()
 
 bool host_has(int since) {
   return sqlite3_libversion_number() >= since;
@@ -31,8 +32,8 @@ bool may_be_list(sqlite3_index_info& info, int i) {
   return !host_has(tells_constraints) || sqlite3_vtab_in(&info, i, -1) != 0;
 }
 
-bool tells_written_values() {
-  return host_has(tells_constraints);
+bool reads_to_compare() {
+  return host_has(reads_first) && !host_has(past_reading);
 }
 
 sqlite3_value* written_value(sqlite3_index_info& info, int i) {

@@ -22,8 +22,10 @@ void require_version(int number, const char* version);
 /// Is constraint `i` a list, `column IN (…)`? Before 3.38 SQLite does not tell, and it may be one.
 bool may_be_list(sqlite3_index_info& info, int i);
 
-/// Before 3.38: no.
-bool tells_written_values();
+/// Where SQLite compares a column of a function with what turns out to be NULL, does it read the column
+/// first, so that the function can refuse? 3.38 to 3.40 do, which has been tried; 3.53 does not: the row is
+/// lost and nobody is told. Of versions between nothing is known.
+bool reads_to_compare();
 
 /// What constraint `i` compares with, where the statement writes it out; else, and before 3.38, null.
 sqlite3_value* written_value(sqlite3_index_info& info, int i);

@@ -97,7 +97,9 @@ TEST_F(JoinPlanner, ProbesOneObjectAlsoWhereInputsAreBound) {
                     by_name = "SELECT a, b, t FROM predictive_join WHERE h = ?1 AND tbl = ?2 AND " + sides,
                     computed = "SELECT a, b, t FROM predictive_join(?1, lower(?2), 0 + 0) WHERE " + sides;
   for (const std::string& sql : {by_place, by_name, computed}) {
-    EXPECT_NE(plan(sql).find("MULTI-INDEX OR"), std::string::npos) << sql;
+    // Newer versions do not let a NULL be refused.
+    const bool probes = plan(sql).find("MULTI-INDEX OR") != std::string::npos;
+    EXPECT_EQ(probes, 3038000 <= sqlite3_libversion_number() && sqlite3_libversion_number() < 3041000) << sql;
     for (const std::string id : {"7", "42", "100000"})
       EXPECT_EQ(bound(sql, {"3", "ships", id.c_str()}),
                 db.rows("SELECT a, b, t FROM whole WHERE a = " + id + " OR b = " + id + " ORDER BY a, b"));

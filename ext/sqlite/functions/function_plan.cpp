@@ -72,7 +72,7 @@ void take(Plan& plan, const TableFunction& function, sqlite3_index_info& info, i
   if (is_input && input > 0) {
     sqlite3_value* written = written_value(info, i);
     if (!written) plan.inputs_unknown |= 1u << input;
-    plan.null_inputs |= written ? sqlite3_value_type(written) == SQLITE_NULL : !tells_written_values();
+    plan.null_inputs |= written ? sqlite3_value_type(written) == SQLITE_NULL : !reads_to_compare();
   }
   if (!is_input) ++(probes ? plan.equalities : plan.inequalities);
   plan.arguments += {static_cast<char>('A' + constraint.iColumn), letter};
@@ -88,7 +88,7 @@ void take(Plan& plan, const TableFunction& function, sqlite3_index_info& info, i
 /// an input is written out as NULL, or comes from another table and may be NULL in some row, there must be no
 /// such plan. It is known by what comes before it: a call as a whole that says nothing of ids. (A question
 /// about one id that follows such a call may be planned worse than need be.) What is bound later is taken for
-/// no NULL; if it is one, that is an error.
+/// no NULL where SQLite lets us refuse one (host.h); elsewhere it may be NULL.
 void estimate(const TableFunction& function, PlansBefore& before, Plan& plan, sqlite3_index_info& info) {
   const bool whole = (plan.inputs_given & 1) != 0;
   if (whole && !plan.about_ids) {
