@@ -23,8 +23,8 @@ void require_version(int number, const char* version);
 bool may_be_list(sqlite3_index_info& info, int i);
 
 /// Where SQLite compares a column of a function with what turns out to be NULL, does it read the column
-/// first, so that the function can refuse? 3.38 to 3.40 do, which has been tried; 3.53 does not: the row is
-/// lost and nobody is told. Of versions between nothing is known.
+/// first, so that the function can refuse? 3.40 does; 3.53 does not: the row is lost and nobody is told.
+/// Other versions have not been tried and count as such.
 bool reads_to_compare();
 
 /// What constraint `i` compares with, where the statement writes it out; else, and before 3.38, null.
