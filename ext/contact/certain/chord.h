@@ -53,7 +53,8 @@ class Chord {
       size = length.value + length.error + std::abs(length.value) * 0x1p-40;
     }
     const double width = size + room_[axis], steep = steep_[axis];
-    if (!there || !(width < 0x1p1000)) return std::copysign(for_ever, side * steep);
+    // A slope that is no number has no sign to go by, and the two faces must not end up on one side.
+    if (!there || !(width < 0x1p1000)) return (side > 0) == (steep > 0) ? for_ever : -for_ever;
     return (side * width - at_[axis]) * steep;
   }
 

@@ -74,8 +74,10 @@ void Store::for_each_change(
     const std::function<void(std::int64_t, std::span<const double>, std::span<const double>)>& each) {
   object_changes_.for_each([&](std::int64_t id, std::span<const double> before) {
     const std::vector<double> after = read(id).value_or(std::vector<double>());
-    if (before.size() != after.size() || std::memcmp(before.data(), after.data(), before.size_bytes()) != 0)
-      each(id, before, after);
+    // Bit for bit: 0 and -0 differ. (Of no record there are no bytes to compare.)
+    const bool equal = before.size() == after.size() &&
+                       (before.empty() || std::memcmp(before.data(), after.data(), before.size_bytes()) == 0);
+    if (!equal) each(id, before, after);
   });
 }
 
