@@ -14,6 +14,7 @@
 //
 // What overflows anywhere makes M infinite or NaN, and with it the extent of the box: then both ends are
 // infinite. least() and greatest() pass on a second argument that is NaN.
+#include "base/lane_math.h"
 #include "base/simd.h"
 #include "motion/beam_lanes.h"
 
@@ -23,16 +24,6 @@ namespace {
 constexpr double u = 0x1p-53, forever = __builtin_inf();
 constexpr double shortest_part = 1.0 / 64;  // of the horizon; shorter lives stand still
 constexpr std::size_t block = 8;            // lanes at a time: the widest register's
-
-inline double size_of(double x) {
-  return __builtin_fabs(x);
-}
-inline double least(double a, double b) {
-  return a < b ? a : b;
-}
-inline double greatest(double a, double b) {
-  return a > b ? a : b;
-}
 
 /// from, to, reach, parts, begin and end of what has t and until; life_of() of life.h, side by side.
 template <int D>

@@ -9,6 +9,7 @@
 // as times are below 2^40.
 #pragma once
 
+#include "base/lane_math.h"
 #include "contact/boxes/box_registers.h"
 #include "numbers/crossed_root.h"
 
@@ -17,16 +18,6 @@ namespace {
 
 constexpr double huge = 0x1p1000, never = __builtin_inf(), underflow = 0x1p-900;
 constexpr double near = 0x1p-34;  // how far from the guess signs are looked at, relatively
-
-inline double size_of(double x) {
-  return __builtin_fabs(x);
-}
-inline double least(double a, double b) {
-  return a < b ? a : b;
-}
-inline double greatest(double a, double b) {
-  return a > b ? a : b;
-}
 
 /// When does c + w t + k t^2, above 0 now, come to 0? About then; for ever if it does not.
 template <int Degree>

@@ -6,25 +6,14 @@
 // the order.
 #include "index/gpcd_grid/float_lanes.h"
 
+#include "base/lane_math.h"
+
 namespace foresee::gpcd {
 namespace {
 
 constexpr std::size_t block = 16;           // lanes at a time: the floats of the widest register
 constexpr double largest = 0x1.fffffep127;  // float
 constexpr double never = __builtin_inf(), no_number = __builtin_nan("");
-
-// Both pass on a second argument where one is NaN.
-template <class T>
-inline T least(T a, T b) {
-  return a < b ? a : b;
-}
-template <class T>
-inline T greatest(T a, T b) {
-  return a > b ? a : b;
-}
-inline double size_of(double x) {
-  return __builtin_fabs(x);
-}
 
 template <int D, bool moves>
 void round_boxes(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, FloatLanes<D>& out) {
