@@ -31,9 +31,11 @@ class Stages {
 
   void count(std::size_t i, StageShares& shares) {
     const Moments moments = moments_of(setup_, a(i), b(i));
-    Track<3, 2> track(set_, setup_, a(i), b(i), moments, certain_scratch_);
+    Track<3, 2> track(set_, setup_, a(i), b(i), moments, {0, for_ever}, certain_scratch_);
     const Chord<3> chord(track.certain().relative(), moments.dt_end);
-    const bool missed = chord.misses(set_, certain_scratch_.lengths, moments.dt_begin);
+    const Period<double> near = chord.between(set_.hull().data(), static_cast<int>(set_.hull().size()),
+                                              certain_scratch_.lengths, {moments.dt_begin, moments.dt_end});
+    const bool missed = near.begin > near.end;
     const Verdict verdict = track.touches();
     ++(missed ? shares.chord : verdict != Verdict::uncertain ? shares.certified : shares.exact);
     const bool hit =

@@ -95,7 +95,7 @@ class CertainApproach {
   }
 
   Slope slope_at(double tau) const {
-    AxisView view[D];
+    AxisView<> view[D];
     view_from<D, 2>(relative_, tau, view);
     return slope_of(view);
   }
@@ -126,10 +126,11 @@ class CertainApproach {
     for (int i = 0; i < 60; ++i) {
       double value = 0, growth = 0;
       for (int j = 0; j < D; ++j) {
-        const double turn = tau * relative_.a[j];
-        const double p = relative_.x[j] + tau * (relative_.v[j] + turn), q = relative_.v[j] + 2 * turn;
+        const AxisRelative<double>& r = relative_.axis[j];
+        const double turn = tau * r.a;
+        const double p = r.x + tau * (r.v + turn), q = r.v + 2 * turn;
         value += p * q;
-        growth += q * q + 2 * (relative_.a[j] * p);
+        growth += q * q + 2 * (r.a * p);
       }
       (value < 0 ? low : high) = tau;
       double next = tau - value / growth;
@@ -195,7 +196,7 @@ class CertainApproach {
   };
 
   Spot spot_at(const DoubleDouble& tau) const {
-    AxisView view[D];
+    AxisView<> view[D];
     view_from<D, 2>(relative_, tau.high, view);
     Spot spot;
     spot.rough = slope_of(view);
@@ -206,7 +207,7 @@ class CertainApproach {
       spot.square = spot.square + place * place;
       spot.slope = spot.slope + place * (course_.v[j] + (turn + turn));
 
-      const AxisView& w = view[j];
+      const AxisView<>& w = view[j];
       const double p = std::abs(w.p) + w.ep, q = std::abs(w.q) + w.eq, a = std::abs(w.a) + w.ea;
       const double ep = fine * w.ep + relative_.underflow, eq = fine * w.eq + relative_.underflow;
       squares += p * p, products += p * q;

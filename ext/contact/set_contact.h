@@ -1,9 +1,11 @@
-// Contact of one pair after another by its contact set, each stage asked in turn: the chord, doubles with
-// error bounds, DoubleDouble for the times, exact numbers for what those leave open.
+// Contact of pairs by their contact set, each stage asked in turn: some pairs at once, which lets most go;
+// then one after another, doubles with error bounds, DoubleDouble for the times, exact numbers for what those
+// leave open.
 #pragma once
 
 #include "base/float_environment.h"
 #include "contact/certain/crossing.h"
+#include "contact/certain/set_lanes.h"
 #include "contact/closest_approach.h"
 #include "contact/exact/exact_contact.h"
 
@@ -14,28 +16,38 @@ template <int D, int Degree>
 class SetContact : public Contact {
  public:
   SetContact(const Setup& setup, ContactSet set)
-      : setup_(setup), set_(std::move(set)), certain_scratch_(set_), crossing_scratch_(set_) {}
+      : setup_(setup),
+        set_(std::move(set)),
+        certain_scratch_(set_),
+        crossing_scratch_(set_),
+        space_(lanes_space(set_)),
+        question_{.a = setup.a.at,
+                  .b = setup.b.at,
+                  .now = setup.horizon.now,
+                  .h = setup.horizon.h,
+                  .set = set_.arrays(),
+                  .lengths = certain_scratch_.lengths.data(),
+                  .touches_wanted = false,
+                  .space = space_.data()} {}
 
   Reach reach() const override { return {setup_.within, setup_.within_z}; }
 
   void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) override {
     const FloatEnvironment environment;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      fetch_ahead(pairs, i);
-      if (touches(setup_.a.row(pairs[i].a), setup_.b.row(pairs[i].b))) hits.push_back(pairs[i]);
-    }
+    in_lanes(pairs, true, [&](const Pair& pair, int l) {
+      if (lanes_.touches[l] > 0 || touches(lanes_.a[l], lanes_.b[l], near(l))) hits.push_back(pair);
+    });
   }
 
   void first_contacts(std::span<const Pair> pairs, TimesWanted wanted, std::vector<Pair>& hits,
                       std::vector<ContactTimes>& times) override {
     const FloatEnvironment environment;
     ContactTimes found;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      fetch_ahead(pairs, i);
-      if (!first_contact(setup_.a.row(pairs[i].a), setup_.b.row(pairs[i].b), wanted, found)) continue;
-      hits.push_back(pairs[i]);
+    in_lanes(pairs, false, [&](const Pair& pair, int l) {
+      if (!first_contact(lanes_.a[l], lanes_.b[l], near(l), wanted, found)) return;
+      hits.push_back(pair);
       times.push_back(found);
-    }
+    });
   }
 
   void closest_approach(std::span<const Pair> hits, std::span<ClosestApproach> out) override {
@@ -58,24 +70,22 @@ class SetContact : public Contact {
     __builtin_prefetch(row_b + doubles_per_line);
   }
 
-  Track<D, Degree> track(const double* row_a, const double* row_b, const Moments& moments) {
-    return {set_, setup_, row_a, row_b, moments, certain_scratch_};
-  }
-
-  [[gnu::noinline]] bool touches(const double* row_a, const double* row_b) {
+  /// `near`: only then can they touch, if at all.
+  [[gnu::noinline]] bool touches(const double* row_a, const double* row_b,
+                                 const Period<double>& near = any_time) {
     const Moments moments = moments_of(setup_, row_a, row_b);
     if (moments.none) return false;
-    const Verdict verdict = track(row_a, row_b, moments).touches();
+    const Verdict verdict = track(row_a, row_b, moments, near).touches();
     if (verdict != Verdict::uncertain) return verdict == Verdict::yes;
     return exactly<bool>(row_a, row_b, exact_touches);
   }
 
-  [[gnu::noinline]] bool first_contact(const double* row_a, const double* row_b, TimesWanted wanted,
-                                       ContactTimes& found) {
+  [[gnu::noinline]] bool first_contact(const double* row_a, const double* row_b, const Period<double>& near,
+                                       TimesWanted wanted, ContactTimes& found) {
     const Moments moments = moments_of(setup_, row_a, row_b);
     if (moments.none) return false;
     Instant begin = unknown_instant(), end = unknown_instant();
-    const Verdict touches = filtered_contact(row_a, row_b, moments, wanted, begin, end);
+    const Verdict touches = filtered_contact(row_a, row_b, moments, near, wanted, begin, end);
     if (touches == Verdict::no) return false;
     found = {begin.t, end.t, begin.dt, end.dt};
     if (touches == Verdict::yes && begin.known() && end.known()) return true;
@@ -87,7 +97,7 @@ class SetContact : public Contact {
   /// The end of the contact that the pair certainly has at `from`, or unknown.
   [[gnu::noinline]] Instant end_of_contact(const double* row_a, const double* row_b, double from) {
     const Moments moments = moments_of(setup_, row_a, row_b);
-    auto track = this->track(row_a, row_b, moments);
+    auto track = this->track(row_a, row_b, moments, any_time);
     return end_of_contact(track, from, moments, row_a, row_b);
   }
 
@@ -101,15 +111,40 @@ class SetContact : public Contact {
     return leaves == Verdict::no ? end : earlier(crossing<Way::out>(track, last, row_a, row_b), end);
   }
 
+  static constexpr Period<double> any_time{0, for_ever};
   const Setup setup_;
 
  private:
+  Track<D, Degree> track(const double* row_a, const double* row_b, const Moments& moments,
+                         const Period<double>& near) {
+    return {set_, setup_, row_a, row_b, moments, near, certain_scratch_};
+  }
+
+  Period<double> near(int l) const { return {lanes_.begin[l], lanes_.end[l]}; }
+
+  /// Visits the pairs that are not certainly apart, each with its lane.
+  template <class Visit>
+  void in_lanes(std::span<const Pair> pairs, bool touches_wanted, Visit&& visit) {
+    constexpr std::size_t width = SetLanes::width;
+    question_.touches_wanted = touches_wanted;
+    for (std::size_t begin = 0; begin < pairs.size(); begin += width) {
+      const auto some = pairs.subspan(begin, std::min(width, pairs.size() - begin));
+      for (std::size_t l = 0; l < width; ++l) {
+        fetch_ahead(pairs, begin + l);
+        const Pair& pair = some[std::min(l, some.size() - 1)];  // lanes without a pair repeat the last one
+        lanes_.a[l] = setup_.a.row(pair.a), lanes_.b[l] = setup_.b.row(pair.b);
+      }
+      kernel_.look(question_, lanes_);
+      for (std::size_t l = 0; l < some.size(); ++l)
+        if (!(lanes_.begin[l] > lanes_.end[l])) visit(some[l], static_cast<int>(l));
+    }
+  }
+
   /// What double and DoubleDouble can vouch for: whether the two touch and, where known, since and until
   /// when.
   Verdict filtered_contact(const double* row_a, const double* row_b, const Moments& moments,
-                           TimesWanted wanted, Instant& begin, Instant& end) {
-    auto track = this->track(row_a, row_b, moments);
-    if (track.certainly_missed()) return Verdict::no;
+                           const Period<double>& near, TimesWanted wanted, Instant& begin, Instant& end) {
+    auto track = this->track(row_a, row_b, moments, near);
     Bracket first;
     const Verdict meets = track.first_contact(first);
     if (meets != Verdict::yes) return meets;
@@ -138,6 +173,10 @@ class SetContact : public Contact {
   const ContactSet set_;
   CertainScratch certain_scratch_;
   CrossingScratch crossing_scratch_;
+  std::vector<double> space_;
+  LanesQuestion question_;
+  SetLanes lanes_;
+  const SetKernel<D, Degree>& kernel_ = set_kernel<D, Degree>();
 };
 
 extern template class SetContact<1, 1>;

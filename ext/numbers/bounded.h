@@ -5,7 +5,7 @@
 //
 // Every operation adds the errors of its arguments and half an ulp of its result. Two things are left to
 // whoever reads the bound in the end (settled()), as once is enough: the bound's own roundings, and what
-// underflow loses.
+// underflow loses. Real: double, or several at once (base/doubles.h).
 #pragma once
 
 #include <cmath>
@@ -14,31 +14,38 @@
 
 namespace foresee {
 
-struct Bounded {
-  double value = 0;
-  double error = 0;
+template <class Real>
+struct BoundedOf {
+  Real value = 0.0;
+  Real error = 0.0;
 
   /// The bound, raised by more than some dozens of roundings can have taken from it, and by `lost`.
-  double settled(double lost) const { return error * (1 + 0x1p-40) + lost; }
+  Real settled(const Real& lost) const { return error * (1 + 0x1p-40) + lost; }
 };
+using Bounded = BoundedOf<double>;
 
-inline Bounded operator-(const Bounded& a) {
+template <class Real>
+BoundedOf<Real> operator-(const BoundedOf<Real>& a) {
   return {-a.value, a.error};
 }
 
-inline Bounded operator+(const Bounded& a, const Bounded& b) {
-  const double value = a.value + b.value;
-  return {value, a.error + b.error + unit_roundoff * std::abs(value)};
+template <class Real>
+BoundedOf<Real> operator+(const BoundedOf<Real>& a, const BoundedOf<Real>& b) {
+  using std::abs;
+  const Real value = a.value + b.value;
+  return {value, a.error + b.error + unit_roundoff * abs(value)};
 }
 
-inline Bounded operator-(const Bounded& a, const Bounded& b) {
+template <class Real>
+BoundedOf<Real> operator-(const BoundedOf<Real>& a, const BoundedOf<Real>& b) {
   return a + -b;
 }
 
-inline Bounded operator*(const Bounded& a, const Bounded& b) {
-  const double value = a.value * b.value;
-  return {value, std::abs(a.value) * b.error + a.error * (std::abs(b.value) + b.error) +
-                     unit_roundoff * std::abs(value)};
+template <class Real>
+BoundedOf<Real> operator*(const BoundedOf<Real>& a, const BoundedOf<Real>& b) {
+  using std::abs;
+  const Real value = a.value * b.value;
+  return {value, abs(a.value) * b.error + a.error * (abs(b.value) + b.error) + unit_roundoff * abs(value)};
 }
 
 }  // namespace foresee

@@ -18,7 +18,8 @@ T twice(const T& a) {
 inline DoubleDouble twice(const DoubleDouble& a) {
   return {2 * a.high, 2 * a.low};
 }
-inline Bounded twice(const Bounded& a) {
+template <class Real>
+BoundedOf<Real> twice(const BoundedOf<Real>& a) {
   return {2 * a.value, 2 * a.error};
 }
 
@@ -26,9 +27,11 @@ template <class T>
 T square(const T& a) {
   return a * a;
 }
-inline Bounded square(const Bounded& a) {
-  const double value = a.value * a.value;
-  return {value, a.error * (2 * std::abs(a.value) + a.error) + unit_roundoff * value};
+template <class Real>
+BoundedOf<Real> square(const BoundedOf<Real>& a) {
+  using std::abs;
+  const Real value = a.value * a.value;
+  return {value, a.error * (2 * abs(a.value) + a.error) + unit_roundoff * value};
 }
 
 }  // namespace foresee

@@ -51,6 +51,10 @@ struct Offsets {
   friend bool operator==(const Offsets&, const Offsets&) = default;
 };
 
+inline double value_or(const double* row, int place, double otherwise) {
+  return place == Offsets::absent ? otherwise : row[place];
+}
+
 /// The order of the doubles as they are stored: t, x…, v…, a… or force… and mass, the sizes of the shape,
 /// until.
 Offsets record_offsets(const Layout& layout);

@@ -19,7 +19,7 @@ class Sample {
     primitive.kind = kind;
     primitive.count = kind == Primitive::Kind::bound ? 1 : 1 + static_cast<int>(random_() % 3);
     for (int i = 0; i < primitive.count; ++i) {
-      AxisPart& part = primitive.parts[static_cast<std::size_t>(i)];
+      AxisPart& part = primitive.parts[i];
       part = {.axis = primitive.count == 1 ? static_cast<int>(random_() % 3) : i,
               .sign = random_() % 2 ? 1 : -1};
       if (kind != Primitive::Kind::bound) part.at = size(moving && kind == Primitive::Kind::ball);
@@ -69,7 +69,7 @@ class Sample {
     const Dyadic size = value(primitive.size);
     Dyadic sum;
     for (int i = 0; i < primitive.count; ++i) {
-      const AxisPart& part = primitive.parts[static_cast<std::size_t>(i)];
+      const AxisPart& part = primitive.parts[i];
       const auto& m = motion[static_cast<std::size_t>(part.axis)];
       const Dyadic x = Dyadic(m[0]) + t * Dyadic(m[1]) + t * t * Dyadic(m[2]), sign(part.sign),
                    at = value(part.at);

@@ -1,10 +1,14 @@
 // Every stage of contact alone, on the families of hard_pairs.h: where it is certain it agrees with the exact
 // one.
 //
-// Chord and certified double against the exact stage; its 128 bits against integers; and the begin and end
-// that doubles vouch for against those of the exact stage, bit for bit.
+// Chord, certified double and pairs side by side against the exact stage; its 128 bits against integers; and
+// the begin and end that doubles vouch for against those of the exact stage, bit for bit.
 #include <gtest/gtest.h>
 
+#include <cstring>
+
+#include "contact/certain/chord.h"
+#include "contact/certain/set_lanes.h"
 #include "contact/certain/track.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/hard_pairs.h"
@@ -17,7 +21,7 @@ using namespace testing_pairs;
 
 /// How often each stage was certain.
 struct Certain {
-  int chord = 0, track = 0, wide = 0, times = 0;
+  int chord = 0, lanes_miss = 0, lanes_touch = 0, track = 0, wide = 0, times = 0;
 };
 
 using MakeSet = ContactSet (*)(const Setup&);
@@ -44,6 +48,7 @@ class StagesOfPair {
     const ExactMoments exact = exact_moments_of(setup_, row_a_.data(), row_b_.data());
     const bool touches = exact_touches(curves, exact);
     check_doubles(touches);
+    check_lanes(touches, exact);
     check_wide(curves, exact);
     if (touches) check_times(exact);
   }
@@ -51,10 +56,12 @@ class StagesOfPair {
  private:
   void check_doubles(bool touches) {
     CertainScratch scratch(set_);
-    Track<D, Degree> track(set_, setup_, row_a_.data(), row_b_.data(), moments_, scratch);
+    Track<D, Degree> track(set_, setup_, row_a_.data(), row_b_.data(), moments_, {0, for_ever}, scratch);
     const Chord<D> chord(track.certain().relative(), moments_.dt_end);
-    if (moments_.begin_exact && moments_.end_exact &&
-        chord.misses(set_, scratch.lengths, moments_.dt_begin)) {
+    const auto hull = set_.hull();
+    const Period<double> near = chord.between(hull.data(), static_cast<int>(hull.size()), scratch.lengths,
+                                              {moments_.dt_begin, moments_.dt_end});
+    if (moments_.begin_exact && moments_.end_exact && near.begin > near.end) {
       ++certain_.chord;
       EXPECT_FALSE(touches) << "chord: " << case_;
     }
@@ -64,6 +71,47 @@ class StagesOfPair {
       ++certain_.track;
       EXPECT_EQ(verdict == Verdict::yes, touches) << "certified double: " << case_;
     }
+  }
+
+  void check_lanes(bool touches, const ExactMoments& exact) {
+    const AllLengths<Bounded> lengths(set_);
+    std::vector<double> space(lanes_space(set_));
+    const LanesQuestion question{.a = setup_.a.at,
+                                 .b = setup_.b.at,
+                                 .now = setup_.horizon.now,
+                                 .h = setup_.horizon.h,
+                                 .set = set_.arrays(),
+                                 .lengths = lengths.data(),
+                                 .touches_wanted = true,
+                                 .space = space.data()};
+    SetLanes lanes;
+    std::fill_n(lanes.a, lanes.width, row_a_.data());
+    std::fill_n(lanes.b, lanes.width, row_b_.data());
+    set_kernel<D, Degree>().look(question, lanes);
+    expect_from_every_cpu(question, lanes);
+    for (const int l : {0, 13}) {
+      const bool misses = lanes.begin[l] > lanes.end[l];
+      certain_.lanes_miss += misses, certain_.lanes_touch += lanes.touches[l] > 0;
+      EXPECT_FALSE(misses && touches) << "side by side: " << case_;
+      EXPECT_TRUE(touches || !(lanes.touches[l] > 0)) << "side by side: " << case_;
+    }
+    if (!touches) return;
+    PairCurves curves(set_, setup_, row_a_.data(), row_b_.data());
+    const auto times = exact_times(curves, exact);
+    ASSERT_TRUE(times) << case_;
+    EXPECT_GE(times->dt, lanes.begin[0]) << case_;
+    EXPECT_LE(times->dt_end, lanes.end[0] * (1 + 0x1p-52)) << case_;
+  }
+
+  void expect_from_every_cpu(const LanesQuestion& question, const SetLanes& lanes) const {
+    const Simd usual = simd_in_use();
+    for (const Simd simd : available_simd()) {
+      SetLanes others = lanes;
+      use_simd(simd);
+      set_kernel<D, Degree>().look(question, others);
+      EXPECT_EQ(std::memcmp(&lanes, &others, sizeof lanes), 0) << name_of(simd) << ": " << case_;
+    }
+    use_simd(usual);
   }
 
   void check_wide(PairCurves& curves, const ExactMoments& exact) {
@@ -114,6 +162,8 @@ void check_kind(MakeSet make_set, Shapes shapes, std::uint64_t seed) {
     }
   // A stage that is never certain would prove nothing.
   EXPECT_GT(certain.chord, 20);
+  EXPECT_GT(certain.lanes_miss, 40);
+  EXPECT_GT(certain.lanes_touch, 40);
   EXPECT_GT(certain.track, 100);
   EXPECT_GT(certain.wide, 1000);
   EXPECT_GT(certain.times, 50);

@@ -29,9 +29,10 @@ template <int D, int Degree>
 void put_course(BoxLanes<D, Degree>& lanes, int l, const Relative<D>& relative, const double (&half)[D],
                 double end) {
   for (int j = 0; j < D; ++j) {
-    lanes.x[j][l] = relative.x[j], lanes.v[j][l] = relative.v[j], lanes.half[j][l] = half[j];
-    lanes.ex[j][l] = relative.ex[j], lanes.ev[j][l] = relative.ev[j];
-    if constexpr (Degree == 2) lanes.a[j][l] = relative.a[j];
+    const AxisRelative<double>& r = relative.axis[j];
+    lanes.x[j][l] = r.x, lanes.v[j][l] = r.v, lanes.half[j][l] = half[j];
+    lanes.ex[j][l] = r.ex, lanes.ev[j][l] = r.ev;
+    if constexpr (Degree == 2) lanes.a[j][l] = r.a;
   }
   lanes.end[l] = end;
 }
@@ -79,7 +80,7 @@ class BoxContact final : public SetContact<D, Degree> {
         if (lanes_.misses[l] > 0) continue;
         const Pair& pair = some[static_cast<std::size_t>(l)];
         if (!quick_contact(pair, l, settled, wanted, found) &&
-            !this->first_contact(row_a(pair), row_b(pair), wanted, found))
+            !this->first_contact(row_a(pair), row_b(pair), this->any_time, wanted, found))
           continue;
         hits.push_back(pair);
         times.push_back(found);

@@ -10,7 +10,8 @@
 #pragma once
 
 #include "base/lane_math.h"
-#include "contact/boxes/box_registers.h"
+#include "base/registers.h"
+#include "contact/boxes/box_lanes.h"
 #include "numbers/crossed_root.h"
 
 namespace foresee {
@@ -133,22 +134,24 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
   }
 }
 
+/// D columns from `place` on, into the lanes of each of `out`; none if there is no place.
+template <int D>
+void take_columns(const double* const* rows, int place, double (&out)[D][lanes_width]) {
+  if (place < 0) return;
+  for (int lane = 0; lane < lanes_width; lane += register_width)
+    for (int j = 0; j < D; ++j) some(&out[j][lane]) = column(rows + lane, place + j);
+}
+
 template <int D>
 void take_boxes(typename RowLanes<D>::Side& side) {
-  for (int lane = 0; lane < lanes_width; lane += register_width) {
-    const SomeRows<register_width> rows(side.rows + lane);
-    rows.take(side.at_x, side.x, lane);
-    rows.take(side.at_half, side.half, lane);
-  }
+  take_columns(side.rows, side.at_x, side.x);
+  take_columns(side.rows, side.at_half, side.half);
 }
 
 template <int D, int Degree>
 void take_motion(typename RowLanes<D>::Side& side) {
-  for (int lane = 0; lane < lanes_width; lane += register_width) {
-    const SomeRows<register_width> rows(side.rows + lane);
-    rows.take(side.at_v, side.v, lane);
-    if constexpr (Degree == 2) rows.take(side.at_a, side.a, lane);
-  }
+  take_columns(side.rows, side.at_v, side.v);
+  if constexpr (Degree == 2) take_columns(side.rows, side.at_a, side.a);
 }
 
 template <int D, int Degree>

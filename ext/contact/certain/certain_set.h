@@ -80,12 +80,11 @@ class CertainSet {
   /// From now on, what is asked about single primitives is as seen from tau.
   [[gnu::always_inline]] void look_from(double tau) {
     tau_ = tau;
-    AxisView view[D];
-    view_from<D, Degree>(relative_, tau, view);
     for (int j = 0; j < D; ++j) {
-      x_[j][0] = {view[j].p, view[j].ep};
-      x_[j][1] = {view[j].q, view[j].eq};
-      if constexpr (Degree > 1) x_[j][2] = {view[j].a, view[j].ea};
+      const AxisView<> view = view_from<Degree>(relative_.axis[j], tau, relative_.underflow);
+      x_[j][0] = {view.p, view.ep};
+      x_[j][1] = {view.q, view.eq};
+      if constexpr (Degree > 1) x_[j][2] = {view.a, view.ea};
     }
   }
 

@@ -22,10 +22,10 @@ struct Slope {
 };
 
 template <int D>
-Slope slope_of(const AxisView (&view)[D]) {
+Slope slope_of(const AxisView<> (&view)[D]) {
   constexpr double u = unit_roundoff;
   Slope s;
-  for (const AxisView& w : view) {
+  for (const AxisView<>& w : view) {
     const double p = std::abs(w.p), q = std::abs(w.q), a = std::abs(w.a);
     s.value += w.p * w.q;
     s.value_error += p * w.eq + q * w.ep + w.ep * w.eq + 8 * u * (p * q);

@@ -1,4 +1,4 @@
-// For how long does a polynomial certainly stay positive, from double arithmetic?
+// For how long does a polynomial certainly period positive, from double arithmetic?
 //
 // Coefficients come with bounds on their errors. Only the value at one moment and those bounds are used:
 // roots are never trusted, only stayed short of.
@@ -14,6 +14,12 @@ namespace foresee {
 
 constexpr double not_certain = -1;
 constexpr double for_ever = std::numeric_limits<double>::infinity();
+
+/// From `begin` to `end`; never if end < begin.
+template <class Real>
+struct Period {
+  Real begin, end;
+};
 
 /// s such that p0 + p1 t + p2 t^2 > 0 for all t in [0, s). Requires p0 > 0. NaN and overflow give 0.
 inline double positive_for(double p0, double p1, double p2) {

@@ -4,62 +4,67 @@
 // H implies that the chord is within H plus that. Each bound of the contact set's hull cuts the time asked
 // about with one product. An empty interval is a certain miss. All widths are raised by far more than
 // rounding can lose; numbers too large for that give no answer, which is for ever.
+//
+// Real: double, or several pairs at once (base/doubles.h): there are no branches, as which way the two go
+// past each other is anybody's guess.
 #pragma once
 
 #include <cmath>
 
+#include "contact/certain/axis_relative.h"
 #include "contact/certain/certified.h"
-#include "contact/certain/relative.h"
 #include "contact/set/contact_set.h"
 
 namespace foresee {
 
-template <int D>
+template <int D, class Real = double>
 class Chord {
  public:
   /// Requires: 0 <= end, which is h up to rounding.
-  Chord(const Relative<D>& relative, double end) : end_(end) {
+  Chord(const Relative<D, Real>& relative, const Real& end) {
+    using std::abs;
     constexpr double slack = 0x1p-40, least_slope = 0x1p-1000;
     for (int j = 0; j < D; ++j) {
-      const double bend = end * end * std::abs(relative.a[j]), turn = end * std::abs(relative.v[j]);
-      const double lost = relative.ex[j] + end * (relative.ev[j] + end * relative.ea[j]) + end * least_slope;
-      const double slope = relative.v[j] + end * relative.a[j];
-      at_[j] = relative.x[j];
-      steep_[j] = 1 / (std::abs(slope) < least_slope ? least_slope : slope);
-      room_[j] = 0.25 * bend + lost + slack * (std::abs(at_[j]) + turn + bend) + 0x1p-1000;
+      const AxisRelative<Real>& r = relative.axis[j];
+      const Real bend = end * end * abs(r.a), turn = end * abs(r.v);
+      const Real lost = r.ex + end * (r.ev + end * r.ea) + end * least_slope;
+      const Real slope = r.v + end * r.a;
+      at_[j] = r.x;
+      steep_[j] = 1 / select(abs(slope) < least_slope, least_slope, slope);
+      room_[j] = 0.25 * bend + lost + slack * (abs(at_[j]) + turn + bend) + 0x1p-1000;
     }
   }
 
-  /// For certain no moment from `begin` on is within the set's hull.
-  bool misses(const ContactSet& set, const AllLengths<Bounded>& lengths, double begin) const {
-    double end = end_;
-    for (const Faces& faces : set.hull()) {
-      // No branches: which way the two go past each other is anybody's guess.
-      const double below = crossing(faces.axis, -1, faces.has_below, faces.below, lengths);
-      const double above = crossing(faces.axis, 1, faces.has_above, faces.above, lengths);
-      const double first = below < above ? below : above, last = below < above ? above : below;
-      begin = begin < first ? first : begin;
-      end = end > last ? last : end;
+  /// Of `asked`, the moments at which the pair may be between all `faces`, as those of a set's hull.
+  template <class Lengths>
+  Period<Real> between(const Faces* faces, int count, const Lengths& lengths, Period<Real> asked) const {
+    for (int i = 0; i < count; ++i) {
+      const Real below = crossing(faces[i].axis, -1, faces[i].has_below, faces[i].below, lengths);
+      const Real above = crossing(faces[i].axis, 1, faces[i].has_above, faces[i].above, lengths);
+      asked.begin = greater(lesser(below, above), asked.begin);
+      asked.end = lesser(greater(above, below), asked.end);
     }
-    return begin > end;
+    return asked;
   }
 
  private:
   /// When the chord crosses a face: infinite, towards the side that the face is on, if there is none.
-  double crossing(int axis, double side, bool there, int number, const AllLengths<Bounded>& lengths) const {
-    double size = 0;
+  template <class Lengths>
+  Real crossing(int axis, double side, bool there, int number, const Lengths& lengths) const {
+    using std::abs;
+    Real size = 0.0;
     if (number != no_length) {
-      const Bounded& length = lengths[number];
-      size = length.value + length.error + std::abs(length.value) * 0x1p-40;
+      const BoundedOf<Real> length = lengths[number];
+      size = length.value + length.error + abs(length.value) * 0x1p-40;
     }
-    const double width = size + room_[axis], steep = steep_[axis];
+    const Real width = size + room_[axis], steep = steep_[axis];
     // A slope that is no number has no sign to go by, and the two faces must not end up on one side.
-    if (!there || !(width < 0x1p1000)) return (side > 0) == (steep > 0) ? for_ever : -for_ever;
-    return (side * width - at_[axis]) * steep;
+    const Real none = select(steep > 0, Real(side * for_ever), Real(-side * for_ever));
+    if (!there) return none;
+    return select(width < 0x1p1000, (side * width - at_[axis]) * steep, none);
   }
 
-  double at_[D], steep_[D], room_[D];
-  double end_;
+  Real at_[D], steep_[D], room_[D];
 };
 
 }  // namespace foresee

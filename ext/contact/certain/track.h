@@ -9,7 +9,6 @@
 #include <cstdint>
 
 #include "contact/certain/certain_set.h"
-#include "contact/certain/chord.h"
 
 namespace foresee {
 
@@ -24,30 +23,27 @@ struct Bracket {
 template <int D, int Degree>
 class Track {
  public:
+  /// `near`: only then can they touch, if at all.
   [[gnu::flatten]] Track(const ContactSet& set, const Setup& setup, const double* row_a, const double* row_b,
-                         const Moments& moments, CertainScratch& scratch)
-      : scratch_(scratch), certain_(set, setup, row_a, row_b, scratch) {
+                         const Moments& moments, const Period<double>& near, CertainScratch& scratch)
+      : certain_(set, setup, row_a, row_b, scratch) {
     constexpr double u = unit_roundoff;
     const double begin = moments.dt_begin, end = moments.dt_end;
-    begin_ = moments.begin_exact ? begin : begin * (1 - 2 * u);
+    begin_ = std::max(moments.begin_exact ? begin : begin * (1 - 2 * u), near.begin);
     inner_begin_ = moments.begin_exact ? begin : begin * (1 + 2 * u);
     end_ = moments.end_exact ? end : end * (1 + 2 * u);
     inner_end_ = moments.end_exact ? end : end * (1 - 2 * u);
-  }
-
-  /// The cheap answer that lets most candidates go.
-  [[gnu::flatten]] bool certainly_missed() const {
-    return Chord<D>(certain_.relative(), end_).misses(certain_.set(), scratch_.lengths, begin_);
+    near_end_ = std::min(end_, near.end);
   }
 
   /// Is there a contact? Looks for any moment of it, not for its begin.
   Verdict touches() {
-    if (certainly_missed()) return Verdict::no;
+    if (begin_ > near_end_) return Verdict::no;
     double tau = begin_;
     for (int leaps = 0; leaps < most_leaps; ++leaps) {
       const double step = apart(tau);
       const double next = step >= 0 ? after_leap(tau, step) : tau;
-      if (next > end_) return Verdict::no;
+      if (next > near_end_) return Verdict::no;
       const double inside = std::max(next * (1 + 0x1p-20), inner_begin_);
       if (inside <= inner_end_ && certain_.now_within(inside)) return Verdict::yes;
       if (!(next > tau)) break;
@@ -59,8 +55,9 @@ class Track {
 
   /// Is there a contact? If yes, `first` brackets its begin.
   Verdict first_contact(Bracket& first) {
-    const double stopped = leap([this](double tau) { return apart(tau); }, begin_);
-    if (stopped > end_) return Verdict::no;
+    if (begin_ > near_end_) return Verdict::no;
+    const double stopped = leap([this](double tau) { return apart(tau); }, begin_, near_end_);
+    if (stopped == for_ever) return Verdict::no;
     first = {stopped, stopped};
     const bool met = witness([this](double tau) { return certain_.now_within(tau); }, first, inner_begin_);
     return met ? Verdict::yes : Verdict::uncertain;
@@ -69,8 +66,9 @@ class Track {
   /// From a moment of certain contact: brackets its end. yes: it ends; no: it lasts to the end of the
   /// horizon.
   Verdict end_of_contact(double from, Bracket& last) {
-    const double stopped = leap([this](double tau) { return certain_.within(tau, room_from(tau)); }, from);
-    if (stopped > end_) return Verdict::no;
+    const auto within = [this](double tau) { return certain_.within(tau, room_from(tau, end_)); };
+    const double stopped = leap(within, from, end_);
+    if (stopped == for_ever) return Verdict::no;
     last = {stopped, stopped};
     const bool left = witness([this](double tau) { return certain_.now_apart(tau); }, last, stopped);
     return left ? Verdict::yes : Verdict::uncertain;
@@ -85,17 +83,17 @@ class Track {
     return (tau + step) * (1 - 4 * unit_roundoff) - 0x1p-1060;
   }
 
-  double room_from(double tau) const { return (end_ - tau) * (1 + 4 * unit_roundoff); }
-  double apart(double tau) { return certain_.apart(tau, room_from(tau)); }
+  static double room_from(double tau, double end) { return (end - tau) * (1 + 4 * unit_roundoff); }
+  double apart(double tau) { return certain_.apart(tau, room_from(tau, near_end_)); }
 
-  /// The moment up to which what `ask` tells stays certain; for_ever if it does for the whole of [tau, end_].
+  /// The moment up to which what `ask` tells stays certain; for_ever if it does for the whole of [tau, end].
   template <class Ask>
-  double leap(Ask&& ask, double tau) const {
+  static double leap(Ask&& ask, double tau, double end) {
     for (int leaps = 0; leaps < most_leaps; ++leaps) {
       const double step = ask(tau);
       if (!(step >= 0)) return tau;
       const double next = after_leap(tau, step);
-      if (next > end_) return for_ever;
+      if (next > end) return for_ever;
       if (!(next > tau)) return tau;
       tau = next;
       if (step < 0x1p-40 * tau) return tau;  // as near to the crossing as a bracket needs to be
@@ -118,9 +116,9 @@ class Track {
     return inner_end_ >= earliest && ask(inner_end_);
   }
 
-  const CertainScratch& scratch_;
   CertainSet<D, Degree> certain_;
   double begin_, inner_begin_, inner_end_, end_;
+  double near_end_;  ///< they do not touch later
 };
 
 }  // namespace foresee

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/set/contact_set.h"
+#include "contact/set/pair_source.h"
 #include "numbers/curve.h"
 
 namespace foresee {

@@ -14,7 +14,7 @@ int appended(std::vector<T>& list, const T& value) {
 
 Primitive primitive_of(Primitive::Kind kind, std::span<const AxisPart> parts, const Size& size) {
   Primitive primitive{.kind = kind, .count = static_cast<int>(parts.size()), .size = size};
-  std::copy(parts.begin(), parts.end(), primitive.parts.begin());
+  std::copy(parts.begin(), parts.end(), primitive.parts);
   return primitive;
 }
 
@@ -64,6 +64,12 @@ int ContactSet::degree() const {
     for (const AxisPart& part : primitive.parts) degree = std::max(degree, degree_of(part.at));
   }
   return degree;
+}
+
+ContactSet::Arrays ContactSet::arrays() const {
+  const auto count = [](const auto& list) { return static_cast<int>(list.size()); };
+  return {lengths_.data(), count(lengths_), primitives_.data(), count(primitives_), pieces_.data(),
+          count(pieces_),  members_.data(), hull_.data(),       count(hull_)};
 }
 
 }  // namespace foresee

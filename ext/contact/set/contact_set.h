@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "contact/set/primitive.h"
+#include "shape/layout.h"
 
 namespace foresee {
 
@@ -60,6 +61,19 @@ class ContactSet {
     Part all, around, beyond;
   };
 
+  /// All of it, for kernels.
+  struct Arrays {
+    const Length* lengths;
+    int length_count;
+    const Primitive* primitives;
+    int primitive_count;
+    const Piece* pieces;
+    int piece_count;
+    const int* members;
+    const Faces* hull;
+    int hull_count;
+  };
+
   // Lengths; each function gives a length's number, or no_length for what is 0 in every pair.
   int in_both(int place_a, int place_b) {
     if (place_a == Offsets::absent && place_b == Offsets::absent) return no_length;
@@ -97,6 +111,7 @@ class ContactSet {
   }
   /// The highest power of time in its sizes.
   int degree() const;
+  Arrays arrays() const;
 
  private:
   bool varies(int length) const {
@@ -144,6 +159,20 @@ T length_of(const ContactSet& set, const double* row_a, const double* row_b, int
   }
 }
 
+/// A length that varies, from `known`, those before it; `in_both` gives what the rows have at two places,
+/// added.
+template <class T, class Lengths, class InBoth>
+T varying_length(const Length& length, const Lengths& known, InBoth&& in_both) {
+  switch (length.from) {
+    case Length::From::both_rows:
+      return in_both(length.a, length.b);
+    case Length::From::sum:
+      return known[length.a] + known[length.b];
+    default:
+      return length_at<T>(known, length.a) - known[length.b];
+  }
+}
+
 /// All lengths of one pair after another, in the order of their numbers; what is the same for all is computed
 /// once.
 template <class T>
@@ -157,23 +186,15 @@ class AllLengths {
   void take(const ContactSet& set, const double* row_a, const double* row_b) {
     using E = Exactly<T>;
     T* const out = lengths_.data();
-    for (const int i : set.varying()) {
-      const Length& length = set.lengths()[static_cast<std::size_t>(i)];
-      switch (length.from) {
-        case Length::From::both_rows:
-          out[i] = E::number(value_or(row_a, length.a, 0)) + E::number(value_or(row_b, length.b, 0));
-          break;
-        case Length::From::sum:
-          out[i] = out[length.a] + out[length.b];
-          break;
-        default:
-          out[i] = length_at<T>(out, length.a) - out[length.b];
-          break;
-      }
-    }
+    const auto in_both = [row_a, row_b](int place_a, int place_b) {
+      return E::number(value_or(row_a, place_a, 0)) + E::number(value_or(row_b, place_b, 0));
+    };
+    for (const int i : set.varying())
+      out[i] = varying_length<T>(set.lengths()[static_cast<std::size_t>(i)], out, in_both);
   }
 
   const T& operator[](int number) const { return lengths_[static_cast<std::size_t>(number)]; }
+  const T* data() const { return lengths_.data(); }
 
  private:
   std::vector<T> lengths_;

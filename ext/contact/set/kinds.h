@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "contact/set/contact_set.h"
+#include "contact/set/pair_source.h"
 
 namespace foresee {
 

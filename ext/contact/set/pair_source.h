@@ -9,7 +9,8 @@
 #include <limits>
 
 #include "contact/contact.h"
-#include "numbers/double_double.h"
+#include "motion/axis_motion.h"
+#include "numbers/exactly.h"
 
 namespace foresee {
 
@@ -24,10 +25,6 @@ struct Setup {
   double within_z = 0;
   const WindowFaces* window = nullptr;
 };
-
-inline double value_or(const double* row, int place, double otherwise) {
-  return place == Offsets::absent ? otherwise : row[place];
-}
 
 /// Centre of b minus centre of a: x + v tau + a tau^2 on each axis, so `a` is half the relative acceleration.
 template <class T, int D>
@@ -71,35 +68,19 @@ inline Moments moments_of(const Setup& setup, const double* row_a, const double*
   return moments;
 }
 
-/// Motion of one side on one axis at its own reference time; what is not declared is 0.
-struct AxisMotion {
-  double x, v, a;
-};
-
-inline AxisMotion axis_motion(const Bodies& bodies, const double* row, int axis) {
+/// What is not declared is 0.
+inline AxisMotion<double> axis_motion(const Bodies& bodies, const double* row, int axis) {
   const Offsets& at = bodies.at;
   return {row[at.x + axis], at.v == Offsets::absent ? 0 : row[at.v + axis],
           at.a == Offsets::absent ? 0 : row[at.a + axis]};
 }
-
-/// Conversions that let one piece of code compute with DoubleDouble and with exact numbers.
-template <class T>
-struct Exactly {
-  static T number(double value) { return T{value}; }
-  static T difference_of(double a, double b) { return T{a} - T{b}; }
-};
-template <>
-struct Exactly<DoubleDouble> {
-  static DoubleDouble number(double value) { return {value, 0}; }
-  static DoubleDouble difference_of(double a, double b) { return difference(a, b); }
-};
 
 template <class T>
 AxisCourse<T> axis_course_of(const Setup& setup, const double* row_a, const double* row_b, int axis) {
   using E = Exactly<T>;
   const double now = setup.horizon.now;
   const double t_a = value_or(row_a, setup.a.at.t, 0), t_b = value_or(row_b, setup.b.at.t, 0);
-  const AxisMotion a = axis_motion(setup.a, row_a, axis), b = axis_motion(setup.b, row_b, axis);
+  const AxisMotion<double> a = axis_motion(setup.a, row_a, axis), b = axis_motion(setup.b, row_b, axis);
   const T x = E::difference_of(b.x, a.x), v = E::difference_of(b.v, a.v);
   const T acceleration = E::difference_of(b.a, a.a), half_acceleration = half_of(acceleration);
   if (t_a == now && t_b == now) return {x, v, half_acceleration};

@@ -14,7 +14,7 @@
 #include <array>
 #include <cstdint>
 
-#include "contact/set/pair_source.h"
+#include "numbers/exactly.h"
 #include "numbers/powers.h"
 
 namespace foresee {
@@ -44,7 +44,7 @@ struct Primitive {
   };
   Kind kind;
   int count = 0;  ///< of parts
-  std::array<AxisPart, 3> parts = {};
+  AxisPart parts[3] = {};
   Size size = {};
 };
 
@@ -55,11 +55,12 @@ T length_at(const Lengths& lengths, int number) {
   return lengths[number];
 }
 
-/// A size by powers of the time after tau. Requires: K is at least its degree, or 0 for its value alone.
-template <int K, class T, class Lengths>
-[[gnu::noinline]] Powers<T, K> moving_size(const Size& size, const Lengths& lengths, double tau) {
-  const T t = Exactly<T>::number(tau), rate = length_at<T>(lengths, size.rate),
-          bend = length_at<T>(lengths, size.bend), turn = t * bend;
+/// A size by powers of the time after tau, a double or as many as T has. Requires: K is at least its degree,
+/// or 0 for its value alone.
+template <int K, class T, class Lengths, class Moment>
+[[gnu::noinline]] Powers<T, K> moving_size(const Size& size, const Lengths& lengths, const Moment& tau) {
+  const T t = T{tau}, rate = length_at<T>(lengths, size.rate), bend = length_at<T>(lengths, size.bend),
+          turn = t * bend;
   Powers<T, K> p;
   p[0] = length_at<T>(lengths, size.value) + t * (rate + turn);
   if constexpr (K >= 1) p[1] = rate + twice(turn);
@@ -68,9 +69,9 @@ template <int K, class T, class Lengths>
 }
 
 /// p minus sign times the size.
-template <int K, class T, class Lengths>
+template <int K, class T, class Lengths, class Moment>
 [[gnu::always_inline]] inline void subtract_size(Powers<T, K>& p, const Size& size, int sign,
-                                                 const Lengths& lengths, double tau) {
+                                                 const Lengths& lengths, const Moment& tau) {
   if (!size.moves()) {
     if (size.value == no_length) return;
     p[0] = sign > 0 ? p[0] - lengths[size.value] : p[0] + lengths[size.value];
@@ -80,9 +81,9 @@ template <int K, class T, class Lengths>
   for (int k = 0; k <= K; ++k) p[k] = sign > 0 ? p[k] - s[k] : p[k] + s[k];
 }
 
-template <int K, class T, class Lengths>
+template <int K, class T, class Lengths, class Moment>
 [[gnu::always_inline]] inline Powers<T, K> bound_polynomial(const Primitive& bound, const Powers<T, K>* x,
-                                                            const Lengths& lengths, double tau) {
+                                                            const Lengths& lengths, const Moment& tau) {
   Powers<T, K> p = x[bound.parts[0].axis];
   if (bound.parts[0].sign < 0)
     for (T& c : p) c = -c;
@@ -90,9 +91,9 @@ template <int K, class T, class Lengths>
   return p;
 }
 
-template <int K, class T, class Lengths>
+template <int K, class T, class Lengths, class Moment>
 Powers<T, K> half_space_polynomial(const Primitive& space, const Powers<T, K>* x, const Lengths& lengths,
-                                   double tau) {
+                                   const Moment& tau) {
   Powers<T, K> p{};
   for (int i = 0; i < space.count; ++i) {
     const AxisPart& part = space.parts[i];
@@ -119,9 +120,9 @@ template <int K, class T>
 }
 
 /// Over so many axes.
-template <int Count, int K, class T, class Lengths, class Wanted>
+template <int Count, int K, class T, class Lengths, class Moment, class Wanted>
 [[gnu::always_inline]] inline Powers<T, 2 * K> ball_over(const Primitive& ball, const Powers<T, K>* x,
-                                                         const Lengths& lengths, double tau,
+                                                         const Lengths& lengths, const Moment& tau,
                                                          Wanted&& wanted) {
   Powers<T, K> gaps[Count], radius{};
   if (ball.size.moves())
@@ -145,9 +146,9 @@ template <int Count, int K, class T, class Lengths, class Wanted>
   return p;
 }
 
-template <int K, class T, class Lengths, class Wanted>
+template <int K, class T, class Lengths, class Moment, class Wanted>
 Powers<T, 2 * K> ball_polynomial(const Primitive& ball, const Powers<T, K>* x, const Lengths& lengths,
-                                 double tau, Wanted&& wanted) {
+                                 const Moment& tau, Wanted&& wanted) {
   if (ball.count == 1) return ball_over<1, K>(ball, x, lengths, tau, wanted);
   if (ball.count == 2) return ball_over<2, K>(ball, x, lengths, tau, wanted);
   return ball_over<3, K>(ball, x, lengths, tau, wanted);
@@ -156,9 +157,9 @@ Powers<T, 2 * K> ball_polynomial(const Primitive& ball, const Powers<T, K>* x, c
 /// Gives `take` the primitive by powers of the time after tau: at most 0 inside. `x`: the relative motion on
 /// each axis, likewise as it is seen from tau. A ball has powers up to 2 K, others up to K. `wanted` is asked
 /// with the value at tau whether more than that value matters; if not, the rest may be anything.
-template <int K, class T, class Lengths, class Wanted, class Take>
+template <int K, class T, class Lengths, class Moment, class Wanted, class Take>
 [[gnu::always_inline]] inline auto with_polynomial(const Primitive& primitive, const Powers<T, K>* x,
-                                                   const Lengths& lengths, double tau, Wanted&& wanted,
+                                                   const Lengths& lengths, const Moment& tau, Wanted&& wanted,
                                                    Take&& take) {
   switch (primitive.kind) {
     case Primitive::Kind::bound:
@@ -171,9 +172,9 @@ template <int K, class T, class Lengths, class Wanted, class Take>
 }
 
 /// All of it, filled up with zeros to powers up to 2 K.
-template <int K, class T, class Lengths>
+template <int K, class T, class Lengths, class Moment>
 Powers<T, 2 * K> polynomial_of(const Primitive& primitive, const Powers<T, K>* x, const Lengths& lengths,
-                               double tau) {
+                               const Moment& tau) {
   const auto wanted = [](const T&) { return true; };
   return with_polynomial<K>(primitive, x, lengths, tau, wanted, [](const auto& some) {
     Powers<T, 2 * K> all{};

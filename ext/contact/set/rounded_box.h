@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "contact/set/contact_set.h"
+#include "contact/set/pair_source.h"
 
 namespace foresee {
 

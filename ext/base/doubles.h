@@ -1,0 +1,69 @@
+// Some doubles at once, as many as a register holds, with the operations of one: for code that is written for
+// any real number type. For kernels (base/simd.h); everything here is local to the file that includes it, and
+// so is what templates make of it.
+#pragma once
+
+#include "base/registers.h"
+#include "base/select.h"
+
+namespace foresee {
+namespace {
+
+struct DoublesMask {
+  decltype(Some{} < Some{}) of;
+};
+
+struct Doubles {
+  Some of;
+
+  Doubles() : of{} {}
+  Doubles(double everywhere) : of(everywhere - Some{}) {}
+  Doubles(const Some& some) : of(some) {}
+};
+
+inline Doubles operator-(const Doubles& a) {
+  return -a.of;
+}
+inline Doubles operator+(const Doubles& a, const Doubles& b) {
+  return a.of + b.of;
+}
+inline Doubles operator-(const Doubles& a, const Doubles& b) {
+  return a.of - b.of;
+}
+inline Doubles operator*(const Doubles& a, const Doubles& b) {
+  return a.of * b.of;
+}
+inline Doubles operator/(const Doubles& a, const Doubles& b) {
+  return a.of / b.of;
+}
+
+inline DoublesMask operator<(const Doubles& a, const Doubles& b) {
+  return {a.of < b.of};
+}
+inline DoublesMask operator>(const Doubles& a, const Doubles& b) {
+  return {a.of > b.of};
+}
+inline DoublesMask operator<=(const Doubles& a, const Doubles& b) {
+  return {a.of <= b.of};
+}
+inline DoublesMask operator&(const DoublesMask& a, const DoublesMask& b) {
+  return {a.of & b.of};
+}
+inline DoublesMask operator|(const DoublesMask& a, const DoublesMask& b) {
+  return {a.of | b.of};
+}
+
+inline Doubles select(const DoublesMask& chosen, const Doubles& a, const Doubles& b) {
+  return chosen.of ? a.of : b.of;
+}
+inline Doubles abs(const Doubles& a) {
+  return a.of < 0.0 ? -a.of : a.of;
+}
+inline bool any(const DoublesMask& mask) {
+  for (int l = 0; l < register_width; ++l)
+    if (mask.of[l]) return true;
+  return false;
+}
+
+}  // namespace
+}  // namespace foresee

@@ -1,0 +1,94 @@
+// The relative course of a pair in plain double, each number with a bound on its error.
+//
+// With u = 2^-53 and S the larger |now - t|: positions are differenced before anything is added, so that two
+// objects near each other and far from the origin lose nothing. Each coefficient is a sum of at most six
+// rounded terms, each with at most five roundings behind it: within 12u of the sum of the terms' magnitudes,
+// plus what underflow loses (below 2^-1070 (1 + S)^2).
+//
+// Real: double, or several pairs at once (base/doubles.h).
+#pragma once
+
+#include <cmath>
+
+#include "base/select.h"
+#include "motion/axis_motion.h"
+#include "numbers/double_double.h"
+
+namespace foresee {
+
+/// Up to this age of a motion what underflow loses is usual_underflow: a constant, as multiplying subnormal
+/// numbers costs processors a hundred cycles each.
+constexpr double usual_age = 0x1p40, usual_underflow = 0x1p-988;
+
+/// One axis: x + v tau + a tau^2 (a is half the relative acceleration), and bounds on the errors.
+template <class Real>
+struct AxisRelative {
+  Real x, v, a;
+  Real ex, ev, ea;
+};
+
+template <int D, class Real = double>
+struct Relative {
+  AxisRelative<Real> axis[D];
+  Real underflow;  ///< bound on what underflow loses in evaluating at any tau of the horizon
+};
+
+/// One axis seen from a moment: p + q s + a s^2 for the time s after it.
+template <class Real = double>
+struct AxisView {
+  Real p, q, a;
+  Real ep, eq, ea;
+};
+
+/// Whatever the two reference times are, `s_a` and `s_b` before now.
+template <int Degree, class Real>
+AxisRelative<Real> axis_of_any_age(const AxisMotion<Real>& a, const AxisMotion<Real>& b, const Real& s_a,
+                                   const Real& s_b, const Real& underflow) {
+  using std::abs;
+  constexpr double u = unit_roundoff;
+  const Real x = b.x - a.x, v = b.v - a.v;
+  if constexpr (Degree < 2)
+    return {x + (s_b * b.v - s_a * a.v),
+            v,
+            0.0,
+            12 * u * (abs(x) + abs(s_a) * abs(a.v) + abs(s_b) * abs(b.v)) + underflow,
+            u * abs(v) + underflow,
+            0.0};
+  const Real turn_a = s_a * a.a, turn_b = s_b * b.a, half = 0.5 * (b.a - a.a);
+  return {x + (s_b * (b.v + 0.5 * turn_b) - s_a * (a.v + 0.5 * turn_a)),
+          v + (turn_b - turn_a),
+          half,
+          12 * u * (abs(x) + abs(s_a) * (abs(a.v) + abs(turn_a)) + abs(s_b) * (abs(b.v) + abs(turn_b))) +
+              underflow,
+          12 * u * (abs(v) + abs(turn_a) + abs(turn_b)) + underflow,
+          u * abs(half) + underflow};
+}
+
+/// Requires: 0 <= tau <= h.
+template <int Degree, class Real>
+AxisView<Real> view_from(const AxisRelative<Real>& r, const Real& tau, const Real& underflow) {
+  using std::abs;
+  constexpr double u = unit_roundoff;
+  if constexpr (Degree < 2)
+    return {r.x + tau * r.v,
+            r.v,
+            0.0,
+            r.ex + tau * r.ev + 4 * u * (abs(r.x) + tau * abs(r.v)) + underflow,
+            r.ev,
+            0.0};
+  const Real turn = tau * r.a, reach = tau * (abs(r.v) + abs(turn));
+  return {r.x + tau * (r.v + turn),
+          r.v + 2 * turn,
+          r.a,
+          r.ex + tau * (r.ev + tau * r.ea) + 5 * u * (abs(r.x) + reach) + underflow,
+          r.ev + 2 * tau * r.ea + 4 * u * (abs(r.v) + 2 * abs(turn)) + underflow,
+          r.ea};
+}
+
+/// All axes.
+template <int D, int Degree, class Real>
+void view_from(const Relative<D, Real>& r, const Real& tau, AxisView<Real> (&view)[D]) {
+  for (int j = 0; j < D; ++j) view[j] = view_from<Degree>(r.axis[j], tau, r.underflow);
+}
+
+}  // namespace foresee

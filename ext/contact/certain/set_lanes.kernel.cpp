@@ -1,0 +1,154 @@
+// Pairs against their contact set, a register of them at once: a kernel (base/simd.h).
+#include "contact/certain/set_lanes.h"
+
+#include "base/doubles.h"
+#include "contact/certain/chord.h"
+
+namespace foresee {
+namespace {
+
+using BoundedDoubles = BoundedOf<Doubles>;
+
+/// The rows of one side.
+struct Rows {
+  const double* const* row;
+
+  Doubles operator()(int place, double otherwise = 0) const {
+    return place == Offsets::absent ? Doubles(otherwise) : Doubles(column(row, place));
+  }
+};
+
+/// Lengths by number, in memory.
+struct LengthLanes {
+  double* at;
+
+  BoundedDoubles operator[](int i) const {
+    return {Doubles(some(place(i))), Doubles(some(place(i) + register_width))};
+  }
+  void put(int i, const BoundedDoubles& length) const {
+    some(place(i)) = length.value.of, some(place(i) + register_width) = length.error.of;
+  }
+  double* place(int i) const { return at + 2 * register_width * i; }
+};
+
+/// When both exist, from now on: rounded outward, and inward.
+struct Lives {
+  Period<Doubles> asked, inner;
+
+  Lives(const LanesQuestion& q, const Rows& a, const Rows& b) {
+    constexpr double u = unit_roundoff;
+    const Doubles start = greater(greater(a(q.a.t), b(q.b.t)), Doubles(q.now)) - q.now;
+    const Doubles stop = lesser(a(q.a.until, for_ever), b(q.b.until, for_ever)) - q.now;
+    asked = {start * (1 - 2 * u), lesser(stop * (1 + 2 * u), Doubles(q.h))};
+    inner = {start * (1 + 2 * u), lesser(stop * (1 - 2 * u), Doubles(q.h))};
+  }
+};
+
+template <int D, int Degree>
+class Look {
+ public:
+  Look(const LanesQuestion& q, const Rows& a, const Rows& b)
+      : q_(q),
+        lives_(q, a, b),
+        lengths_{q.space},
+        values_(q.space + 2 * register_width * q.set.length_count) {
+    take_course(a, b);
+    take_lengths(a, b);
+  }
+
+  /// Only then can they touch.
+  Period<Doubles> period() const {
+    const Chord<D, Doubles> chord(relative_, lives_.asked.end);
+    const Period<Doubles> near = chord.between(q_.set.hull, q_.set.hull_count, lengths_, lives_.asked);
+    return {select(usual_, near.begin, lives_.asked.begin), select(usual_, near.end, lives_.asked.end)};
+  }
+
+  /// At a moment they certainly touch.
+  DoublesMask touches(const Doubles& moment) const {
+    Powers<BoundedDoubles, 0> x[D];
+    for (int j = 0; j < D; ++j) {
+      const AxisView<Doubles> view = view_from<Degree>(relative_.axis[j], moment, relative_.underflow);
+      x[j][0] = {view.p, view.ep};
+    }
+    for (int i = 0; i < q_.set.primitive_count; ++i) {
+      const BoundedDoubles p = polynomial_of<0>(q_.set.primitives[i], x, lengths_, moment)[0];
+      some(values_ + register_width * i) = (p.value + p.settled(usual_underflow + 0x1p-1060)).of;
+    }
+    DoublesMask in_some = Doubles(0.0) < Doubles(0.0);
+    for (int i = 0; i < q_.set.piece_count; ++i) in_some = in_some | in_piece(q_.set.pieces[i]);
+    return in_some & usual_ & (lives_.inner.begin <= moment) & (moment <= lives_.inner.end);
+  }
+
+ private:
+  void take_course(const Rows& a, const Rows& b) {
+    const Doubles s_a = q_.now - a(q_.a.t), s_b = q_.now - b(q_.b.t);
+    usual_ = 1 + greater(abs(s_a), abs(s_b)) + q_.h <= usual_age;
+    relative_.underflow = usual_underflow;
+    for (int j = 0; j < D; ++j)
+      relative_.axis[j] =
+          axis_of_any_age<Degree>(motion(a, q_.a, j), motion(b, q_.b, j), s_a, s_b, relative_.underflow);
+  }
+
+  static AxisMotion<Doubles> motion(const Rows& rows, const Offsets& at, int j) {
+    const auto number = [&rows, j](int place) {
+      return place == Offsets::absent ? Doubles(0.0) : rows(place + j);
+    };
+    return {number(at.x), number(at.v), Degree < 2 ? Doubles(0.0) : number(at.a)};
+  }
+
+  void take_lengths(const Rows& a, const Rows& b) {
+    const auto in_both = [&a, &b](int place_a, int place_b) {
+      return BoundedDoubles{a(place_a)} + BoundedDoubles{b(place_b)};
+    };
+    for (int i = 0; i < q_.set.length_count; ++i) {
+      const Length& length = q_.set.lengths[i];
+      lengths_.put(i, length.varies
+                          ? varying_length<BoundedDoubles>(length, lengths_, in_both)
+                          : BoundedDoubles{Doubles(q_.lengths[i].value), Doubles(q_.lengths[i].error)});
+    }
+  }
+
+  DoublesMask in_piece(const ContactSet::Piece& piece) const {
+    DoublesMask in_all = Doubles(0.0) <= Doubles(0.0);
+    for (auto i = piece.all.begin; i < piece.all.end; ++i)
+      in_all = in_all & (Doubles(some(values_ + register_width * q_.set.members[i])) < 0.0);
+    return in_all;
+  }
+
+  const LanesQuestion& q_;
+  const Lives lives_;
+  Relative<D, Doubles> relative_;
+  DoublesMask usual_;  ///< no time is so long that underflow would lose more than usual
+  const LengthLanes lengths_;
+  double* const values_;  ///< of each primitive, at most
+};
+
+template <int D, int Degree>
+void look_here(const LanesQuestion& q, SetLanes& lanes) {
+  for (int l = 0; l < lanes.width; l += register_width) {
+    const Look<D, Degree> look(q, Rows{lanes.a + l}, Rows{lanes.b + l});
+    const Period<Doubles> period = look.period();
+    some(lanes.begin + l) = period.begin.of, some(lanes.end + l) = period.end.of;
+    if (!q.touches_wanted) continue;
+    DoublesMask found = period.begin <= period.end;
+    if (any(found)) found = found & look.touches(0.5 * (period.begin + period.end));
+    some(lanes.touches + l) = select(found, Doubles(1.0), Doubles(0.0)).of;
+  }
+}
+
+}  // namespace
+
+template <int D, int Degree, Simd simd>
+const SetKernel<D, Degree>& set_kernel() {
+  static constexpr SetKernel<D, Degree> kernel{look_here<D, Degree>};
+  return kernel;
+}
+
+template const SetKernel<1, 1>& set_kernel<1, 1, Simd::FORESEE_SIMD>();
+template const SetKernel<1, 2>& set_kernel<1, 2, Simd::FORESEE_SIMD>();
+template const SetKernel<2, 1>& set_kernel<2, 1, Simd::FORESEE_SIMD>();
+template const SetKernel<2, 2>& set_kernel<2, 2, Simd::FORESEE_SIMD>();
+template const SetKernel<3, 1>& set_kernel<3, 1, Simd::FORESEE_SIMD>();
+template const SetKernel<3, 2>& set_kernel<3, 2, Simd::FORESEE_SIMD>();
+
+}  // namespace foresee

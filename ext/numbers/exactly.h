@@ -1,0 +1,20 @@
+// Conversions that let one piece of code compute with DoubleDouble, with doubles that know their errors, and
+// with exact numbers.
+#pragma once
+
+#include "numbers/double_double.h"
+
+namespace foresee {
+
+template <class T>
+struct Exactly {
+  static T number(double value) { return T{value}; }
+  static T difference_of(double a, double b) { return T{a} - T{b}; }
+};
+template <>
+struct Exactly<DoubleDouble> {
+  static DoubleDouble number(double value) { return {value, 0}; }
+  static DoubleDouble difference_of(double a, double b) { return difference(a, b); }
+};
+
+}  // namespace foresee
