@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "numbers/narrowing.h"
-#include "numbers/stays.h"
+#include "numbers/time_intervals.h"
 
 namespace foresee {
 namespace {

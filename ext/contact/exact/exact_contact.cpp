@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "contact/certain/crossing.h"
-#include "numbers/stays.h"
+#include "numbers/time_intervals.h"
 
 namespace foresee {
 namespace {
@@ -22,14 +22,14 @@ class ExactPair {
   }
 
   std::optional<ContactTimes> times() {
-    std::vector<Stay> stays;
+    std::vector<TimeInterval> intervals;
     for (const ContactSet::Piece& piece : curves_.set().pieces()) {
-      const Stays held = this->held(piece);
-      stays.insert(stays.end(), held.begin(), held.end());
+      const TimeIntervals held = this->held(piece);
+      intervals.insert(intervals.end(), held.begin(), held.end());
     }
-    if (stays.empty()) return {};
-    std::iter_swap(stays.begin(), std::min_element(stays.begin(), stays.end(), begins_before));
-    return times_of(stays.data(), joined_to_first(stays));
+    if (intervals.empty()) return {};
+    std::iter_swap(intervals.begin(), std::min_element(intervals.begin(), intervals.end(), begins_before));
+    return times_of(intervals.data(), joined_to_first(intervals));
   }
 
  private:
@@ -41,21 +41,21 @@ class ExactPair {
   }
 
   /// When do all conditions of the piece hold?
-  Stays held(const ContactSet::Piece& piece) {
+  TimeIntervals held(const ContactSet::Piece& piece) {
     const ContactSet& set = curves_.set();
     auto all = set.members(piece.all);
     const auto around = set.members(piece.around), beyond = set.members(piece.beyond);
     const bool round = around.size() + beyond.size() > 0;
     const int ball = round ? all.back() : 0;
     if (round) all = all.first(all.size() - 1);
-    Stays met{{&begin_, &end_}};
+    TimeIntervals met{{&begin_, &end_}};
     for (std::size_t i = 0; i < all.size() && !met.empty(); ++i) met = common(met, inside(all[i]));
     if (!round) return met;
     for (std::size_t i = 0; i < beyond.size() && !met.empty(); ++i)
       met = common(met, outside(inside(beyond[i]), {begin_, end_}));
     if (met.empty()) return met;
     Curve& curve = curves_.curve(curves_.number_of(ball));
-    Stays near = met;
+    TimeIntervals near = met;
     if (is_bent(curve))
       for (std::size_t i = 0; i < around.size() && !near.empty(); ++i) near = common(near, inside(around[i]));
     if (near.empty()) return near;
@@ -69,7 +69,7 @@ class ExactPair {
 
   /// A costly curve, which belongs to one piece alone: looked at only around the moments that the rest of the
   /// piece leaves.
-  Stays inside_while(const Stays& rest, Curve& curve) {
+  TimeIntervals inside_while(const TimeIntervals& rest, Curve& curve) {
     const Event &first = *rest.front().first, &last = *rest.back().last;
     Event *from = &begin_, *to = &end_;
     if (&first != &begin_) from = known_moment(first.at.low().dyadic(), begin_);
@@ -85,51 +85,51 @@ class ExactPair {
     return &events_made_.back();
   }
 
-  const Stays& inside(int primitive) {
+  const TimeIntervals& inside(int primitive) {
     const std::size_t number = curves_.number_of(primitive);
     if (inside_.size() <= number) inside_.resize(number + 1);
-    std::optional<Stays>& known = inside_[number];
+    std::optional<TimeIntervals>& known = inside_[number];
     if (!known) known = foresee::inside(curves_.curve(number), {begin_, end_});
     return *known;
   }
 
-  /// Two stays that certainly overlap are one contact whichever begins before: no need to compare
+  /// Two intervals that certainly overlap are one contact whichever begins before: no need to compare
   /// exactly.
-  static bool begins_before(const Stay& a, const Stay& b) {
+  static bool begins_before(const TimeInterval& a, const TimeInterval& b) {
     const int rough = (a.first->at - b.first->at).sign();
     if (rough != unknown_sign) return rough < 0;
     if ((b.last->at - a.first->at).sign() == 1 && (a.last->at - b.first->at).sign() == 1) return false;
     return compare(*a.first, *b.first) < 0;
   }
 
-  /// Brings the stays that hang together with the first to the front, and counts them.
-  static std::size_t joined_to_first(std::vector<Stay>& stays) {
+  /// Brings the intervals that hang together with the first to the front, and counts them.
+  static std::size_t joined_to_first(std::vector<TimeInterval>& intervals) {
     std::size_t joined = 1;
-    const auto joins = [&](const Stay& s) {
-      return std::any_of(stays.begin(), stays.begin() + static_cast<std::ptrdiff_t>(joined),
-                         [&](const Stay& other) { return compare(*s.first, *other.last) <= 0; });
+    const auto joins = [&](const TimeInterval& s) {
+      return std::any_of(intervals.begin(), intervals.begin() + static_cast<std::ptrdiff_t>(joined),
+                         [&](const TimeInterval& other) { return compare(*s.first, *other.last) <= 0; });
     };
     for (;;) {
-      const auto rest = stays.begin() + static_cast<std::ptrdiff_t>(joined);
-      const auto next = std::find_if(rest, stays.end(), joins);
-      if (next == stays.end()) return joined;
+      const auto rest = intervals.begin() + static_cast<std::ptrdiff_t>(joined);
+      const auto next = std::find_if(rest, intervals.end(), joins);
+      if (next == intervals.end()) return joined;
       std::iter_swap(next, rest);
       ++joined;
     }
   }
 
-  /// Begin and end of stays that hang together. As rounding keeps order, ends that 128 bits do not tell
+  /// Begin and end of intervals that hang together. As rounding keeps order, ends that 128 bits do not tell
   /// apart are rounded one by one and then compared.
-  ContactTimes times_of(const Stay* stays, std::size_t count) const {
-    Event *first = stays[0].first, *last = stays[0].last;
+  ContactTimes times_of(const TimeInterval* intervals, std::size_t count) const {
+    Event *first = intervals[0].first, *last = intervals[0].last;
     Instant begin = instant(*first), end = instant(*last);
     for (std::size_t i = 1; i < count; ++i) {
-      if (stays[i].first != first && (stays[i].first->at - first->at).sign() != 1)
-        begin = earlier(begin, instant(*stays[i].first));
-      const int longer = (stays[i].last->at - last->at).sign();
-      if (stays[i].last == last || longer == -1) continue;
-      end = later(end, instant(*stays[i].last));
-      if (longer == 1) last = stays[i].last;
+      if (intervals[i].first != first && (intervals[i].first->at - first->at).sign() != 1)
+        begin = earlier(begin, instant(*intervals[i].first));
+      const int longer = (intervals[i].last->at - last->at).sign();
+      if (intervals[i].last == last || longer == -1) continue;
+      end = later(end, instant(*intervals[i].last));
+      if (longer == 1) last = intervals[i].last;
     }
     return {begin.t, end.t, begin.dt, end.dt};
   }
@@ -137,7 +137,7 @@ class ExactPair {
   PairCurves& curves_;
   const ExactMoments& moments_;
   Event begin_, end_;
-  std::vector<std::optional<Stays>> inside_;  ///< of each curve
+  std::vector<std::optional<TimeIntervals>> inside_;  ///< of each curve
   std::deque<Dyadic> moments_made_;
   std::deque<Event> events_made_;
 };

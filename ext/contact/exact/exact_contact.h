@@ -1,7 +1,7 @@
 // Contact decided and timed exactly: the last word where certified doubles cannot tell.
 //
-// Every polynomial is at most 0 during some stays of time, whose ends are exact events; a piece of the
-// contact set holds where all of its polynomials' stays meet, and the set is the union of its pieces.
+// Every polynomial is at most 0 during some intervals of time, whose ends are exact events; a piece of the
+// contact set holds where all of its polynomials' intervals meet, and the set is the union of its pieces.
 // Ends are compared exactly and only the answer's are rounded, once. Cost: microseconds where 128 bits tell,
 // some microseconds more for each tie.
 #pragma once

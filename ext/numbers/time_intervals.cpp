@@ -1,4 +1,4 @@
-#include "numbers/stays.h"
+#include "numbers/time_intervals.h"
 
 #include <algorithm>
 
@@ -54,9 +54,9 @@ Events roots_by_formula(Curve& curve) {
   return roots;
 }
 
-Stays clipped(std::initializer_list<Stay> stays, const Asked& asked) {
-  Stays kept;
-  for (Stay s : stays) {
+TimeIntervals clipped(std::initializer_list<TimeInterval> intervals, const Asked& asked) {
+  TimeIntervals kept;
+  for (TimeInterval s : intervals) {
     if (s.first != &asked.begin && compare(*s.first, asked.begin) < 0) s.first = &asked.begin;
     if (s.last != &asked.end && compare(*s.last, asked.end) > 0) s.last = &asked.end;
     if (compare(*s.first, *s.last) <= 0) kept.push_back(s);
@@ -64,13 +64,14 @@ Stays clipped(std::initializer_list<Stay> stays, const Asked& asked) {
   return kept;
 }
 
-Stays inside_by_formula(Curve& curve, const Asked& asked) {
+TimeIntervals inside_by_formula(Curve& curve, const Asked& asked) {
   const Events roots = roots_by_formula(curve);
   Event *const begin = &asked.begin, *const end = &asked.end;
   const int lead = curve.lead();
-  if (roots.count == 0) return lead <= 0 ? clipped({{begin, end}}, asked) : Stays{};
+  if (roots.count == 0) return lead <= 0 ? clipped({{begin, end}}, asked) : TimeIntervals{};
   Event *const one = roots.list[0], *const other = roots.list[roots.count - 1];
-  if (curve.degree() == 1) return clipped({lead > 0 ? Stay{begin, one} : Stay{one, end}}, asked);
+  if (curve.degree() == 1)
+    return clipped({lead > 0 ? TimeInterval{begin, one} : TimeInterval{one, end}}, asked);
   if (lead > 0) return clipped({{one, other}}, asked);
   if (one == other) return clipped({{begin, end}}, asked);
   return clipped({{begin, one}, {other, end}}, asked);
@@ -165,39 +166,39 @@ int constant_sign(Curve& curve, const Asked& asked) {
 
 }  // namespace
 
-Stays inside(Curve& curve, const Asked& asked) {
+TimeIntervals inside(Curve& curve, const Asked& asked) {
   if (curve.degree() <= 2) return inside_by_formula(curve, asked);
-  Stays stays;
+  TimeIntervals intervals;
   const int constant = constant_sign(curve, asked);
-  if (constant < 0) stays.push_back({&asked.begin, &asked.end});
-  if (constant != 0) return stays;
+  if (constant < 0) intervals.push_back({&asked.begin, &asked.end});
+  if (constant != 0) return intervals;
   const Waypoints way = waypoints_of(curve, asked);
   // Between two neighbours there is no root, so the curve is at most 0 there if it is at both.
   for (int i = 0; i < way.count; ++i) {
     if (way.list[i].sign > 0) continue;
     int last = i;
     while (last + 1 < way.count && way.list[last + 1].sign <= 0) ++last;
-    stays.push_back({way.list[i].event, way.list[last].event});
+    intervals.push_back({way.list[i].event, way.list[last].event});
     i = last;
   }
-  return stays;
+  return intervals;
 }
 
-Stays outside(const Stays& inside, const Asked& asked) {
-  Stays gaps;
+TimeIntervals outside(const TimeIntervals& inside, const Asked& asked) {
+  TimeIntervals gaps;
   Event* first = &asked.begin;
-  for (const Stay& stay : inside) {
-    if (stay.first != &asked.begin) gaps.push_back({first, stay.first});
-    first = stay.last;
+  for (const TimeInterval& interval : inside) {
+    if (interval.first != &asked.begin) gaps.push_back({first, interval.first});
+    first = interval.last;
   }
   if (first != &asked.end) gaps.push_back({first, &asked.end});
   return gaps;
 }
 
-Stays common(const Stays& a, const Stays& b) {
-  Stays both;
+TimeIntervals common(const TimeIntervals& a, const TimeIntervals& b) {
+  TimeIntervals both;
   for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
-    const Stay &s = a[i], &other = b[j];
+    const TimeInterval &s = a[i], &other = b[j];
     Event* const first = compare(*s.first, *other.first) >= 0 ? s.first : other.first;
     const bool s_ends = compare(*s.last, *other.last) <= 0;
     Event* const last = s_ends ? s.last : other.last;

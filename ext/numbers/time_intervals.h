@@ -1,4 +1,4 @@
-// When is a polynomial at most 0? All its stays, stretches of the time asked about with exact events as ends.
+// When is a polynomial at most 0? All its intervals of the time asked about, with exact events as ends.
 //
 // Degree 1 and 2 by the formula; a discriminant whose sign 128 bits cannot tell is taken exactly.
 // Degree 3 and 4 by their slope: between its zeros the polynomial runs one way, so its signs there say where
@@ -13,12 +13,12 @@
 namespace foresee {
 
 /// Closed; a single moment where both ends are the same event.
-struct Stay {
+struct TimeInterval {
   Event *first, *last;
 };
 
 /// In order of time and apart from each other.
-using Stays = std::vector<Stay>;
+using TimeIntervals = std::vector<TimeInterval>;
 
 /// The moments asked about. Requires: begin <= end.
 struct Asked {
@@ -33,13 +33,13 @@ struct Events {
 /// Where a curve is 0, in order and strictly within the moments asked about. To be asked once.
 Events zeros_within(Curve& curve, const Asked& asked);
 
-Stays inside(Curve& curve, const Asked& asked);
+TimeIntervals inside(Curve& curve, const Asked& asked);
 
-/// The stretches between stays, with the ends that they share. Single moments at which a polynomial only
+/// What lies between intervals, with the ends that they share. Single moments at which a polynomial only
 /// touches 0 from below are left out, as are those at the ends of what is asked about.
-Stays outside(const Stays& inside, const Asked& asked);
+TimeIntervals outside(const TimeIntervals& inside, const Asked& asked);
 
 /// The moments that are in both.
-Stays common(const Stays& a, const Stays& b);
+TimeIntervals common(const TimeIntervals& a, const TimeIntervals& b);
 
 }  // namespace foresee
