@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "numbers/narrowing.h"
+#include "numbers/interval_newton.h"
 #include "numbers/quadratic_formula.h"
 #include "numbers/quadratic_root.h"
 
@@ -92,7 +92,7 @@ void Event::narrow(int bits) {
     Powers<Precise> cut;
     std::transform(local.begin(), local.end(), cut.begin(),
                    [&](const Precise& c) { return c.cut_to(length); });
-    const Narrowing<Precise> n(cut, degree, near, far, from_low ? b.sign_low : -b.sign_low, length);
+    const IntervalNewton<Precise> n(cut, degree, near, far, from_low ? b.sign_low : -b.sign_low, length);
     near = n.low, far = n.high;
   }
   b.low = from_low ? origin + near : origin - far;

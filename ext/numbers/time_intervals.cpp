@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "numbers/narrowing.h"
+#include "numbers/interval_newton.h"
 #include "numbers/quadratic_formula.h"
 
 namespace foresee {
@@ -82,7 +82,7 @@ Event& root_between(Curve& curve, Event& before, Event& after, int sign_before) 
   const Wide low = before.at.high(), high = after.at.low();
   if ((high - low).sign() == 1 && curve.value_at(low).sign() == sign_before &&
       curve.value_at(high).sign() == -sign_before) {
-    const Narrowing<Wide> narrow(curve.rough(), curve.degree(), low, high, sign_before, 128);
+    const IntervalNewton<Wide> narrow(curve.rough(), curve.degree(), low, high, sign_before, 128);
     Event& root = curve.add_root(narrow.low.dyadic(), narrow.high.dyadic(), sign_before);
     root.recognize();
     return root;

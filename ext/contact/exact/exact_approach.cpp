@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "numbers/narrowing.h"
+#include "numbers/interval_newton.h"
 #include "numbers/time_intervals.h"
 
 namespace foresee {

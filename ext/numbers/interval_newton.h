@@ -1,7 +1,7 @@
-// Closing in on the one root that a polynomial has between two numbers, as far as the length of the numbers
-// allows.
+// The interval Newton method: closing in on the one root that a polynomial has between two numbers, as far as
+// the length of the numbers allows.
 //
-// Newton's method on intervals: the root lies within x - p(x) / p'([low, high]), which is rigorous and needs
+// The root lies within x - p(x) / p'([low, high]), which is rigorous and needs
 // no signs at the new ends; it at least doubles the digits as soon as the slope has one sign. Until then the
 // sign at x halves the interval, or halves its exponent: a root may be 2^-5000 away from 0. (R. Moore,
 // "Interval Analysis", 1966, chapter 7.)
@@ -54,13 +54,13 @@ Powers<N> around(Powers<N> p, int degree, const N& x) {
 
 /// N is Wide or Precise; ends are exact numbers.
 template <class N>
-class Narrowing {
+class IntervalNewton {
  public:
   using End = decltype(N().low());
 
   /// The polynomial has one root in [low, high], at which its sign changes from `sign_low`.
   /// Requires: 0 <= low.
-  Narrowing(const Powers<N>& p, int degree, const End& low, const End& high, int sign_low, int bits)
+  IntervalNewton(const Powers<N>& p, int degree, const End& low, const End& high, int sign_low, int bits)
       : low(low), high(high), p_(p), degree_(degree), bits_(bits), sign_low_(sign_low) {
     while (closer()) {
     }
