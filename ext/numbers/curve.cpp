@@ -45,7 +45,7 @@ bool has_root_at(const Polynomial& divisor, const Event& event) {
 
 }  // namespace
 
-Precise Event::enclosure(int bits) {
+Midrad Event::enclosure(int bits) {
   if (known) return {*known, bits};
   if (!bracket) bracket = std::make_unique<Bracket>(Bracket{at.low().dyadic(), at.high().dyadic(), 0, 0});
   Bracket& b = *bracket;
@@ -54,11 +54,11 @@ Precise Event::enclosure(int bits) {
     if (curve->degree() > 2) {
       narrow(bits);
     } else {
-      const Precise root = by_formula(bits);
+      const Midrad root = by_formula(bits);
       b.low = root.low(), b.high = root.high();
     }
   }
-  return Precise::hull(b.low, b.high, bits);
+  return Midrad::hull(b.low, b.high, bits);
 }
 
 void Event::recognize() {
@@ -69,7 +69,7 @@ void Event::recognize() {
   const Dyadic simplest = simplest_between(b.low, b.high);
   if (2 * length_of(simplest.mantissa()) > digits || curve->sign_at(simplest) != 0) return;
   b.low = b.high = simplest;
-  at = Wide(simplest), known = &b.low;
+  at = Midrad128(simplest), known = &b.low;
 }
 
 void Event::narrow(int bits) {
@@ -80,30 +80,30 @@ void Event::narrow(int bits) {
     return width.sign() > 0 && width.magnitude() > enough;
   };
   if (!wide(b.low, b.high)) return;
-  const auto p = curve->precise(bits);
+  const auto p = curve->enclosure(bits);
   const int degree = curve->degree();
   // Seen from the nearer end, which may be next to the root of another curve, a few digits tell.
-  const bool from_low = value_at(p, degree, Precise(half_of(b.low + b.high), bits)).sign() != b.sign_low;
+  const bool from_low = value_at(p, degree, Midrad(half_of(b.low + b.high), bits)).sign() != b.sign_low;
   const Dyadic origin = from_low ? b.low : b.high;
-  auto local = around(p, degree, Precise(origin, bits));
+  auto local = around(p, degree, Midrad(origin, bits));
   if (!from_low) local[1] = -local[1], local[3] = -local[3];
   Dyadic near, far = b.high - b.low;
   for (int length = 128; length < bits && wide(near, far); length *= 2) {
-    Powers<Precise> cut;
+    Powers<Midrad> cut;
     std::transform(local.begin(), local.end(), cut.begin(),
-                   [&](const Precise& c) { return c.cut_to(length); });
-    const IntervalNewton<Precise> n(cut, degree, near, far, from_low ? b.sign_low : -b.sign_low, length);
+                   [&](const Midrad& c) { return c.cut_to(length); });
+    const IntervalNewton<Midrad> n(cut, degree, near, far, from_low ? b.sign_low : -b.sign_low, length);
     near = n.low, far = n.high;
   }
   b.low = from_low ? origin + near : origin - far;
   b.high = from_low ? origin + far : origin - near;
 }
 
-Precise Event::by_formula(int bits) const {
-  const auto c = curve->precise(bits);
+Midrad Event::by_formula(int bits) const {
+  const auto c = curve->enclosure(bits);
   if (curve->degree() == 1) return -c[0] / c[1];
   if (which == 0) return -c[1] / c[2].scaled(1);
-  const Precise d = c[1] * c[1] - (c[0] * c[2]).scaled(2);
+  const Midrad d = c[1] * c[1] - (c[0] * c[2]).scaled(2);
   if (d.sign() == unknown_sign) return {at, bits};
   return root_of_quadratic(c, product_of_root(c, d), which);
 }
@@ -167,10 +167,10 @@ int compare(Event& x, Event& y) {
 }
 
 double rounded(Event& event, const Dyadic& offset) {
-  const Wide moment = event.at + Wide(offset);
+  const Midrad128 moment = event.at + Midrad128(offset);
   double low = moment.low().rounded(), high = moment.high().rounded();
   for (int bits = first_length; low != high && std::nextafter(low, high) != high; bits *= 2) {
-    const Precise enclosure = event.enclosure(bits);
+    const Midrad enclosure = event.enclosure(bits);
     low = rounded(enclosure.low() + offset), high = rounded(enclosure.high() + offset);
   }
   if (low == high) return low;
@@ -189,12 +189,12 @@ const Polynomial& Curve::exact() {
 void Curve::sharpen() {
   const Polynomial& p = exact();
   degree_ = p.degree;
-  for (int k = 0; k <= most; ++k) rough_[k] = k <= degree_ ? Wide(p.c[k]) : Wide();
+  for (int k = 0; k <= most; ++k) rough_[k] = k <= degree_ ? Midrad128(p.c[k]) : Midrad128();
 }
 
-std::array<Precise, Curve::most + 1> Curve::precise(int bits) {
-  std::array<Precise, most + 1> c;
-  for (int k = 0; k <= exact().degree; ++k) c[k] = Precise(exact().c[k], bits);
+std::array<Midrad, Curve::most + 1> Curve::enclosure(int bits) {
+  std::array<Midrad, most + 1> c;
+  for (int k = 0; k <= exact().degree; ++k) c[k] = Midrad(exact().c[k], bits);
   return c;
 }
 
@@ -212,33 +212,33 @@ int Curve::degree() {
 Curve& Curve::slope() {
   if (!slope_) {
     Coefficients c;
-    for (int k = 1; k <= degree(); ++k) c[k - 1] = rough_[k] * Wide(k);
+    for (int k = 1; k <= degree(); ++k) c[k - 1] = rough_[k] * Midrad128(k);
     slope_ = std::make_unique<Curve>(c, *source_, number_);
     slope_->parent_ = this;
   }
   return *slope_;
 }
 
-Event& Curve::add_root(int which, const Wide& at) {
+Event& Curve::add_root(int which, const Midrad128& at) {
   Event& event = roots_[root_count_++];
   event.at = at, event.curve = this, event.which = which;
   return event;
 }
 
 Event& Curve::add_root(const Dyadic& low, const Dyadic& high, int sign_low) {
-  Event& event = add_root(0, Wide::hull(Wide(low), Wide(high)));
+  Event& event = add_root(0, Midrad128::hull(Midrad128(low), Midrad128(high)));
   event.bracket = std::make_unique<Event::Bracket>(Event::Bracket{low, high, sign_low, 0});
   return event;
 }
 
-Wide Curve::value_at(const Wide& tau) const {
+Midrad128 Curve::value_at(const Midrad128& tau) const {
   return foresee::value_at(rough_, degree_ <= most ? degree_ : most, tau);
 }
 
 namespace {
 /// Near a turn, where the slope almost vanishes, an enclosure half as long will do.
-Precise value_within(const Powers<Precise>& p, int degree, const Precise& x, int bits) {
-  const Precise middle(x.middle(), bits);
+Midrad value_within(const Powers<Midrad>& p, int degree, const Midrad& x, int bits) {
+  const Midrad middle(x.middle(), bits);
   return value_at(around(p, degree, middle), degree, x - middle);
 }
 }  // namespace
@@ -255,14 +255,14 @@ int Curve::sign_at(Event& event) {
   }
   const bool turns = event.curve->parent_ == this;
   for (int bits = first_length; sign == unknown_sign; bits *= 2)
-    sign = value_within(precise(bits), q.degree, event.enclosure(turns ? bits / 2 : bits), bits).sign();
+    sign = value_within(enclosure(bits), q.degree, event.enclosure(turns ? bits / 2 : bits), bits).sign();
   return sign;
 }
 
 int Curve::sign_at(const Dyadic& tau) {
-  int sign = value_at(Wide(tau)).sign();
+  int sign = value_at(Midrad128(tau)).sign();
   for (int bits = first_length; sign == unknown_sign; bits *= 2)
-    sign = foresee::value_at(precise(bits), exact().degree, Precise(tau, bits)).sign();
+    sign = foresee::value_at(enclosure(bits), exact().degree, Midrad(tau, bits)).sign();
   return sign;
 }
 

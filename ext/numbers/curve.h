@@ -1,18 +1,18 @@
 // A polynomial of a pair in two precisions, and the events that its roots are: signs and order, exact in the
 // end.
 //
-// Each question is first put to numbers of 128 bits with error bounds (Wide). Only where those cannot tell,
-// in ties and what is nearer than some 2^-100, are the exact coefficients made. If they show that two curves
-// may have a common root, exact algebra tells whether it is this one; if not, numbers of 512, 1024, ... bits
-// (Precise) tell the sign in the end. Nothing is ever decided by a tolerance. An event is never computed: it
-// is a root with an enclosure, and everything about it follows from signs.
+// Each question is first put to numbers of 128 bits with error bounds (Midrad128). Only where those cannot
+// tell, in ties and what is nearer than some 2^-100, are the exact coefficients made. If they show that two
+// curves may have a common root, exact algebra tells whether it is this one; if not, numbers of 512, 1024,
+// ... bits (Midrad) tell the sign in the end. Nothing is ever decided by a tolerance. An event is never
+// computed: it is a root with an enclosure, and everything about it follows from signs.
 #pragma once
 
 #include <array>
 #include <memory>
 
+#include "numbers/midrad.h"
 #include "numbers/polynomial.h"
-#include "numbers/precise.h"
 
 namespace foresee {
 
@@ -30,7 +30,7 @@ struct Event {
   Event() = default;
   explicit Event(const Dyadic& moment) : at(moment), known(&moment) {}
 
-  Wide at;                        ///< encloses it
+  Midrad128 at;                   ///< encloses it
   const Dyadic* known = nullptr;  ///< its moment, if that is known exactly
   Curve* curve = nullptr;         ///< otherwise: the curve that has its root here
   int which = 0;                  ///< degree 1 and 2: -1 the lesser root, 1 the greater, 0 the only one
@@ -43,7 +43,7 @@ struct Event {
   std::unique_ptr<Bracket> bracket;
 
   /// Encloses it in numbers of so many bits, the more the narrower.
-  Precise enclosure(int bits);
+  Midrad enclosure(int bits);
   /// Degree 3 and 4: makes the moment known if it is a number of far fewer bits than the bracket tells.
   /// Moments that people write are, and what is known needs no algebra for its ties.
   void recognize();
@@ -52,7 +52,7 @@ struct Event {
   /// Degree 3 and 4: narrows the bracket.
   void narrow(int bits);
   /// Degree 1 and 2.
-  Precise by_formula(int bits) const;
+  Midrad by_formula(int bits) const;
 };
 
 /// The sign of x - y.
@@ -65,7 +65,7 @@ double rounded(Event& event, const Dyadic& offset);
 class Curve {
  public:
   static constexpr int most = Polynomial::most;
-  using Coefficients = std::array<Wide, most + 1>;
+  using Coefficients = std::array<Midrad128, most + 1>;
 
   /// `rough` encloses the coefficients of the source's polynomial, up to a positive factor.
   Curve(const Coefficients& rough, const PolynomialSource& source, int number)
@@ -75,10 +75,10 @@ class Curve {
   int lead() { return degree() < 0 ? 0 : rough_[degree_].side(); }  ///< sign of the leading coefficient
   const Coefficients& rough() const { return rough_; }
   const Polynomial& exact();
-  std::array<Precise, most + 1> precise(int bits);  ///< encloses the coefficients of exact()
+  std::array<Midrad, most + 1> enclosure(int bits);  ///< encloses the coefficients of exact()
   Curve& slope();
 
-  Wide value_at(const Wide& tau) const;
+  Midrad128 value_at(const Midrad128& tau) const;
   int sign_at(Event& event);
   int sign_at(const Dyadic& tau);
 
@@ -86,7 +86,7 @@ class Curve {
   void sharpen();
 
   /// The event of a root of degree 1 or 2. The curve must not move afterwards.
-  Event& add_root(int which, const Wide& at);
+  Event& add_root(int which, const Midrad128& at);
   /// The event of a root of degree 3 or 4, a simple one and alone between two numbers.
   Event& add_root(const Dyadic& low, const Dyadic& high, int sign_low);
 

@@ -9,31 +9,31 @@
 
 #include <algorithm>
 
+#include "numbers/midrad.h"
 #include "numbers/powers.h"
-#include "numbers/precise.h"
 
 namespace foresee {
 
-inline Wide number(const Wide& x, int /*bits*/) {
+inline Midrad128 number(const Midrad128& x, int /*bits*/) {
   return x;
 }
-inline Precise number(const Dyadic& x, int bits) {
+inline Midrad number(const Dyadic& x, int bits) {
   return {x, bits};
 }
 /// About x, to a few digits more than those in which numbers so far apart differ: short factors multiply
 /// faster.
-inline Wide shortened(const Wide& x, const Wide& /*apart*/) {
+inline Midrad128 shortened(const Midrad128& x, const Midrad128& /*apart*/) {
   return x.middle();
 }
 inline Dyadic shortened(const Dyadic& x, const Dyadic& apart) {
   constexpr int more = 8;
-  return Precise(x, std::max(0, x.magnitude() - apart.magnitude()) + more).middle();
+  return Midrad(x, std::max(0, x.magnitude() - apart.magnitude()) + more).middle();
 }
-inline Wide hull(const Wide& low, const Wide& high, int /*bits*/) {
-  return Wide::hull(low, high);
+inline Midrad128 hull(const Midrad128& low, const Midrad128& high, int /*bits*/) {
+  return Midrad128::hull(low, high);
 }
-inline Precise hull(const Dyadic& low, const Dyadic& high, int bits) {
-  return Precise::hull(low, high, bits);
+inline Midrad hull(const Dyadic& low, const Dyadic& high, int bits) {
+  return Midrad::hull(low, high, bits);
 }
 
 template <class N>
@@ -52,7 +52,7 @@ Powers<N> around(Powers<N> p, int degree, const N& x) {
   return p;
 }
 
-/// N is Wide or Precise; ends are exact numbers.
+/// N is Midrad128 or Midrad; ends are exact numbers.
 template <class N>
 class IntervalNewton {
  public:

@@ -7,7 +7,7 @@
 
 #include <cstdint>
 
-#include "numbers/wide.h"
+#include "numbers/midrad_128.h"
 
 namespace foresee {
 

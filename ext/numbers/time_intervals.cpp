@@ -21,12 +21,12 @@ struct Waypoints {
 };
 
 /// Sign of the discriminant; the coefficients or `discriminant` are made sharper where that takes integers.
-int discriminant_of(Curve& curve, Wide& d) {
+int discriminant_of(Curve& curve, Midrad128& d) {
   const auto& c = curve.rough();
   d = c[1] * c[1] - (c[0] * c[2]).scaled(2);
   if (d.sign() == unknown_sign || (c[1].sign() == unknown_sign && d.sign() > 0)) {
     curve.sharpen();
-    d = Wide(discriminant(curve.exact()));
+    d = Midrad128(discriminant(curve.exact()));
   }
   return d.sign();
 }
@@ -40,7 +40,7 @@ Events roots_by_formula(Curve& curve) {
     roots.list[roots.count++] = &curve.add_root(0, -curve.rough()[0] / curve.rough()[1]);
     return roots;
   }
-  Wide d;
+  Midrad128 d;
   const int sign = discriminant_of(curve, d);
   const auto& c = curve.rough();
   if (sign < 0) return roots;
@@ -48,7 +48,7 @@ Events roots_by_formula(Curve& curve) {
     roots.list[roots.count++] = &curve.add_root(0, -c[1] / c[2].scaled(1));
     return roots;
   }
-  const Wide product = product_of_root(c, d);
+  const Midrad128 product = product_of_root(c, d);
   for (int which : {-1, 1})
     roots.list[roots.count++] = &curve.add_root(which, root_of_quadratic(c, product, which));
   return roots;
@@ -79,10 +79,10 @@ TimeIntervals inside_by_formula(Curve& curve, const Asked& asked) {
 
 /// The only root between two neighbours at which the signs differ.
 Event& root_between(Curve& curve, Event& before, Event& after, int sign_before) {
-  const Wide low = before.at.high(), high = after.at.low();
+  const Midrad128 low = before.at.high(), high = after.at.low();
   if ((high - low).sign() == 1 && curve.value_at(low).sign() == sign_before &&
       curve.value_at(high).sign() == -sign_before) {
-    const IntervalNewton<Wide> narrow(curve.rough(), curve.degree(), low, high, sign_before, 128);
+    const IntervalNewton<Midrad128> narrow(curve.rough(), curve.degree(), low, high, sign_before, 128);
     Event& root = curve.add_root(narrow.low.dyadic(), narrow.high.dyadic(), sign_before);
     root.recognize();
     return root;
@@ -91,7 +91,7 @@ Event& root_between(Curve& curve, Event& before, Event& after, int sign_before) 
   for (int bits = first_length;; bits *= 2) {
     const Dyadic left = before.enclosure(bits).high(), right = after.enclosure(bits).low();
     const auto sign_at = [&](const Dyadic& x) {
-      return value_at(curve.precise(bits), curve.degree(), Precise(x, bits)).sign();
+      return value_at(curve.enclosure(bits), curve.degree(), Midrad(x, bits)).sign();
     };
     if (!(left < right) || sign_at(left) != sign_before || sign_at(right) != -sign_before) continue;
     Event& root = curve.add_root(left, right, sign_before);
@@ -147,16 +147,16 @@ constexpr int bernstein_weight(int n, int i, int k) {
 /// Never 0 on the whole of it, told from Bernstein's coefficients: their sign, or 0 where they do not tell.
 int constant_sign(Curve& curve, const Asked& asked) {
   const int n = curve.degree();
-  const Wide width = asked.end.at - asked.begin.at;
-  std::array<Wide, Curve::most + 1> d = curve.rough();
+  const Midrad128 width = asked.end.at - asked.begin.at;
+  std::array<Midrad128, Curve::most + 1> d = curve.rough();
   for (int k = 0; k < n; ++k)
     for (int i = n - 1; i >= k; --i) d[i] = d[i] + asked.begin.at * d[i + 1];
-  Wide scale = width;
+  Midrad128 scale = width;
   for (int k = 1; k <= n; ++k, scale = scale * width) d[k] = d[k] * scale;
   int all = 0;
   for (int i = 0; i <= n; ++i) {
-    Wide b;
-    for (int k = 0; k <= i; ++k) b = b + d[k] * Wide(bernstein_weight(n, i, k));
+    Midrad128 b;
+    for (int k = 0; k <= i; ++k) b = b + d[k] * Midrad128(bernstein_weight(n, i, k));
     const int sign = b.sign();
     if (sign == 0 || sign == unknown_sign || (all != 0 && sign != all)) return 0;
     all = sign;

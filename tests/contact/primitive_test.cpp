@@ -6,8 +6,8 @@
 
 #include <random>
 
+#include "numbers/midrad_128.h"
 #include "numbers/polynomial.h"
-#include "numbers/wide.h"
 
 namespace foresee {
 namespace {
@@ -132,7 +132,7 @@ TEST(Primitive, EveryNumberTypeEnclosesTheExactCoefficients) {
     const double tau = sample.number();
     const auto exact = sample.polynomial<2, Dyadic>(tau);
     const auto doubles = sample.polynomial<2, Bounded>(tau);
-    const auto wide = sample.polynomial<2, Wide>(tau);
+    const auto in_128_bits = sample.polynomial<2, Midrad128>(tau);
     const auto pairs = sample.polynomial<2, DoubleDouble>(tau);
     for (std::size_t k = 0; k < exact.size(); ++k) {
       const auto distance = [&](const Dyadic& other) {
@@ -143,8 +143,8 @@ TEST(Primitive, EveryNumberTypeEnclosesTheExactCoefficients) {
       ASSERT_LE(distance(Dyadic(doubles[k].value)), Dyadic(error)) << seed << " power " << k;
       ASSERT_LE(distance(Dyadic(pairs[k].high) + Dyadic(pairs[k].low)), Dyadic(error).scaled(-44))
           << seed << " power " << k;
-      ASSERT_LE(wide[k].low().dyadic(), exact[k]) << seed << " power " << k;
-      ASSERT_LE(exact[k], wide[k].high().dyadic()) << seed << " power " << k;
+      ASSERT_LE(in_128_bits[k].low().dyadic(), exact[k]) << seed << " power " << k;
+      ASSERT_LE(exact[k], in_128_bits[k].high().dyadic()) << seed << " power " << k;
     }
   });
 }

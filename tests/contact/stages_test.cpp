@@ -21,7 +21,7 @@ using namespace testing_pairs;
 
 /// How often each stage was certain.
 struct Certain {
-  int chord = 0, lanes_miss = 0, lanes_touch = 0, track = 0, wide = 0, times = 0;
+  int chord = 0, lanes_miss = 0, lanes_touch = 0, track = 0, in_128_bits = 0, times = 0;
 };
 
 using MakeSet = ContactSet (*)(const Setup&);
@@ -49,7 +49,7 @@ class StagesOfPair {
     const bool touches = exact_touches(curves, exact);
     check_doubles(touches);
     check_lanes(touches, exact);
-    check_wide(curves, exact);
+    check_128_bits(curves, exact);
     if (touches) check_times(exact);
   }
 
@@ -114,13 +114,13 @@ class StagesOfPair {
     use_simd(usual);
   }
 
-  void check_wide(PairCurves& curves, const ExactMoments& exact) {
+  void check_128_bits(PairCurves& curves, const ExactMoments& exact) {
     for (int i = 0; i < static_cast<int>(set_.primitives().size()); ++i)
       for (const Dyadic& moment : {exact.begin, exact.end}) {
         Curve& curve = curves.curve(curves.number_of(i));
-        const int sign = curve.value_at(Wide(moment)).sign();
+        const int sign = curve.value_at(Midrad128(moment)).sign();
         if (sign == unknown_sign) continue;
-        ++certain_.wide;
+        ++certain_.in_128_bits;
         EXPECT_EQ(sign, sign_at(curve.exact(), moment)) << "128 bits: " << case_;
       }
   }
@@ -165,7 +165,7 @@ void check_kind(MakeSet make_set, Shapes shapes, std::uint64_t seed) {
   EXPECT_GT(certain.lanes_miss, 40);
   EXPECT_GT(certain.lanes_touch, 40);
   EXPECT_GT(certain.track, 100);
-  EXPECT_GT(certain.wide, 1000);
+  EXPECT_GT(certain.in_128_bits, 1000);
   EXPECT_GT(certain.times, 50);
 }
 
@@ -198,39 +198,39 @@ TEST(Stages, CylinderAndBox) {
 }
 
 /// Whatever is done to numbers of 128 bits, the exact result lies within their error.
-TEST(Wide, EnclosesWhatIsExact) {
+TEST(Midrad128, EnclosesWhatIsExact) {
   std::mt19937_64 random(7);
   const auto number = [&random] {
     const auto whole = static_cast<double>(static_cast<std::int64_t>(random()) >> (random() % 50));
     return std::ldexp(whole, static_cast<int>(random() % 200) - 100);
   };
-  const auto encloses = [](const Wide& w, const Dyadic& exact) {
+  const auto encloses = [](const Midrad128& w, const Dyadic& exact) {
     return w.low().dyadic() <= exact && exact <= w.high().dyadic();
   };
   for (int i = 0; i < 20000; ++i) {
     const double a = number(), b = number(), c = number(), d = number();
-    const Wide w = Wide(a) * Wide(b) + Wide(c) * Wide(d);
+    const Midrad128 w = Midrad128(a) * Midrad128(b) + Midrad128(c) * Midrad128(d);
     const Dyadic exact = Dyadic(a) * Dyadic(b) + Dyadic(c) * Dyadic(d);
     ASSERT_TRUE(encloses(w, exact)) << a << " " << b << " " << c << " " << d;
     ASSERT_TRUE(encloses(w * w, exact * exact));
     if (w.sign() != unknown_sign) {
       ASSERT_EQ(w.sign(), exact.sign());
     }
-    if (Wide(c).sign() != 0) {
-      const Wide quotient = w / Wide(c), back = quotient * Wide(c);
+    if (Midrad128(c).sign() != 0) {
+      const Midrad128 quotient = w / Midrad128(c), back = quotient * Midrad128(c);
       ASSERT_TRUE(encloses(back, exact));
     }
-    const Wide root = sqrt(w * w);
+    const Midrad128 root = sqrt(w * w);
     ASSERT_TRUE(encloses(root, w.side() < 0 ? -exact : exact));
     ASSERT_EQ(w.middle().rounded(), rounded(w.middle().dyadic()));
   }
 }
 
-TEST(Wide, FewDigitsStayExact) {
-  const Wide tenth(0.1);
+TEST(Midrad128, FewDigitsStayExact) {
+  const Midrad128 tenth(0.1);
   EXPECT_EQ((tenth * tenth - tenth * tenth).sign(), 0);
-  EXPECT_TRUE((Wide(3) * Wide(0x1p-900) * Wide(5e300)).exact());
-  EXPECT_EQ((Wide(1e300) + Wide(1e-300) - Wide(1e300)).sign(), unknown_sign);
+  EXPECT_TRUE((Midrad128(3) * Midrad128(0x1p-900) * Midrad128(5e300)).exact());
+  EXPECT_EQ((Midrad128(1e300) + Midrad128(1e-300) - Midrad128(1e300)).sign(), unknown_sign);
 }
 
 }  // namespace

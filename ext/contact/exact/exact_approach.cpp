@@ -36,7 +36,7 @@ class KnownCurve final : public PolynomialSource {
  private:
   static Curve::Coefficients rough(const SquaredDistance& c) {
     Curve::Coefficients rough;
-    std::transform(c.begin(), c.end(), rough.begin(), [](const Dyadic& d) { return Wide(d); });
+    std::transform(c.begin(), c.end(), rough.begin(), [](const Dyadic& d) { return Midrad128(d); });
     return rough;
   }
 
@@ -118,7 +118,7 @@ class ExactApproach {
     if (known_.curve().sign_at(event) == 0) return 0;
     for (int bits = first_length;; bits *= 2) {
       const Polynomial& p = known_.polynomial();
-      const Precise square = value_at(known_.curve().precise(bits), p.degree, event.enclosure(bits));
+      const Midrad square = value_at(known_.curve().enclosure(bits), p.degree, event.enclosure(bits));
       const double least = rounded_square_root(square.low()), most = rounded_square_root(square.high());
       if (least == most) return least;
       if (std::nextafter(least, most) != most) continue;

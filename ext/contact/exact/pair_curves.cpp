@@ -19,7 +19,7 @@ PairCurves::PairCurves(const ContactSet& set, const Setup& setup, const double* 
       setup_(setup),
       row_a_(row_a),
       row_b_(row_b),
-      wide_motion_(motion<Wide>()),
+      rough_motion_(motion<Midrad128>()),
       number_of_(set.primitives().size(), -1) {}
 
 Polynomial PairCurves::polynomial(int primitive) const {
@@ -41,8 +41,8 @@ std::size_t PairCurves::number_of(int primitive) {
     bounds_.push_back(primitive);
   }
   number = static_cast<int>(curves_.size());
-  const PairLengths<Wide> lengths{set_, row_a_, row_b_};
-  curves_.emplace_back(polynomial_of<2>(p, wide_motion_.data(), lengths, 0), *this, primitive);
+  const PairLengths<Midrad128> lengths{set_, row_a_, row_b_};
+  curves_.emplace_back(polynomial_of<2>(p, rough_motion_.data(), lengths, 0), *this, primitive);
   return static_cast<std::size_t>(number);
 }
 
@@ -55,8 +55,8 @@ bool PairCurves::same_bound(const Primitive& a, const Primitive& b) const {
 /// Two that differ do so by the radius, and to add what is not 0 always shows in a number's bits or in its
 /// error.
 bool PairCurves::same_length(int a, int b) const {
-  const PairLengths<Wide> lengths{set_, row_a_, row_b_};
-  return a == b || identical(length_at<Wide>(lengths, a), length_at<Wide>(lengths, b));
+  const PairLengths<Midrad128> lengths{set_, row_a_, row_b_};
+  return a == b || identical(length_at<Midrad128>(lengths, a), length_at<Midrad128>(lengths, b));
 }
 
 }  // namespace foresee

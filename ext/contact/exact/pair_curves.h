@@ -38,7 +38,7 @@ class PairCurves final : public PolynomialSource {
   const ContactSet& set_;
   const Setup& setup_;
   const double *row_a_, *row_b_;
-  Motion<Wide> wide_motion_;
+  Motion<Midrad128> rough_motion_;
   mutable std::optional<Motion<Dyadic>> exact_motion_;  ///< once it is needed
   std::deque<Curve> curves_;
   std::vector<int> number_of_;  ///< of each primitive's curve; -1: not made

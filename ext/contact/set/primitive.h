@@ -1,7 +1,7 @@
 // What contact sets are made of: half spaces and balls, each a polynomial in time that is at most 0 inside.
 //
 // A primitive is written once, in with_polynomial(), for every number type and for every degree of the
-// motion: doubles with error bounds (Bounded), DoubleDouble, numbers of 128 bits (Wide) and exact ones
+// motion: doubles with error bounds (Bounded), DoubleDouble, numbers of 128 bits (Midrad128) and exact ones
 // (Dyadic) all run the same lines, and degree 0 is the value at one moment. To add a primitive is to add its
 // kind and its polynomial there.
 //

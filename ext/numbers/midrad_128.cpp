@@ -1,4 +1,4 @@
-#include "numbers/wide.h"
+#include "numbers/midrad_128.h"
 
 #include <algorithm>
 #include <bit>
@@ -30,9 +30,9 @@ Product product(Uint128 a, Uint128 b) {
 
 }  // namespace
 
-Wide Wide::of(bool negative, Uint128 bits, std::uint64_t error, int exponent) {
+Midrad128 Midrad128::of(bool negative, Uint128 bits, std::uint64_t error, int exponent) {
   if (bits == 0 && error == 0) return {};
-  Wide w;
+  Midrad128 w;
   if (error >> most_error_bits) {
     constexpr int shift = 4;
     bits >>= shift, error = (error >> shift) + 2, exponent += shift;
@@ -45,7 +45,7 @@ Wide Wide::of(bool negative, Uint128 bits, std::uint64_t error, int exponent) {
   return w;
 }
 
-Wide Wide::with_error(bool negative, Uint128 bits, double error, int exponent) {
+Midrad128 Midrad128::with_error(bool negative, Uint128 bits, double error, int exponent) {
   int shift = 0;
   if (error >= 0x1p60) {
     shift = std::ilogb(error) - 58;
@@ -54,7 +54,7 @@ Wide Wide::with_error(bool negative, Uint128 bits, double error, int exponent) {
   return of(negative, bits, static_cast<std::uint64_t>(std::ldexp(error, -shift)) + 2, exponent + shift);
 }
 
-Wide::Wide(double value) {
+Midrad128::Midrad128(double value) {
   if (value == 0) return;
   constexpr int digits = std::numeric_limits<double>::digits - 1;
   constexpr std::uint64_t one = std::uint64_t{1} << digits;
@@ -64,7 +64,7 @@ Wide::Wide(double value) {
   *this = of(value < 0, whole, 0, std::max(exponent, 1) - 1075);
 }
 
-Wide::Wide(const Dyadic& value) {
+Midrad128::Midrad128(const Dyadic& value) {
   if (value.sign() == 0) return;
   const Integer whole = abs(value.mantissa());
   const int dropped = std::max(0, static_cast<int>(msb(whole)) + 1 - 128);
@@ -75,41 +75,41 @@ Wide::Wide(const Dyadic& value) {
   *this = of(value.sign() < 0, Uint128{high} << 64 | low, cut ? 1 : 0, value.exponent() + dropped);
 }
 
-int Wide::magnitude() const {
+int Midrad128::magnitude() const {
   return 127 - leading_zeros(bits_) + exponent_;
 }
 
-Wide Wide::middle() const {
+Midrad128 Midrad128::middle() const {
   return of(negative_, bits_, 0, exponent_);
 }
 
-Wide Wide::moved_by_error(bool up) const {
+Midrad128 Midrad128::moved_by_error(bool up) const {
   if (error_ == 0) return *this;
-  const Wide error = of(!up, error_, 0, exponent_);
-  Wide end = middle() + error;
+  const Midrad128 error = of(!up, error_, 0, exponent_);
+  Midrad128 end = middle() + error;
   // The sum may need a bit more than there are: one unit further out.
   if (end.error_ != 0) end = end.middle() + of(!up, 2, 0, end.exponent_);
   return end.middle();
 }
 
-Wide Wide::low() const {
+Midrad128 Midrad128::low() const {
   return moved_by_error(false);
 }
 
-Wide Wide::high() const {
+Midrad128 Midrad128::high() const {
   return moved_by_error(true);
 }
 
-Wide Wide::hull(const Wide& low, const Wide& high) {
-  const Wide a = low.low(), b = high.high();
+Midrad128 Midrad128::hull(const Midrad128& low, const Midrad128& high) {
+  const Midrad128 a = low.low(), b = high.high();
   if (same(a, b)) return a;
-  const Wide middle = half_of(a + b), radius = half_of(b - a);
+  const Midrad128 middle = half_of(a + b), radius = half_of(b - a);
   const double error = std::ldexp(static_cast<double>(radius.bits_) * (1 + 0x1p-50),
                                   std::max(radius.exponent_ - middle.exponent_, -1000));
   return with_error(false, middle.bits_, error + static_cast<double>(middle.error_) + 2, middle.exponent_);
 }
 
-Dyadic Wide::dyadic() const {
+Dyadic Midrad128::dyadic() const {
   if (bits_ == 0) return {};
   const auto low = static_cast<std::uint64_t>(bits_), high = static_cast<std::uint64_t>(bits_ >> 64);
   const int zeros = low != 0 ? std::countr_zero(low) : 64 + std::countr_zero(high);
@@ -119,9 +119,9 @@ Dyadic Wide::dyadic() const {
   return {negative_ ? Integer(-whole) : whole, exponent_ + zeros};
 }
 
-double Wide::rounded() const {
+double Midrad128::rounded() const {
   if (bits_ == 0) return 0;
-  const Wide full = of(negative_, bits_, 0, exponent_);
+  const Midrad128 full = of(negative_, bits_, 0, exponent_);
   // Below 2^-1022 a double has fewer than 53 bits.
   const int kept = std::min(53, full.magnitude() + 1075);
   if (kept < 0) return 0;
@@ -135,11 +135,11 @@ double Wide::rounded() const {
   return negative_ ? -value : value;
 }
 
-Wide operator+(const Wide& left, const Wide& right) {
+Midrad128 operator+(const Midrad128& left, const Midrad128& right) {
   if (left.bits_ == 0 && left.error_ == 0) return right;
   if (right.bits_ == 0 && right.error_ == 0) return left;
   const bool swap = left.exponent_ < right.exponent_;
-  const Wide &a = swap ? right : left, &b = swap ? left : right;
+  const Midrad128 &a = swap ? right : left, &b = swap ? left : right;
   const int shift = a.exponent_ - b.exponent_;
   const Uint128 bits = shift < 128 ? b.bits_ >> shift : 0;
   const bool cut = shift < 128 ? (bits << shift) != b.bits_ : b.bits_ != 0;
@@ -147,16 +147,16 @@ Wide operator+(const Wide& left, const Wide& right) {
   if (b.error_ != 0) error += (shift < 64 ? b.error_ >> shift : 0) + 1;
   if (a.negative_ != b.negative_) {
     const bool more = a.bits_ >= bits;
-    return Wide::of(more ? a.negative_ : b.negative_, more ? a.bits_ - bits : bits - a.bits_, error,
-                    a.exponent_);
+    return Midrad128::of(more ? a.negative_ : b.negative_, more ? a.bits_ - bits : bits - a.bits_, error,
+                         a.exponent_);
   }
   const Uint128 sum = a.bits_ + bits;
-  if (sum >= bits) return Wide::of(a.negative_, sum, error, a.exponent_);
-  return Wide::of(a.negative_, (sum >> 1) | top_bit, (error >> 1) + (error & 1) + (sum & 1 ? 1 : 0),
-                  a.exponent_ + 1);
+  if (sum >= bits) return Midrad128::of(a.negative_, sum, error, a.exponent_);
+  return Midrad128::of(a.negative_, (sum >> 1) | top_bit, (error >> 1) + (error & 1) + (sum & 1 ? 1 : 0),
+                       a.exponent_ + 1);
 }
 
-Wide Wide::coarse_product(const Wide& a, const Wide& b) {
+Midrad128 Midrad128::coarse_product(const Midrad128& a, const Midrad128& b) {
   const auto bits_a = static_cast<double>(a.bits_), bits_b = static_cast<double>(b.bits_);
   const auto error_a = static_cast<double>(a.error_), error_b = static_cast<double>(b.error_);
   const double error = (bits_a * error_b + (bits_b + error_b) * error_a) * (1 + 0x1p-50);
@@ -168,9 +168,9 @@ Wide Wide::coarse_product(const Wide& a, const Wide& b) {
             a.exponent_ + b.exponent_ + shift);
 }
 
-Wide operator*(const Wide& a, const Wide& b) {
+Midrad128 operator*(const Midrad128& a, const Midrad128& b) {
   if ((a.bits_ == 0 && a.error_ == 0) || (b.bits_ == 0 && b.error_ == 0)) return {};
-  if (!((a.bits_ | b.bits_) & top_bit)) return Wide::coarse_product(a, b);
+  if (!((a.bits_ | b.bits_) & top_bit)) return Midrad128::coarse_product(a, b);
   Product p = product(a.bits_, b.bits_);
   std::uint64_t error = a.error_ + b.error_ + (a.error_ != 0 && b.error_ != 0 ? 1 : 0);
   int exponent = a.exponent_ + b.exponent_ + 128;
@@ -181,26 +181,27 @@ Wide operator*(const Wide& a, const Wide& b) {
     p.high = (p.high << shift) | (p.low >> (128 - shift));
     p.low <<= shift, exponent -= shift, error <<= shift;
   }
-  return Wide::of(a.negative_ != b.negative_, p.high, error + (p.low != 0 ? 1 : 0), exponent);
+  return Midrad128::of(a.negative_ != b.negative_, p.high, error + (p.low != 0 ? 1 : 0), exponent);
 }
 
-double Wide::relative_error() const {
+double Midrad128::relative_error() const {
   return static_cast<double>(error_) / static_cast<double>(bits_ - error_) * (1 + 0x1p-50);
 }
 
-Wide operator/(const Wide& a, const Wide& b) {
+Midrad128 operator/(const Midrad128& a, const Midrad128& b) {
   if (a.bits_ == 0 && a.error_ == 0) return {};
   const double divisor = static_cast<double>(b.bits_);
   if (a.bits_ <= a.error_) {
     const double most = (static_cast<double>(a.bits_) + static_cast<double>(a.error_)) /
                         (divisor * (1 - b.relative_error() / (1 + b.relative_error())));
-    return Wide::with_error(false, 0, std::ldexp(most * (1 + 0x1p-40), 140), a.exponent_ - b.exponent_ - 140);
+    return Midrad128::with_error(false, 0, std::ldexp(most * (1 + 0x1p-40), 140),
+                                 a.exponent_ - b.exponent_ - 140);
   }
   // Fifty bits a round: what is left over, divided in double.
-  Wide quotient, rest = a.middle();
-  const Wide exact_divisor = b.middle();
+  Midrad128 quotient, rest = a.middle();
+  const Midrad128 exact_divisor = b.middle();
   for (int round = 0; round < 3 && rest.bits_ != 0; ++round) {
-    Wide part(static_cast<double>(rest.bits_) / divisor);
+    Midrad128 part(static_cast<double>(rest.bits_) / divisor);
     part.exponent_ += rest.exponent_ - b.exponent_;
     part.negative_ = rest.negative_ != b.negative_;
     quotient = (quotient + part).middle();
@@ -211,28 +212,29 @@ Wide operator/(const Wide& a, const Wide& b) {
   if (exact) return quotient;
   const double error_a = a.relative_error(), error_b = b.relative_error();
   const double relative = (error_a + error_b + error_a * error_b) * (1 + 0x1p-40) + 0x1p-122;
-  return Wide::with_error(quotient.negative_, quotient.bits_,
-                          relative * static_cast<double>(quotient.bits_) * (1 + 0x1p-40), quotient.exponent_);
+  return Midrad128::with_error(quotient.negative_, quotient.bits_,
+                               relative * static_cast<double>(quotient.bits_) * (1 + 0x1p-40),
+                               quotient.exponent_);
 }
 
-Wide sqrt(const Wide& a) {
+Midrad128 sqrt(const Midrad128& a) {
   if (a.bits_ == 0) return {};
-  const Wide square = a.middle();
+  const Midrad128 square = a.middle();
   // An even exponent, and a start of 53 bits; twice, what is left of the square over twice the root.
   const int shift = square.exponent_ & 1 ? square.exponent_ + 1 : square.exponent_;
   const double start = std::sqrt(std::ldexp(static_cast<double>(square.bits_), square.exponent_ - shift));
-  Wide root = Wide(start).scaled(shift / 2);
+  Midrad128 root = Midrad128(start).scaled(shift / 2);
   for (int round = 0; round < 2; ++round) {
-    const Wide rest = (square - root * root).middle();
+    const Midrad128 rest = (square - root * root).middle();
     if (rest.bits_ == 0) break;
     const double correction = static_cast<double>(rest.bits_) / (2 * static_cast<double>(root.bits_));
-    const Wide part = Wide(correction).scaled(rest.exponent_ - root.exponent_);
+    const Midrad128 part = Midrad128(correction).scaled(rest.exponent_ - root.exponent_);
     root = (root + (rest.negative_ ? -part : part)).middle();
   }
   if (a.error_ == 0 && same(root * root, square)) return root;
   const double relative = a.relative_error() * (1 + 0x1p-40) + 0x1p-122;
-  return Wide::with_error(false, root.bits_, relative * static_cast<double>(root.bits_) * (1 + 0x1p-40),
-                          root.exponent_);
+  return Midrad128::with_error(false, root.bits_, relative * static_cast<double>(root.bits_) * (1 + 0x1p-40),
+                               root.exponent_);
 }
 
 }  // namespace foresee

@@ -1,4 +1,4 @@
-#include "numbers/precise.h"
+#include "numbers/midrad.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,8 +22,8 @@ Integer rough_root(const Integer& square) {
 
 }  // namespace
 
-Precise Precise::of(Integer mantissa, int exponent, int error, int bits) {
-  Precise p;
+Midrad Midrad::of(Integer mantissa, int exponent, int error, int bits) {
+  Midrad p;
   p.bits_ = bits;
   int cut = length_of(mantissa) - bits;
   if (error != none) cut = std::max(cut, error - 2 - exponent);
@@ -36,69 +36,69 @@ Precise Precise::of(Integer mantissa, int exponent, int error, int bits) {
   return p;
 }
 
-int Precise::both(int error, int other) {
+int Midrad::both(int error, int other) {
   if (error == none || other == none) return std::max(error, other);
   return std::max(error, other) + 1;
 }
 
-Precise::Precise(const Wide& value, int bits)
-    : Precise(hull(value.low().dyadic(), value.high().dyadic(), bits)) {}
+Midrad::Midrad(const Midrad128& value, int bits)
+    : Midrad(hull(value.low().dyadic(), value.high().dyadic(), bits)) {}
 
-Precise Precise::hull(const Dyadic& low, const Dyadic& high, int bits) {
+Midrad Midrad::hull(const Dyadic& low, const Dyadic& high, int bits) {
   const Dyadic middle = half_of(low + high), width = high - low;
   return of(middle.mantissa(), middle.exponent(), width.sign() == 0 ? none : width.magnitude(), bits);
 }
 
-int Precise::sign() const {
+int Midrad::sign() const {
   if (mantissa_.is_zero()) return exact() ? 0 : unknown_sign;
   return exact() || magnitude() > error_ ? mantissa_.sign() : unknown_sign;
 }
 
-Dyadic Precise::low() const {
+Dyadic Midrad::low() const {
   return exact() ? middle() : middle() - Dyadic::power_of_two(error_);
 }
 
-Dyadic Precise::high() const {
+Dyadic Midrad::high() const {
   return exact() ? middle() : middle() + Dyadic::power_of_two(error_);
 }
 
-Precise Precise::scaled(int shift) const {
-  Precise p = *this;
+Midrad Midrad::scaled(int shift) const {
+  Midrad p = *this;
   p.exponent_ += shift, p.error_ = times(error_, shift);
   return p;
 }
 
-Precise operator-(Precise a) {
+Midrad operator-(Midrad a) {
   a.mantissa_ = -a.mantissa_;
   return a;
 }
 
-Precise operator+(const Precise& a, const Precise& b) {
+Midrad operator+(const Midrad& a, const Midrad& b) {
   if (a.is_zero()) return b;
   if (b.is_zero()) return a;
   const int bits = std::max(a.bits_, b.bits_);
-  int top = Precise::none;
-  for (const Precise* p : {&a, &b})
+  int top = Midrad::none;
+  for (const Midrad* p : {&a, &b})
     if (!p->mantissa_.is_zero()) top = std::max(top, p->magnitude());
-  int error = Precise::both(a.error_, b.error_);
-  if (top == Precise::none) return Precise::of(0, 0, error, bits);
+  int error = Midrad::both(a.error_, b.error_);
+  if (top == Midrad::none) return Midrad::of(0, 0, error, bits);
   // What lies below the last digit of the sum is cut off before.
   const int last = std::max(top - bits - 2, std::min(a.exponent_, b.exponent_));
-  for (const Precise* p : {&a, &b})
-    if (p->exponent_ < last) error = Precise::both(error, last);
+  for (const Midrad* p : {&a, &b})
+    if (p->exponent_ < last) error = Midrad::both(error, last);
   const Integer sum = shifted(a.mantissa_, a.exponent_ - last) + shifted(b.mantissa_, b.exponent_ - last);
-  return Precise::of(sum, last, error, bits);
+  return Midrad::of(sum, last, error, bits);
 }
 
-Precise operator*(const Precise& a, const Precise& b) {
+Midrad operator*(const Midrad& a, const Midrad& b) {
   if (a.is_zero() || b.is_zero()) return {};
-  int error = a.exact() || b.exact() ? Precise::none : a.error_ + b.error_;
-  if (!a.mantissa_.is_zero()) error = Precise::both(error, Precise::times(b.error_, a.magnitude() + 1));
-  if (!b.mantissa_.is_zero()) error = Precise::both(error, Precise::times(a.error_, b.magnitude() + 1));
-  return Precise::of(a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_, error, std::max(a.bits_, b.bits_));
+  int error = a.exact() || b.exact() ? Midrad::none : a.error_ + b.error_;
+  if (!a.mantissa_.is_zero()) error = Midrad::both(error, Midrad::times(b.error_, a.magnitude() + 1));
+  if (!b.mantissa_.is_zero()) error = Midrad::both(error, Midrad::times(a.error_, b.magnitude() + 1));
+  return Midrad::of(a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_, error, std::max(a.bits_, b.bits_));
 }
 
-Precise operator/(const Precise& a, const Precise& b) {
+Midrad operator/(const Midrad& a, const Midrad& b) {
   if (a.is_zero()) return {};
   const int bits = std::max(a.bits_, b.bits_), divisor = length_of(b.mantissa_),
             divided = length_of(a.mantissa_);
@@ -110,20 +110,20 @@ Precise operator/(const Precise& a, const Precise& b) {
   const int exponent = a.exponent_ - b.exponent_ - shift;
   // The true divisor is more than half of b; cutting a off and dividing each lose less than a unit.
   const int least = b.magnitude() - 1;
-  int error = Precise::both(exponent + 1, Precise::times(a.error_, -least));
+  int error = Midrad::both(exponent + 1, Midrad::times(a.error_, -least));
   if (divided > 0)
-    error = Precise::both(error, Precise::times(b.error_, a.magnitude() + 1 - b.magnitude() - least));
-  return Precise::of(shifted(a.mantissa_, shift) / b.mantissa_, exponent, error, bits);
+    error = Midrad::both(error, Midrad::times(b.error_, a.magnitude() + 1 - b.magnitude() - least));
+  return Midrad::of(shifted(a.mantissa_, shift) / b.mantissa_, exponent, error, bits);
 }
 
-Precise sqrt(const Precise& a) {
+Midrad sqrt(const Midrad& a) {
   if (a.is_zero()) return {};
   int shift = 2 * a.bits_ - length_of(a.mantissa_);
   if ((a.exponent_ - shift) % 2 != 0) --shift;
   const int exponent = (a.exponent_ - shift) / 2;
   // The derivative is below 2^-(magnitude / 2), as a is more than half its midpoint.
-  const int error = Precise::both(exponent + 3, Precise::times(a.error_, -(a.magnitude() - 1) / 2 + 1));
-  return Precise::of(rough_root(shifted(a.mantissa_, shift)), exponent, error, a.bits_);
+  const int error = Midrad::both(exponent + 3, Midrad::times(a.error_, -(a.magnitude() - 1) / 2 + 1));
+  return Midrad::of(rough_root(shifted(a.mantissa_, shift)), exponent, error, a.bits_);
 }
 
 }  // namespace foresee

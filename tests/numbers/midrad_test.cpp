@@ -1,6 +1,6 @@
 // Numbers of any length: what they enclose, how narrowly, and the quick proof that two polynomials have no
 // common root.
-#include "numbers/precise.h"
+#include "numbers/midrad.h"
 
 #include <gtest/gtest.h>
 
@@ -29,61 +29,61 @@ class Numbers {
   std::mt19937_64 random_{20260101};
 };
 
-bool holds(const Precise& enclosure, const Dyadic& exact) {
+bool holds(const Midrad& enclosure, const Dyadic& exact) {
   return enclosure.low() <= exact && exact <= enclosure.high();
 }
 
-TEST(Precise, EnclosesWhatIsExact) {
+TEST(Midrad, EnclosesWhatIsExact) {
   Numbers numbers;
   for (int i = 0; i < 2000; ++i) {
     const Dyadic a = numbers.number(), b = numbers.number();
     const int bits = numbers.length();
-    const Precise x(a, bits), y(b, bits);
+    const Midrad x(a, bits), y(b, bits);
     EXPECT_TRUE(holds(x, a));
     EXPECT_TRUE(holds(x + y, a + b));
     EXPECT_TRUE(holds(x * y, a * b));
     EXPECT_TRUE(holds(x * x - y * y + (x + y) * (x * y), a * a - b * b + (a + b) * (a * b)));
-    EXPECT_TRUE(holds(Precise::hull(std::min(a, b), std::max(a, b), bits), a));
+    EXPECT_TRUE(holds(Midrad::hull(std::min(a, b), std::max(a, b), bits), a));
     if (b.sign() != 0) {
-      const Precise quotient = x / y;
+      const Midrad quotient = x / y;
       const Dyadic one = quotient.low() * b, other = quotient.high() * b;
       EXPECT_TRUE(std::min(one, other) <= a && a <= std::max(one, other));
     }
     if (a.sign() > 0) {
-      const Precise root = sqrt(x);
+      const Midrad root = sqrt(x);
       EXPECT_TRUE(root.low() * root.low() <= a && a <= root.high() * root.high());
     }
   }
 }
 
-TEST(Precise, IsAsNarrowAsItIsLong) {
+TEST(Midrad, IsAsNarrowAsItIsLong) {
   const int bits = 1000, lost = 10;
-  const Precise third = Precise(Dyadic(1.0), bits) / Precise(Dyadic(3.0), bits);
+  const Midrad third = Midrad(Dyadic(1.0), bits) / Midrad(Dyadic(3.0), bits);
   EXPECT_LT((third.high() - third.low()).magnitude(), lost - bits);
-  const Precise root = sqrt(Precise(Dyadic(2.0), bits));
+  const Midrad root = sqrt(Midrad(Dyadic(2.0), bits));
   EXPECT_LT((root.high() - root.low()).magnitude(), lost - bits);
-  EXPECT_EQ((root * root - Precise(Dyadic(2.0), bits)).sign(), unknown_sign);
-  EXPECT_EQ(
-      (Precise(Dyadic(1e300), 2000) + Precise(Dyadic(1e-300), 2000) - Precise(Dyadic(1e300), 2000)).sign(),
-      1);
+  EXPECT_EQ((root * root - Midrad(Dyadic(2.0), bits)).sign(), unknown_sign);
+  EXPECT_EQ((Midrad(Dyadic(1e300), 2000) + Midrad(Dyadic(1e-300), 2000) - Midrad(Dyadic(1e300), 2000)).sign(),
+            1);
 }
 
 /// Of wide intervals: Newton's method has to see a slope's sign early.
-TEST(Wide, ProductsOfWideIntervalsStayNarrow) {
-  const auto lies_within = [](const Wide& w, double least, double most) {
+TEST(Midrad128, ProductsOfWideIntervalsStayNarrow) {
+  const auto lies_within = [](const Midrad128& w, double least, double most) {
     return Dyadic(least) <= w.low().dyadic() && w.high().dyadic() <= Dyadic(most);
   };
-  const Wide around_zero = Wide::hull(Wide(), Wide(20.0)) - Wide(10.0);
-  const Wide far = Wide::hull(Wide(2.0), Wide(4.0));
+  const Midrad128 around_zero = Midrad128::hull(Midrad128(), Midrad128(20.0)) - Midrad128(10.0);
+  const Midrad128 far = Midrad128::hull(Midrad128(2.0), Midrad128(4.0));
   EXPECT_TRUE(lies_within(around_zero * around_zero, -101, 101));
   EXPECT_TRUE(lies_within(far * far, 1, 17));
   Numbers numbers;
   for (int i = 0; i < 2000; ++i) {
-    const auto size = [&] { return Wide(numbers.number() * numbers.number()); };
-    const Wide a = size(), b = size(), c = size(), d = size();
-    const Wide x = Wide::hull(Wide(), a * a) - b * b, y = Wide::hull(Wide(), c * c) - d * d, product = x * y;
-    for (const Wide& one : {x.low(), x.high()})
-      for (const Wide& other : {y.low(), y.high()}) {
+    const auto size = [&] { return Midrad128(numbers.number() * numbers.number()); };
+    const Midrad128 a = size(), b = size(), c = size(), d = size();
+    const Midrad128 x = Midrad128::hull(Midrad128(), a * a) - b * b,
+                    y = Midrad128::hull(Midrad128(), c * c) - d * d, product = x * y;
+    for (const Midrad128& one : {x.low(), x.high()})
+      for (const Midrad128& other : {y.low(), y.high()}) {
         const Dyadic corner = one.dyadic() * other.dyadic();
         EXPECT_TRUE(product.low().dyadic() <= corner && corner <= product.high().dyadic());
       }

@@ -1,6 +1,7 @@
-// Numbers of as many bits as one asks for that know how wrong they may be: what Wide is, at any length.
+// Ball arithmetic in as many bits as one asks for: numbers that know how wrong they may be, what Midrad128
+// is, at any length.
 //
-//   Precise third = Precise(Dyadic(1.0), 1000) / Precise(Dyadic(3.0), 1000);    // off by 2^-1000 or so
+//   Midrad third = Midrad(Dyadic(1.0), 1000) / Midrad(Dyadic(3.0), 1000);    // off by 2^-1000 or so
 //   third.sign() == 1                                  // or unknown_sign where the error reaches 0
 //
 // Where 128 bits do not tell, the same question is asked with 512, 1024 and so on. What fits into the length
@@ -11,21 +12,21 @@
 
 #include <limits>
 
-#include "numbers/wide.h"
+#include "numbers/midrad_128.h"
 
 namespace foresee {
 
 /// The length to begin with; then twice as many, and so on.
 constexpr int first_length = 512;
 
-class Precise {
+class Midrad {
  public:
-  Precise() = default;
+  Midrad() = default;
   /// Exact if the value has at most `bits` bits, else within a unit of the last.
-  Precise(const Dyadic& value, int bits) : Precise(of(value.mantissa(), value.exponent(), none, bits)) {}
-  Precise(const Wide& value, int bits);
+  Midrad(const Dyadic& value, int bits) : Midrad(of(value.mantissa(), value.exponent(), none, bits)) {}
+  Midrad(const Midrad128& value, int bits);
   /// Holds every number between `low` and `high`. Requires: low <= high.
-  static Precise hull(const Dyadic& low, const Dyadic& high, int bits);
+  static Midrad hull(const Dyadic& low, const Dyadic& high, int bits);
 
   /// -1, 0, 1, or unknown_sign. 0 is exactly 0.
   int sign() const;
@@ -36,21 +37,21 @@ class Precise {
   Dyadic middle() const { return {mantissa_, exponent_}; }
 
   /// The same in at most so many bits.
-  Precise cut_to(int bits) const { return of(mantissa_, exponent_, error_, bits); }
-  Precise scaled(int shift) const;
-  friend Precise operator-(Precise a);
-  friend Precise operator+(const Precise& a, const Precise& b);
-  friend Precise operator-(const Precise& a, const Precise& b) { return a + -b; }
-  friend Precise operator*(const Precise& a, const Precise& b);
+  Midrad cut_to(int bits) const { return of(mantissa_, exponent_, error_, bits); }
+  Midrad scaled(int shift) const;
+  friend Midrad operator-(Midrad a);
+  friend Midrad operator+(const Midrad& a, const Midrad& b);
+  friend Midrad operator-(const Midrad& a, const Midrad& b) { return a + -b; }
+  friend Midrad operator*(const Midrad& a, const Midrad& b);
   /// Requires: the sign of b is known and not 0.
-  friend Precise operator/(const Precise& a, const Precise& b);
+  friend Midrad operator/(const Midrad& a, const Midrad& b);
   /// Requires: the sign of a is known and not negative.
-  friend Precise sqrt(const Precise& a);
+  friend Midrad sqrt(const Midrad& a);
 
  private:
   static constexpr int none = std::numeric_limits<int>::min();  ///< the error of what is exact
   /// (mantissa +- 2^(error - exponent)) 2^exponent without meaningless digits.
-  static Precise of(Integer mantissa, int exponent, int error, int bits);
+  static Midrad of(Integer mantissa, int exponent, int error, int bits);
   /// A bound on the sum of two errors.
   static int both(int error, int other);
   /// An error times what is below 2^magnitude.
@@ -65,7 +66,7 @@ class Precise {
   int bits_ = 0;
 };
 
-inline Precise half_of(const Precise& a) {
+inline Midrad half_of(const Midrad& a) {
   return a.scaled(-1);
 }
 
