@@ -45,9 +45,9 @@ class Stages {
 
  private:
   template <class Answer>
-  Answer exactly(std::size_t i, Answer (*ask)(PairCurves&, const ExactMoments&)) const {
-    PairCurves curves(set_, setup_, a(i), b(i));
-    return ask(curves, exact_moments_of(setup_, a(i), b(i)));
+  Answer exactly(std::size_t i, Answer (*ask)(PairPolynomials&, const ExactMoments&)) const {
+    PairPolynomials polynomials(set_, setup_, a(i), b(i));
+    return ask(polynomials, exact_moments_of(setup_, a(i), b(i)));
   }
 
   /// As SetContact times a begin.

@@ -165,9 +165,9 @@ class SetContact : public Contact {
 
   template <class Answer>
   [[gnu::noinline]] Answer exactly(const double* row_a, const double* row_b,
-                                   Answer (*ask)(PairCurves&, const ExactMoments&)) const {
-    PairCurves curves(set_, setup_, row_a, row_b);
-    return ask(curves, exact_moments_of(setup_, row_a, row_b));
+                                   Answer (*ask)(PairPolynomials&, const ExactMoments&)) const {
+    PairPolynomials polynomials(set_, setup_, row_a, row_b);
+    return ask(polynomials, exact_moments_of(setup_, row_a, row_b));
   }
 
   const ContactSet set_;

@@ -8,49 +8,50 @@
 namespace foresee {
 namespace {
 
-/// What roots and the moments between them are found among: in order of time, each with the curve's sign.
+/// What roots and the moments between them are found among: in order of time, each with the polynomial's
+/// sign.
 struct Waypoints {
   struct Waypoint {
-    Event* event;
+    AlgebraicRoot* root;
     int sign;
   };
-  std::array<Waypoint, 2 * Curve::most + 1> list;
+  std::array<Waypoint, 2 * LazyPolynomial::most + 1> list;
   int count = 0;
 
-  void add(Event* event, int sign) { list[count++] = {event, sign}; }
+  void add(AlgebraicRoot* root, int sign) { list[count++] = {root, sign}; }
 };
 
 /// Sign of the discriminant; the coefficients or `discriminant` are made sharper where that takes integers.
-int discriminant_of(Curve& curve, Midrad128& d) {
-  const auto& c = curve.rough();
+int discriminant_of(LazyPolynomial& polynomial, Midrad128& d) {
+  const auto& c = polynomial.rough();
   d = c[1] * c[1] - (c[0] * c[2]).scaled(2);
   if (d.sign() == unknown_sign || (c[1].sign() == unknown_sign && d.sign() > 0)) {
-    curve.sharpen();
-    d = Midrad128(discriminant(curve.exact()));
+    polynomial.sharpen();
+    d = Midrad128(discriminant(polynomial.exact()));
   }
   return d.sign();
 }
 
 /// All real roots of degree 1 and 2, in order.
-Events roots_by_formula(Curve& curve) {
-  Events roots;
-  const int degree = curve.degree();
+Roots roots_by_formula(LazyPolynomial& polynomial) {
+  Roots roots;
+  const int degree = polynomial.degree();
   if (degree < 1) return roots;
   if (degree == 1) {
-    roots.list[roots.count++] = &curve.add_root(0, -curve.rough()[0] / curve.rough()[1]);
+    roots.list[roots.count++] = &polynomial.add_root(0, -polynomial.rough()[0] / polynomial.rough()[1]);
     return roots;
   }
   Midrad128 d;
-  const int sign = discriminant_of(curve, d);
-  const auto& c = curve.rough();
+  const int sign = discriminant_of(polynomial, d);
+  const auto& c = polynomial.rough();
   if (sign < 0) return roots;
   if (sign == 0) {
-    roots.list[roots.count++] = &curve.add_root(0, -c[1] / c[2].scaled(1));
+    roots.list[roots.count++] = &polynomial.add_root(0, -c[1] / c[2].scaled(1));
     return roots;
   }
   const Midrad128 product = product_of_root(c, d);
   for (int which : {-1, 1})
-    roots.list[roots.count++] = &curve.add_root(which, root_of_quadratic(c, product, which));
+    roots.list[roots.count++] = &polynomial.add_root(which, root_of_quadratic(c, product, which));
   return roots;
 }
 
@@ -64,13 +65,13 @@ TimeIntervals clipped(std::initializer_list<TimeInterval> intervals, const Asked
   return kept;
 }
 
-TimeIntervals inside_by_formula(Curve& curve, const Asked& asked) {
-  const Events roots = roots_by_formula(curve);
-  Event *const begin = &asked.begin, *const end = &asked.end;
-  const int lead = curve.lead();
+TimeIntervals inside_by_formula(LazyPolynomial& polynomial, const Asked& asked) {
+  const Roots roots = roots_by_formula(polynomial);
+  AlgebraicRoot *const begin = &asked.begin, *const end = &asked.end;
+  const int lead = polynomial.lead();
   if (roots.count == 0) return lead <= 0 ? clipped({{begin, end}}, asked) : TimeIntervals{};
-  Event *const one = roots.list[0], *const other = roots.list[roots.count - 1];
-  if (curve.degree() == 1)
+  AlgebraicRoot *const one = roots.list[0], *const other = roots.list[roots.count - 1];
+  if (polynomial.degree() == 1)
     return clipped({lead > 0 ? TimeInterval{begin, one} : TimeInterval{one, end}}, asked);
   if (lead > 0) return clipped({{one, other}}, asked);
   if (one == other) return clipped({{begin, end}}, asked);
@@ -78,12 +79,14 @@ TimeIntervals inside_by_formula(Curve& curve, const Asked& asked) {
 }
 
 /// The only root between two neighbours at which the signs differ.
-Event& root_between(Curve& curve, Event& before, Event& after, int sign_before) {
+AlgebraicRoot& root_between(LazyPolynomial& polynomial, AlgebraicRoot& before, AlgebraicRoot& after,
+                            int sign_before) {
   const Midrad128 low = before.at.high(), high = after.at.low();
-  if ((high - low).sign() == 1 && curve.value_at(low).sign() == sign_before &&
-      curve.value_at(high).sign() == -sign_before) {
-    const IntervalNewton<Midrad128> narrow(curve.rough(), curve.degree(), low, high, sign_before, 128);
-    Event& root = curve.add_root(narrow.low.dyadic(), narrow.high.dyadic(), sign_before);
+  if ((high - low).sign() == 1 && polynomial.value_at(low).sign() == sign_before &&
+      polynomial.value_at(high).sign() == -sign_before) {
+    const IntervalNewton<Midrad128> narrow(polynomial.rough(), polynomial.degree(), low, high, sign_before,
+                                           128);
+    AlgebraicRoot& root = polynomial.add_root(narrow.low.dyadic(), narrow.high.dyadic(), sign_before);
     root.recognize();
     return root;
   }
@@ -91,47 +94,47 @@ Event& root_between(Curve& curve, Event& before, Event& after, int sign_before) 
   for (int bits = first_length;; bits *= 2) {
     const Dyadic left = before.enclosure(bits).high(), right = after.enclosure(bits).low();
     const auto sign_at = [&](const Dyadic& x) {
-      return value_at(curve.enclosure(bits), curve.degree(), Midrad(x, bits)).sign();
+      return value_at(polynomial.enclosure(bits), polynomial.degree(), Midrad(x, bits)).sign();
     };
     if (!(left < right) || sign_at(left) != sign_before || sign_at(right) != -sign_before) continue;
-    Event& root = curve.add_root(left, right, sign_before);
+    AlgebraicRoot& root = polynomial.add_root(left, right, sign_before);
     root.enclosure(first_length);
     root.recognize();
     return root;
   }
 }
 
-Waypoints waypoints_of(Curve& curve, const Asked& asked);
+Waypoints waypoints_of(LazyPolynomial& polynomial, const Asked& asked);
 
 }  // namespace
 
-Events zeros_within(Curve& curve, const Asked& asked) {
-  Events zeros;
-  if (curve.degree() <= 2) {
-    const Events all = roots_by_formula(curve);
+Roots zeros_within(LazyPolynomial& polynomial, const Asked& asked) {
+  Roots zeros;
+  if (polynomial.degree() <= 2) {
+    const Roots all = roots_by_formula(polynomial);
     for (int i = 0; i < all.count; ++i)
       if (compare(*all.list[i], asked.begin) > 0 && compare(*all.list[i], asked.end) < 0)
         zeros.list[zeros.count++] = all.list[i];
     return zeros;
   }
-  const Waypoints way = waypoints_of(curve, asked);
+  const Waypoints way = waypoints_of(polynomial, asked);
   for (int i = 1; i + 1 < way.count; ++i)
-    if (way.list[i].sign == 0) zeros.list[zeros.count++] = way.list[i].event;
+    if (way.list[i].sign == 0) zeros.list[zeros.count++] = way.list[i].root;
   return zeros;
 }
 
 namespace {
 
 /// The ends, the zeros of the slope, and between them the roots.
-Waypoints waypoints_of(Curve& curve, const Asked& asked) {
-  const Events turns = zeros_within(curve.slope(), asked);
+Waypoints waypoints_of(LazyPolynomial& polynomial, const Asked& asked) {
+  const Roots turns = zeros_within(polynomial.slope(), asked);
   Waypoints way;
-  way.add(&asked.begin, curve.sign_at(asked.begin));
+  way.add(&asked.begin, polynomial.sign_at(asked.begin));
   for (int i = 0; i <= turns.count; ++i) {
-    Event& next = i < turns.count ? *turns.list[i] : asked.end;
+    AlgebraicRoot& next = i < turns.count ? *turns.list[i] : asked.end;
     const auto last = way.list[way.count - 1];
-    const int sign = curve.sign_at(next);
-    if (last.sign * sign < 0) way.add(&root_between(curve, *last.event, next, last.sign), 0);
+    const int sign = polynomial.sign_at(next);
+    if (last.sign * sign < 0) way.add(&root_between(polynomial, *last.root, next, last.sign), 0);
     way.add(&next, sign);
   }
   return way;
@@ -145,10 +148,10 @@ constexpr int bernstein_weight(int n, int i, int k) {
 }
 
 /// Never 0 on the whole of it, told from Bernstein's coefficients: their sign, or 0 where they do not tell.
-int constant_sign(Curve& curve, const Asked& asked) {
-  const int n = curve.degree();
+int constant_sign(LazyPolynomial& polynomial, const Asked& asked) {
+  const int n = polynomial.degree();
   const Midrad128 width = asked.end.at - asked.begin.at;
-  std::array<Midrad128, Curve::most + 1> d = curve.rough();
+  std::array<Midrad128, LazyPolynomial::most + 1> d = polynomial.rough();
   for (int k = 0; k < n; ++k)
     for (int i = n - 1; i >= k; --i) d[i] = d[i] + asked.begin.at * d[i + 1];
   Midrad128 scale = width;
@@ -166,19 +169,19 @@ int constant_sign(Curve& curve, const Asked& asked) {
 
 }  // namespace
 
-TimeIntervals inside(Curve& curve, const Asked& asked) {
-  if (curve.degree() <= 2) return inside_by_formula(curve, asked);
+TimeIntervals inside(LazyPolynomial& polynomial, const Asked& asked) {
+  if (polynomial.degree() <= 2) return inside_by_formula(polynomial, asked);
   TimeIntervals intervals;
-  const int constant = constant_sign(curve, asked);
+  const int constant = constant_sign(polynomial, asked);
   if (constant < 0) intervals.push_back({&asked.begin, &asked.end});
   if (constant != 0) return intervals;
-  const Waypoints way = waypoints_of(curve, asked);
-  // Between two neighbours there is no root, so the curve is at most 0 there if it is at both.
+  const Waypoints way = waypoints_of(polynomial, asked);
+  // Between two neighbours there is no root, so the polynomial is at most 0 there if it is at both.
   for (int i = 0; i < way.count; ++i) {
     if (way.list[i].sign > 0) continue;
     int last = i;
     while (last + 1 < way.count && way.list[last + 1].sign <= 0) ++last;
-    intervals.push_back({way.list[i].event, way.list[last].event});
+    intervals.push_back({way.list[i].root, way.list[last].root});
     i = last;
   }
   return intervals;
@@ -186,7 +189,7 @@ TimeIntervals inside(Curve& curve, const Asked& asked) {
 
 TimeIntervals outside(const TimeIntervals& inside, const Asked& asked) {
   TimeIntervals gaps;
-  Event* first = &asked.begin;
+  AlgebraicRoot* first = &asked.begin;
   for (const TimeInterval& interval : inside) {
     if (interval.first != &asked.begin) gaps.push_back({first, interval.first});
     first = interval.last;
@@ -199,9 +202,9 @@ TimeIntervals common(const TimeIntervals& a, const TimeIntervals& b) {
   TimeIntervals both;
   for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();) {
     const TimeInterval &s = a[i], &other = b[j];
-    Event* const first = compare(*s.first, *other.first) >= 0 ? s.first : other.first;
+    AlgebraicRoot* const first = compare(*s.first, *other.first) >= 0 ? s.first : other.first;
     const bool s_ends = compare(*s.last, *other.last) <= 0;
-    Event* const last = s_ends ? s.last : other.last;
+    AlgebraicRoot* const last = s_ends ? s.last : other.last;
     if (compare(*first, *last) <= 0) both.push_back({first, last});
     ++(s_ends ? i : j);
   }

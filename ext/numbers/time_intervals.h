@@ -1,4 +1,4 @@
-// When is a polynomial at most 0? All its intervals of the time asked about, with exact events as ends.
+// When is a polynomial at most 0? All its intervals of the time asked about, with algebraic roots as ends.
 //
 // Degree 1 and 2 by the formula; a discriminant whose sign 128 bits cannot tell is taken exactly.
 // Degree 3 and 4 by their slope: between its zeros the polynomial runs one way, so its signs there say where
@@ -8,13 +8,13 @@
 
 #include <vector>
 
-#include "numbers/curve.h"
+#include "numbers/algebraic_root.h"
 
 namespace foresee {
 
-/// Closed; a single moment where both ends are the same event.
+/// Closed; a single moment where both ends are the same root.
 struct TimeInterval {
-  Event *first, *last;
+  AlgebraicRoot *first, *last;
 };
 
 /// In order of time and apart from each other.
@@ -22,18 +22,18 @@ using TimeIntervals = std::vector<TimeInterval>;
 
 /// The moments asked about. Requires: begin <= end.
 struct Asked {
-  Event &begin, &end;
+  AlgebraicRoot &begin, &end;
 };
 
-struct Events {
-  std::array<Event*, Curve::most> list;
+struct Roots {
+  std::array<AlgebraicRoot*, LazyPolynomial::most> list;
   int count = 0;
 };
 
-/// Where a curve is 0, in order and strictly within the moments asked about. To be asked once.
-Events zeros_within(Curve& curve, const Asked& asked);
+/// Where a polynomial is 0, in order and strictly within the moments asked about. To be asked once.
+Roots zeros_within(LazyPolynomial& polynomial, const Asked& asked);
 
-TimeIntervals inside(Curve& curve, const Asked& asked);
+TimeIntervals inside(LazyPolynomial& polynomial, const Asked& asked);
 
 /// What lies between intervals, with the ends that they share. Single moments at which a polynomial only
 /// touches 0 from below are left out, as are those at the ends of what is asked about.

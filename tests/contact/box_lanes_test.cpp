@@ -74,10 +74,10 @@ class LaneOfPair {
 
  private:
   template <class Answer>
-  Answer ask(Answer (*question)(PairCurves&, const ExactMoments&)) const {
+  Answer ask(Answer (*question)(PairPolynomials&, const ExactMoments&)) const {
     const ContactSet set = box_box_set(setup_);
-    PairCurves curves(set, setup_, row_a_.data(), row_b_.data());
-    return question(curves, exact_moments_of(setup_, row_a_.data(), row_b_.data()));
+    PairPolynomials polynomials(set, setup_, row_a_.data(), row_b_.data());
+    return question(polynomials, exact_moments_of(setup_, row_a_.data(), row_b_.data()));
   }
 
   void check_end(const BoxLanes<D, Degree>& lanes, double dt_end, Certain& certain) const {

@@ -41,8 +41,9 @@ class Passage {
     contact->first_contacts({&pair, 1}, TimesWanted::both, hits, times);
     contact->decide({&pair, 1}, decided);
     EXPECT_EQ(hits, decided);
-    PairCurves curves(set, setup, row_still_.data(), row_moving_.data());
-    const auto exact = exact_times(curves, exact_moments_of(setup, row_still_.data(), row_moving_.data()));
+    PairPolynomials polynomials(set, setup, row_still_.data(), row_moving_.data());
+    const auto exact =
+        exact_times(polynomials, exact_moments_of(setup, row_still_.data(), row_moving_.data()));
     EXPECT_EQ(exact.has_value(), !times.empty());
     if (!exact || times.empty()) return {};
     EXPECT_EQ(times[0].dt, exact->dt);

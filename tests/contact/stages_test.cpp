@@ -44,12 +44,12 @@ class StagesOfPair {
 
   void check() {
     if (moments_.none) return;
-    PairCurves curves(set_, setup_, row_a_.data(), row_b_.data());
+    PairPolynomials polynomials(set_, setup_, row_a_.data(), row_b_.data());
     const ExactMoments exact = exact_moments_of(setup_, row_a_.data(), row_b_.data());
-    const bool touches = exact_touches(curves, exact);
+    const bool touches = exact_touches(polynomials, exact);
     check_doubles(touches);
     check_lanes(touches, exact);
-    check_128_bits(curves, exact);
+    check_128_bits(polynomials, exact);
     if (touches) check_times(exact);
   }
 
@@ -96,8 +96,8 @@ class StagesOfPair {
       EXPECT_TRUE(touches || !(lanes.touches[l] > 0)) << "side by side: " << case_;
     }
     if (!touches) return;
-    PairCurves curves(set_, setup_, row_a_.data(), row_b_.data());
-    const auto times = exact_times(curves, exact);
+    PairPolynomials polynomials(set_, setup_, row_a_.data(), row_b_.data());
+    const auto times = exact_times(polynomials, exact);
     ASSERT_TRUE(times) << case_;
     EXPECT_GE(times->dt, lanes.begin[0]) << case_;
     EXPECT_LE(times->dt_end, lanes.end[0] * (1 + 0x1p-52)) << case_;
@@ -114,20 +114,20 @@ class StagesOfPair {
     use_simd(usual);
   }
 
-  void check_128_bits(PairCurves& curves, const ExactMoments& exact) {
+  void check_128_bits(PairPolynomials& polynomials, const ExactMoments& exact) {
     for (int i = 0; i < static_cast<int>(set_.primitives().size()); ++i)
       for (const Dyadic& moment : {exact.begin, exact.end}) {
-        Curve& curve = curves.curve(curves.number_of(i));
-        const int sign = curve.value_at(Midrad128(moment)).sign();
+        LazyPolynomial& polynomial = polynomials.polynomial(polynomials.number_of(i));
+        const int sign = polynomial.value_at(Midrad128(moment)).sign();
         if (sign == unknown_sign) continue;
         ++certain_.in_128_bits;
-        EXPECT_EQ(sign, sign_at(curve.exact(), moment)) << "128 bits: " << case_;
+        EXPECT_EQ(sign, sign_at(polynomial.exact(), moment)) << "128 bits: " << case_;
       }
   }
 
   void check_times(const ExactMoments& exact) {
-    PairCurves curves(set_, setup_, row_a_.data(), row_b_.data());
-    const auto times = exact_times(curves, exact);
+    PairPolynomials polynomials(set_, setup_, row_a_.data(), row_b_.data());
+    const auto times = exact_times(polynomials, exact);
     ASSERT_TRUE(times) << case_;
     const auto answer = contact(case_.a, case_.b, case_.question);
     ASSERT_TRUE(answer) << case_;

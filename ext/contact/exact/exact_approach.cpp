@@ -24,24 +24,24 @@ double rounded_square_root(const Dyadic& square) {
   return rounded(Dyadic((root << 1) + (more ? 1 : 0), (square.exponent() - shift) / 2 - 1));
 }
 
-/// A polynomial given by its coefficients, as a curve.
-class KnownCurve final : public PolynomialSource {
+/// A polynomial given by its exact coefficients, as a lazy one.
+class KnownPolynomial final : public PolynomialSource {
  public:
-  explicit KnownCurve(const SquaredDistance& c) : polynomial_(c), curve_(rough(c), *this, 0) {}
+  explicit KnownPolynomial(const SquaredDistance& c) : exact_(c), polynomial_(rough(c), *this, 0) {}
 
-  Polynomial polynomial(int /*number*/) const override { return polynomial_; }
-  const Polynomial& polynomial() const { return polynomial_; }
-  Curve& curve() { return curve_; }
+  Polynomial exact_polynomial(int /*number*/) const override { return exact_; }
+  const Polynomial& exact() const { return exact_; }
+  LazyPolynomial& polynomial() { return polynomial_; }
 
  private:
-  static Curve::Coefficients rough(const SquaredDistance& c) {
-    Curve::Coefficients rough;
+  static LazyPolynomial::Coefficients rough(const SquaredDistance& c) {
+    LazyPolynomial::Coefficients rough;
     std::transform(c.begin(), c.end(), rough.begin(), [](const Dyadic& d) { return Midrad128(d); });
     return rough;
   }
 
-  Polynomial polynomial_;
-  Curve curve_;
+  Polynomial exact_;
+  LazyPolynomial polynomial_;
 };
 
 class ExactApproach {
@@ -52,7 +52,7 @@ class ExactApproach {
   ClosestApproach nearest() {
     const Moments& m = moments_.rounded;
     const auto [first, second] = minima();
-    Event& best = second && second_is_nearer(*first, *second) ? *second : *first;
+    AlgebraicRoot& best = second && second_is_nearer(*first, *second) ? *second : *first;
     const double distance = distance_at(best);
     if (&best == &begin_) return {m.t_begin, m.dt_begin, distance};
     if (&best == &end_) return {m.t_end, m.dt_end, distance};
@@ -61,8 +61,8 @@ class ExactApproach {
 
  private:
   struct Minima {
-    Event *first = nullptr, *second = nullptr;
-    void add(Event& event) { (first ? second : first) = &event; }
+    AlgebraicRoot *first = nullptr, *second = nullptr;
+    void add(AlgebraicRoot& moment) { (first ? second : first) = &moment; }
   };
 
   /// Where the squared distance has fallen before and rises after, in order of time: one or two, as its slope
@@ -72,7 +72,7 @@ class ExactApproach {
     if (slope().degree() < 0 || !(moments_.begin < moments_.end)) return {&begin_};
     int side = slope_after(begin_);
     if (side > 0) minima.add(begin_);
-    const Events turns = zeros_within(slope(), {begin_, end_});
+    const Roots turns = zeros_within(slope(), {begin_, end_});
     for (int i = 0; i < turns.count; ++i) {
       const int after = slope_after(*turns.list[i]);
       if (side < 0 && after > 0) minima.add(*turns.list[i]);
@@ -82,26 +82,26 @@ class ExactApproach {
     return minima;
   }
 
-  Curve& slope() { return known_.curve().slope(); }
+  LazyPolynomial& slope() { return known_.polynomial().slope(); }
 
   /// The slope's sign just after a moment: that of its first derivative that is not zero there.
-  int slope_after(Event& event) {
-    Curve* curve = &slope();
-    int sign = curve->sign_at(event);
-    for (; sign == 0; sign = curve->sign_at(event)) curve = &curve->slope();
+  int slope_after(AlgebraicRoot& moment) {
+    LazyPolynomial* polynomial = &slope();
+    int sign = polynomial->sign_at(moment);
+    for (; sign == 0; sign = polynomial->sign_at(moment)) polynomial = &polynomial->slope();
     return sign;
   }
 
   /// The sign of the squared distance minus `limit`.
-  int sign_beyond(const Dyadic& limit, Event& event) const {
+  int sign_beyond(const Dyadic& limit, AlgebraicRoot& moment) const {
     SquaredDistance difference = square_;
     difference[0] = square_[0] - limit;
-    KnownCurve beyond(difference);
-    return beyond.curve().sign_at(event);
+    KnownPolynomial beyond(difference);
+    return beyond.polynomial().sign_at(moment);
   }
 
-  bool second_is_nearer(Event& first, Event& second) const {
-    const Polynomial& p = known_.polynomial();
+  bool second_is_nearer(AlgebraicRoot& first, AlgebraicRoot& second) const {
+    const Polynomial& p = known_.exact();
     if (first.known) return sign_beyond(value_at(p, *first.known), second) < 0;
     if (second.known) return sign_beyond(value_at(p, *second.known), first) > 0;
     // Two minima with a maximum between them. Of c0 + c1 t + c2 t^2 + c3 t^3 with three roots, the integral
@@ -113,27 +113,27 @@ class ExactApproach {
   }
 
   /// The distance at an end or a root of the slope, rounded once.
-  double distance_at(Event& event) {
-    if (event.known) return rounded_square_root(value_at(known_.polynomial(), *event.known));
-    if (known_.curve().sign_at(event) == 0) return 0;
+  double distance_at(AlgebraicRoot& moment) {
+    if (moment.known) return rounded_square_root(value_at(known_.exact(), *moment.known));
+    if (known_.polynomial().sign_at(moment) == 0) return 0;
     for (int bits = first_length;; bits *= 2) {
-      const Polynomial& p = known_.polynomial();
-      const Midrad square = value_at(known_.curve().enclosure(bits), p.degree, event.enclosure(bits));
+      const Polynomial& p = known_.exact();
+      const Midrad square = value_at(known_.polynomial().enclosure(bits), p.degree, moment.enclosure(bits));
       const double least = rounded_square_root(square.low()), most = rounded_square_root(square.high());
       if (least == most) return least;
       if (std::nextafter(least, most) != most) continue;
       // Infinity stands for 2^1024, as rounding has it.
       const Dyadic above = std::isfinite(most) ? Dyadic(most) : Dyadic::power_of_two(1024);
       const Dyadic tie = half_of(Dyadic(least) + above);
-      const int side = sign_beyond(tie * tie, event);
+      const int side = sign_beyond(tie * tie, moment);
       return side < 0 ? least : side > 0 ? most : rounded(tie);
     }
   }
 
   const SquaredDistance& square_;
   const ExactMoments& moments_;
-  KnownCurve known_;
-  Event begin_, end_;
+  KnownPolynomial known_;
+  AlgebraicRoot begin_, end_;
 };
 
 }  // namespace

@@ -12,18 +12,18 @@ namespace {
 
 class ExactPair {
  public:
-  ExactPair(PairCurves& curves, const ExactMoments& moments)
-      : curves_(curves), moments_(moments), begin_(moments.begin), end_(moments.end) {}
+  ExactPair(PairPolynomials& polynomials, const ExactMoments& moments)
+      : polynomials_(polynomials), moments_(moments), begin_(moments.begin), end_(moments.end) {}
 
   bool touches() {
-    const auto pieces = curves_.set().pieces();
+    const auto pieces = polynomials_.set().pieces();
     return std::any_of(pieces.begin(), pieces.end(),
                        [this](const ContactSet::Piece& piece) { return !held(piece).empty(); });
   }
 
   std::optional<ContactTimes> times() {
     std::vector<TimeInterval> intervals;
-    for (const ContactSet::Piece& piece : curves_.set().pieces()) {
+    for (const ContactSet::Piece& piece : polynomials_.set().pieces()) {
       const TimeIntervals held = this->held(piece);
       intervals.insert(intervals.end(), held.begin(), held.end());
     }
@@ -33,16 +33,16 @@ class ExactPair {
   }
 
  private:
-  Instant instant(Event& event) const {
+  Instant instant(AlgebraicRoot& moment) const {
     const Moments& m = moments_.rounded;
-    if (&event == &begin_) return {m.dt_begin, m.t_begin};
-    if (&event == &end_) return {m.dt_end, m.t_end};
-    return {rounded(event, Dyadic()), rounded(event, moments_.now)};
+    if (&moment == &begin_) return {m.dt_begin, m.t_begin};
+    if (&moment == &end_) return {m.dt_end, m.t_end};
+    return {rounded(moment, Dyadic()), rounded(moment, moments_.now)};
   }
 
   /// When do all conditions of the piece hold?
   TimeIntervals held(const ContactSet::Piece& piece) {
-    const ContactSet& set = curves_.set();
+    const ContactSet& set = polynomials_.set();
     auto all = set.members(piece.all);
     const auto around = set.members(piece.around), beyond = set.members(piece.beyond);
     const bool round = around.size() + beyond.size() > 0;
@@ -54,42 +54,42 @@ class ExactPair {
     for (std::size_t i = 0; i < beyond.size() && !met.empty(); ++i)
       met = common(met, outside(inside(beyond[i]), {begin_, end_}));
     if (met.empty()) return met;
-    Curve& curve = curves_.curve(curves_.number_of(ball));
+    LazyPolynomial& polynomial = polynomials_.polynomial(polynomials_.number_of(ball));
     TimeIntervals near = met;
-    if (is_bent(curve))
+    if (is_bent(polynomial))
       for (std::size_t i = 0; i < around.size() && !near.empty(); ++i) near = common(near, inside(around[i]));
     if (near.empty()) return near;
-    return common(met, inside_while(near, curve));
+    return common(met, inside_while(near, polynomial));
   }
 
   /// Its roots are costly to find: worth asking first when they can be.
-  static bool is_bent(const Curve& curve) {
-    return curve.rough()[3].sign() != 0 || curve.rough()[4].sign() != 0;
+  static bool is_bent(const LazyPolynomial& polynomial) {
+    return polynomial.rough()[3].sign() != 0 || polynomial.rough()[4].sign() != 0;
   }
 
-  /// A costly curve, which belongs to one piece alone: looked at only around the moments that the rest of the
-  /// piece leaves.
-  TimeIntervals inside_while(const TimeIntervals& rest, Curve& curve) {
-    const Event &first = *rest.front().first, &last = *rest.back().last;
-    Event *from = &begin_, *to = &end_;
+  /// A costly polynomial, which belongs to one piece alone: looked at only around the moments that the rest
+  /// of the piece leaves.
+  TimeIntervals inside_while(const TimeIntervals& rest, LazyPolynomial& polynomial) {
+    const AlgebraicRoot &first = *rest.front().first, &last = *rest.back().last;
+    AlgebraicRoot *from = &begin_, *to = &end_;
     if (&first != &begin_) from = known_moment(first.at.low().dyadic(), begin_);
     if (&last != &end_) to = known_moment(last.at.high().dyadic(), end_);
-    return foresee::inside(curve, {*from, *to});
+    return foresee::inside(polynomial, {*from, *to});
   }
 
-  /// The moment as an event, unless it is beyond what is asked.
-  Event* known_moment(const Dyadic& moment, Event& limit) {
+  /// The moment as an end, unless it is beyond what is asked.
+  AlgebraicRoot* known_moment(const Dyadic& moment, AlgebraicRoot& limit) {
     if (moment < moments_.begin || moments_.end < moment) return &limit;
     moments_made_.push_back(moment);
-    events_made_.emplace_back(moments_made_.back());
-    return &events_made_.back();
+    known_moments_.emplace_back(moments_made_.back());
+    return &known_moments_.back();
   }
 
   const TimeIntervals& inside(int primitive) {
-    const std::size_t number = curves_.number_of(primitive);
+    const std::size_t number = polynomials_.number_of(primitive);
     if (inside_.size() <= number) inside_.resize(number + 1);
     std::optional<TimeIntervals>& known = inside_[number];
-    if (!known) known = foresee::inside(curves_.curve(number), {begin_, end_});
+    if (!known) known = foresee::inside(polynomials_.polynomial(number), {begin_, end_});
     return *known;
   }
 
@@ -121,7 +121,7 @@ class ExactPair {
   /// Begin and end of intervals that hang together. As rounding keeps order, ends that 128 bits do not tell
   /// apart are rounded one by one and then compared.
   ContactTimes times_of(const TimeInterval* intervals, std::size_t count) const {
-    Event *first = intervals[0].first, *last = intervals[0].last;
+    AlgebraicRoot *first = intervals[0].first, *last = intervals[0].last;
     Instant begin = instant(*first), end = instant(*last);
     for (std::size_t i = 1; i < count; ++i) {
       if (intervals[i].first != first && (intervals[i].first->at - first->at).sign() != 1)
@@ -134,12 +134,12 @@ class ExactPair {
     return {begin.t, end.t, begin.dt, end.dt};
   }
 
-  PairCurves& curves_;
+  PairPolynomials& polynomials_;
   const ExactMoments& moments_;
-  Event begin_, end_;
-  std::vector<std::optional<TimeIntervals>> inside_;  ///< of each curve
+  AlgebraicRoot begin_, end_;
+  std::vector<std::optional<TimeIntervals>> inside_;  ///< of each polynomial
   std::deque<Dyadic> moments_made_;
-  std::deque<Event> events_made_;
+  std::deque<AlgebraicRoot> known_moments_;
 };
 
 }  // namespace
@@ -154,12 +154,12 @@ ExactMoments exact_moments_of(const Setup& setup, const double* row_a, const dou
   return moments;
 }
 
-bool exact_touches(PairCurves& curves, const ExactMoments& moments) {
-  return ExactPair(curves, moments).touches();
+bool exact_touches(PairPolynomials& polynomials, const ExactMoments& moments) {
+  return ExactPair(polynomials, moments).touches();
 }
 
-std::optional<ContactTimes> exact_times(PairCurves& curves, const ExactMoments& moments) {
-  return ExactPair(curves, moments).times();
+std::optional<ContactTimes> exact_times(PairPolynomials& polynomials, const ExactMoments& moments) {
+  return ExactPair(polynomials, moments).times();
 }
 
 }  // namespace foresee

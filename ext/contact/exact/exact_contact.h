@@ -1,6 +1,6 @@
 // Contact decided and timed exactly: the last word where certified doubles cannot tell.
 //
-// Every polynomial is at most 0 during some intervals of time, whose ends are exact events; a piece of the
+// Every polynomial is at most 0 during some intervals of time, whose ends are algebraic roots; a piece of the
 // contact set holds where all of its polynomials' intervals meet, and the set is the union of its pieces.
 // Ends are compared exactly and only the answer's are rounded, once. Cost: microseconds where 128 bits tell,
 // some microseconds more for each tie.
@@ -8,7 +8,7 @@
 
 #include <optional>
 
-#include "contact/exact/pair_curves.h"
+#include "contact/exact/pair_polynomials.h"
 
 namespace foresee {
 
@@ -20,10 +20,10 @@ struct ExactMoments {
 };
 ExactMoments exact_moments_of(const Setup& setup, const double* row_a, const double* row_b);
 
-/// Does the pair touch at some moment asked about? Curves can be asked for one answer.
-bool exact_touches(PairCurves& curves, const ExactMoments& moments);
+/// Does the pair touch at some moment asked about? Polynomials can be asked for one answer.
+bool exact_touches(PairPolynomials& polynomials, const ExactMoments& moments);
 
 /// Begin and end of the first contact, if there is one.
-std::optional<ContactTimes> exact_times(PairCurves& curves, const ExactMoments& moments);
+std::optional<ContactTimes> exact_times(PairPolynomials& polynomials, const ExactMoments& moments);
 
 }  // namespace foresee

@@ -1,11 +1,11 @@
-#include "contact/exact/pair_curves.h"
+#include "contact/exact/pair_polynomials.h"
 
 #include <algorithm>
 
 namespace foresee {
 
 template <class T>
-PairCurves::Motion<T> PairCurves::motion() const {
+PairPolynomials::Motion<T> PairPolynomials::motion() const {
   Motion<T> x;
   for (int axis = 0; axis < setup_.a.layout.axes; ++axis) {
     const AxisCourse<T> one = axis_course_of<T>(setup_, row_a_, row_b_, axis);
@@ -14,7 +14,8 @@ PairCurves::Motion<T> PairCurves::motion() const {
   return x;
 }
 
-PairCurves::PairCurves(const ContactSet& set, const Setup& setup, const double* row_a, const double* row_b)
+PairPolynomials::PairPolynomials(const ContactSet& set, const Setup& setup, const double* row_a,
+                                 const double* row_b)
     : set_(set),
       setup_(setup),
       row_a_(row_a),
@@ -22,13 +23,13 @@ PairCurves::PairCurves(const ContactSet& set, const Setup& setup, const double* 
       rough_motion_(motion<Midrad128>()),
       number_of_(set.primitives().size(), -1) {}
 
-Polynomial PairCurves::polynomial(int primitive) const {
+Polynomial PairPolynomials::exact_polynomial(int primitive) const {
   if (!exact_motion_) exact_motion_ = motion<Dyadic>();
   return Polynomial(polynomial_of<2>(set_.primitives()[static_cast<std::size_t>(primitive)],
                                      exact_motion_->data(), PairLengths<Dyadic>{set_, row_a_, row_b_}, 0));
 }
 
-std::size_t PairCurves::number_of(int primitive) {
+std::size_t PairPolynomials::number_of(int primitive) {
   int& number = number_of_[static_cast<std::size_t>(primitive)];
   if (number >= 0) return static_cast<std::size_t>(number);
   const Primitive& p = set_.primitives()[static_cast<std::size_t>(primitive)];
@@ -40,13 +41,13 @@ std::size_t PairCurves::number_of(int primitive) {
       }
     bounds_.push_back(primitive);
   }
-  number = static_cast<int>(curves_.size());
+  number = static_cast<int>(polynomials_.size());
   const PairLengths<Midrad128> lengths{set_, row_a_, row_b_};
-  curves_.emplace_back(polynomial_of<2>(p, rough_motion_.data(), lengths, 0), *this, primitive);
+  polynomials_.emplace_back(polynomial_of<2>(p, rough_motion_.data(), lengths, 0), *this, primitive);
   return static_cast<std::size_t>(number);
 }
 
-bool PairCurves::same_bound(const Primitive& a, const Primitive& b) const {
+bool PairPolynomials::same_bound(const Primitive& a, const Primitive& b) const {
   return a.parts[0].axis == b.parts[0].axis && a.parts[0].sign == b.parts[0].sign &&
          same_length(a.size.value, b.size.value) && same_length(a.size.rate, b.size.rate) &&
          same_length(a.size.bend, b.size.bend);
@@ -54,7 +55,7 @@ bool PairCurves::same_bound(const Primitive& a, const Primitive& b) const {
 
 /// Two that differ do so by the radius, and to add what is not 0 always shows in a number's bits or in its
 /// error.
-bool PairCurves::same_length(int a, int b) const {
+bool PairPolynomials::same_length(int a, int b) const {
   const PairLengths<Midrad128> lengths{set_, row_a_, row_b_};
   return a == b || identical(length_at<Midrad128>(lengths, a), length_at<Midrad128>(lengths, b));
 }

@@ -1,4 +1,4 @@
-// The polynomials of one pair's contact set as curves, each made when it is first asked for.
+// The polynomials of one pair's contact set, each made when it is first asked for.
 #pragma once
 
 #include <deque>
@@ -7,24 +7,24 @@
 
 #include "contact/set/contact_set.h"
 #include "contact/set/pair_source.h"
-#include "numbers/curve.h"
+#include "numbers/algebraic_root.h"
 
 namespace foresee {
 
-class PairCurves final : public PolynomialSource {
+class PairPolynomials final : public PolynomialSource {
  public:
-  PairCurves(const ContactSet& set, const Setup& setup, const double* row_a, const double* row_b);
-  PairCurves(const PairCurves&) = delete;
-  PairCurves& operator=(const PairCurves&) = delete;
+  PairPolynomials(const ContactSet& set, const Setup& setup, const double* row_a, const double* row_b);
+  PairPolynomials(const PairPolynomials&) = delete;
+  PairPolynomials& operator=(const PairPolynomials&) = delete;
 
   const ContactSet& set() const { return set_; }
-  /// The number of a primitive's curve. Bounds that turn out to be equal have one curve, whose ties need no
-  /// algebra.
+  /// The number of a primitive's polynomial. Bounds that turn out to be equal have one polynomial, whose ties
+  /// need no algebra.
   std::size_t number_of(int primitive);
-  Curve& curve(std::size_t number) { return curves_[number]; }
+  LazyPolynomial& polynomial(std::size_t number) { return polynomials_[number]; }
 
   /// The exact polynomial of a primitive.
-  Polynomial polynomial(int primitive) const override;
+  Polynomial exact_polynomial(int primitive) const override;
 
  private:
   template <class T>
@@ -40,8 +40,8 @@ class PairCurves final : public PolynomialSource {
   const double *row_a_, *row_b_;
   Motion<Midrad128> rough_motion_;
   mutable std::optional<Motion<Dyadic>> exact_motion_;  ///< once it is needed
-  std::deque<Curve> curves_;
-  std::vector<int> number_of_;  ///< of each primitive's curve; -1: not made
+  std::deque<LazyPolynomial> polynomials_;
+  std::vector<int> number_of_;  ///< of each primitive's polynomial; -1: not made
   std::vector<int> bounds_;     ///< the primitives among them that are bounds
 };
 

@@ -1,11 +1,11 @@
-// A polynomial of a pair in two precisions, and the events that its roots are: signs and order, exact in the
-// end.
+// Roots of polynomials as exact numbers: their order, and the signs of other polynomials there, exact in the
+// end. A polynomial is lazy: enclosed in 128 bits at first, exact once that is asked for.
 //
 // Each question is first put to numbers of 128 bits with error bounds (Midrad128). Only where those cannot
 // tell, in ties and what is nearer than some 2^-100, are the exact coefficients made. If they show that two
-// curves may have a common root, exact algebra tells whether it is this one; if not, numbers of 512, 1024,
-// ... bits (Midrad) tell the sign in the end. Nothing is ever decided by a tolerance. An event is never
-// computed: it is a root with an enclosure, and everything about it follows from signs.
+// polynomials may have a common root, exact algebra tells whether it is this one; if not, numbers of 512,
+// 1024, ... bits (Midrad) tell the sign in the end. Nothing is ever decided by a tolerance. A root is never
+// computed: it is an isolating interval, and everything about it follows from signs.
 #pragma once
 
 #include <array>
@@ -20,21 +20,22 @@ namespace foresee {
 class PolynomialSource {
  public:
   virtual ~PolynomialSource() = default;
-  virtual Polynomial polynomial(int number) const = 0;
+  virtual Polynomial exact_polynomial(int number) const = 0;
 };
 
-class Curve;
+class LazyPolynomial;
 
-/// A moment: a known one, or a root of a curve.
-struct Event {
-  Event() = default;
-  explicit Event(const Dyadic& moment) : at(moment), known(&moment) {}
+/// A known number, or a root of a polynomial.
+struct AlgebraicRoot {
+  AlgebraicRoot() = default;
+  explicit AlgebraicRoot(const Dyadic& moment) : at(moment), known(&moment) {}
 
-  Midrad128 at;                   ///< encloses it
-  const Dyadic* known = nullptr;  ///< its moment, if that is known exactly
-  Curve* curve = nullptr;         ///< otherwise: the curve that has its root here
-  int which = 0;                  ///< degree 1 and 2: -1 the lesser root, 1 the greater, 0 the only one
-  /// [low, high] holds this root. Degree 3 and 4: this one alone, a simple one at which the sign changes.
+  Midrad128 at;                          ///< encloses it
+  const Dyadic* known = nullptr;         ///< the number, if that is known exactly
+  LazyPolynomial* polynomial = nullptr;  ///< otherwise: the polynomial that has its root here
+  int which = 0;  ///< degree 1 and 2: -1 the lesser root, 1 the greater, 0 the only one
+  /// Its isolating interval: [low, high] holds this root. Degree 3 and 4: this one alone, a simple one at
+  /// which the sign changes.
   struct Bracket {
     Dyadic low, high;
     int sign_low;
@@ -56,19 +57,19 @@ struct Event {
 };
 
 /// The sign of x - y.
-int compare(Event& x, Event& y);
-int compare(Event& x, const Dyadic& y);
+int compare(AlgebraicRoot& x, AlgebraicRoot& y);
+int compare(AlgebraicRoot& x, const Dyadic& y);
 
-/// event + offset to the nearest double, ties to even.
-double rounded(Event& event, const Dyadic& offset);
+/// root + offset to the nearest double, ties to even.
+double rounded(AlgebraicRoot& root, const Dyadic& offset);
 
-class Curve {
+class LazyPolynomial {
  public:
   static constexpr int most = Polynomial::most;
   using Coefficients = std::array<Midrad128, most + 1>;
 
   /// `rough` encloses the coefficients of the source's polynomial, up to a positive factor.
-  Curve(const Coefficients& rough, const PolynomialSource& source, int number)
+  LazyPolynomial(const Coefficients& rough, const PolynomialSource& source, int number)
       : rough_(rough), source_(&source), number_(number) {}
 
   int degree();                                                     ///< exactly; -1: zero everywhere
@@ -76,30 +77,30 @@ class Curve {
   const Coefficients& rough() const { return rough_; }
   const Polynomial& exact();
   std::array<Midrad, most + 1> enclosure(int bits);  ///< encloses the coefficients of exact()
-  Curve& slope();
+  LazyPolynomial& slope();
 
   Midrad128 value_at(const Midrad128& tau) const;
-  int sign_at(Event& event);
+  int sign_at(AlgebraicRoot& root);
   int sign_at(const Dyadic& tau);
 
   /// Replaces the enclosures by those of the exact coefficients.
   void sharpen();
 
-  /// The event of a root of degree 1 or 2. The curve must not move afterwards.
-  Event& add_root(int which, const Midrad128& at);
-  /// The event of a root of degree 3 or 4, a simple one and alone between two numbers.
-  Event& add_root(const Dyadic& low, const Dyadic& high, int sign_low);
+  /// A root of degree 1 or 2. The polynomial must not move afterwards.
+  AlgebraicRoot& add_root(int which, const Midrad128& at);
+  /// A root of degree 3 or 4, a simple one and alone between two numbers.
+  AlgebraicRoot& add_root(const Dyadic& low, const Dyadic& high, int sign_low);
 
  private:
   Coefficients rough_;
   const PolynomialSource* source_ = nullptr;  ///< of a slope: none
-  Curve* parent_ = nullptr;                   ///< of a slope: the curve itself
+  LazyPolynomial* parent_ = nullptr;          ///< of a slope: the polynomial itself
   int number_ = 0;
   int degree_ = most + 1;  ///< beyond `most`: not known yet
-  std::array<Event, most> roots_;
+  std::array<AlgebraicRoot, most> roots_;
   int root_count_ = 0;
   std::unique_ptr<Polynomial> exact_;
-  std::unique_ptr<Curve> slope_;
+  std::unique_ptr<LazyPolynomial> slope_;
 };
 
 }  // namespace foresee
