@@ -55,8 +55,8 @@ class Stages {
     Bracket first;
     if (track.first_contact(first) != Verdict::yes) return shares.exact_time;
     if (!(first.after > moments.dt_begin)) return shares.at_once;
-    const auto course = course_of<DoubleDouble, 3>(setup_, a(i), b(i));
-    Crossing<Way::in, 3, 2> crossing(track.certain(), course, {set_, a(i), b(i)}, first, setup_.horizon.now,
+    const auto relative = relative_motion_of<DoubleDouble, 3>(setup_, a(i), b(i));
+    Crossing<Way::in, 3, 2> crossing(track.certain(), relative, {set_, a(i), b(i)}, first, setup_.horizon.now,
                                      crossing_scratch_);
     return crossing.instant().known() ? shares.double_double : shares.exact_time;
   }

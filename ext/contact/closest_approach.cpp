@@ -43,8 +43,8 @@ class CertainApproach {
   CertainApproach(const Setup& setup, const double* row_a, const double* row_b)
       : setup_(setup),
         moments_(moments_of(setup, row_a, row_b)),
-        relative_(relative_of<D, 2>(setup, row_a, row_b)),
-        course_(course_of<DoubleDouble, D>(setup, row_a, row_b)) {
+        relative_(certain_motion_of<D, 2>(setup, row_a, row_b)),
+        motion_(relative_motion_of<DoubleDouble, D>(setup, row_a, row_b)) {
     begin_ = difference(moments_.t_begin, setup.horizon.now);
     end_ = moments_.ends_with_horizon ? DoubleDouble{moments_.dt_end, 0}
                                       : difference(moments_.t_end, setup.horizon.now);
@@ -126,7 +126,7 @@ class CertainApproach {
     for (int i = 0; i < 60; ++i) {
       double value = 0, growth = 0;
       for (int j = 0; j < D; ++j) {
-        const AxisRelative<double>& r = relative_.axis[j];
+        const CertainAxisMotion<double>& r = relative_.axis[j];
         const double turn = tau * r.a;
         const double p = r.x + tau * (r.v + turn), q = r.v + 2 * turn;
         value += p * q;
@@ -202,10 +202,10 @@ class CertainApproach {
     spot.rough = slope_of(view);
     double squares = 0, products = 0;
     for (int j = 0; j < D; ++j) {
-      const DoubleDouble turn = tau * course_.a[j];
-      const DoubleDouble place = course_.x[j] + tau * (course_.v[j] + turn);
+      const DoubleDouble turn = tau * motion_.a[j];
+      const DoubleDouble place = motion_.x[j] + tau * (motion_.v[j] + turn);
       spot.square = spot.square + place * place;
-      spot.slope = spot.slope + place * (course_.v[j] + (turn + turn));
+      spot.slope = spot.slope + place * (motion_.v[j] + (turn + turn));
 
       const AxisView<>& w = view[j];
       const double p = std::abs(w.p) + w.ep, q = std::abs(w.q) + w.eq, a = std::abs(w.a) + w.ea;
@@ -222,8 +222,8 @@ class CertainApproach {
 
   const Setup& setup_;
   Moments moments_;
-  Relative<D> relative_;
-  Course<DoubleDouble, D> course_;
+  CertainMotion<D> relative_;
+  RelativeMotion<DoubleDouble, D> motion_;
   DoubleDouble begin_, end_;
   bool still_;
   Valley valleys_[2];
@@ -232,7 +232,7 @@ class CertainApproach {
 
 template <int D>
 [[gnu::noinline]] ClosestApproach exact_answer(const Setup& setup, const double* row_a, const double* row_b) {
-  return exact_approach(squared_distance(course_of<Dyadic, D>(setup, row_a, row_b)),
+  return exact_approach(squared_distance(relative_motion_of<Dyadic, D>(setup, row_a, row_b)),
                         exact_moments_of(setup, row_a, row_b));
 }
 

@@ -7,7 +7,7 @@
 // microsecond, tens of them in exact arithmetic.
 #pragma once
 
-#include "contact/set/pair_source.h"
+#include "contact/set/relative_motion.h"
 
 namespace foresee {
 

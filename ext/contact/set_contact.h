@@ -157,8 +157,8 @@ class SetContact : public Contact {
   template <Way way>
   Instant crossing(Track<D, Degree>& track, const Bracket& bracket, const double* row_a,
                    const double* row_b) {
-    const auto course = course_of<DoubleDouble, D>(setup_, row_a, row_b);
-    return Crossing<way, D, Degree>(track.certain(), course, {set_, row_a, row_b}, bracket,
+    const auto relative = relative_motion_of<DoubleDouble, D>(setup_, row_a, row_b);
+    return Crossing<way, D, Degree>(track.certain(), relative, {set_, row_a, row_b}, bracket,
                                     setup_.horizon.now, crossing_scratch_)
         .instant();
   }

@@ -16,7 +16,7 @@
 #include <array>
 #include <cmath>
 
-#include "contact/set/pair_source.h"
+#include "contact/set/relative_motion.h"
 
 namespace foresee {
 

@@ -31,7 +31,7 @@ class LaneOfPair {
                c.question.within,
                0},
         moments_(moments_of(setup_, row_a_.data(), row_b_.data())),
-        relative_(relative_of<D, Degree>(setup_, row_a_.data(), row_b_.data())) {}
+        relative_(certain_motion_of<D, Degree>(setup_, row_a_.data(), row_b_.data())) {}
 
   bool from_now() const {
     return !moments_.none && moments_.begin_exact && moments_.dt_begin == 0 &&
@@ -45,7 +45,7 @@ class LaneOfPair {
     double half[D];
     for (int j = 0; j < D; ++j) half[j] = half_extent<double, D>(setup_, row_a_.data(), row_b_.data(), j);
     for (int l = 0; l < lanes.width; ++l)
-      put_course(lanes, l, relative_, half, moments_.dt_end * (1 + 0x1p-52));
+      put_motion(lanes, l, relative_, half, moments_.dt_end * (1 + 0x1p-52));
     box_kernel<D, Degree>().settle(lanes);
     check_simd(lanes);
     const bool touches = ask(exact_touches);
@@ -117,7 +117,7 @@ class LaneOfPair {
   std::vector<double> row_a_, row_b_;
   Setup setup_;
   Moments moments_;
-  Relative<D> relative_;
+  CertainMotion<D> relative_;
 };
 
 Object without_acceleration(Object o) {

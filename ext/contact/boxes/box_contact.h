@@ -26,10 +26,10 @@ T half_extent(const Setup& setup, const double* row_a, const double* row_b, int 
 
 /// Lane number l: a pair that exists from now to `end` (rounded up) and whose times stay below 2^40.
 template <int D, int Degree>
-void put_course(BoxLanes<D, Degree>& lanes, int l, const Relative<D>& relative, const double (&half)[D],
+void put_motion(BoxLanes<D, Degree>& lanes, int l, const CertainMotion<D>& relative, const double (&half)[D],
                 double end) {
   for (int j = 0; j < D; ++j) {
-    const AxisRelative<double>& r = relative.axis[j];
+    const CertainAxisMotion<double>& r = relative.axis[j];
     lanes.x[j][l] = r.x, lanes.v[j][l] = r.v, lanes.half[j][l] = half[j];
     lanes.ex[j][l] = r.ex, lanes.ev[j][l] = r.ev;
     if constexpr (Degree == 2) lanes.a[j][l] = r.a;
@@ -134,10 +134,10 @@ class BoxContact final : public SetContact<D, Degree> {
   /// Of other reference times, or with a life that may end within the horizon.
   [[gnu::noinline]] void put_aged(const double* a, const double* b, int l) {
     const Moments moments = moments_of(setup_, a, b);
-    const Relative<D> relative = relative_of<D, Degree>(setup_, a, b);
+    const CertainMotion<D> relative = certain_motion_of<D, Degree>(setup_, a, b);
     double half[D];
     for (int j = 0; j < D; ++j) half[j] = half_extent<double, D>(setup_, a, b, j);
-    put_course(lanes_, l, relative, half,
+    put_motion(lanes_, l, relative, half,
                moments.end_exact ? moments.dt_end : moments.dt_end * (1 + 2 * unit_roundoff));
     // Lanes look at pairs that both exist from now on, and at no times beyond 2^40: for others, no answer.
     const bool from_now = !moments.none && moments.begin_exact && moments.dt_begin == 0;
@@ -191,11 +191,12 @@ class BoxContact final : public SetContact<D, Degree> {
 
   [[gnu::flatten]] void put_meeting(const double* a, const double* b, int l) {
     const int j = static_cast<int>(lanes_.axis[l]);
-    const auto course = axis_course_of<DoubleDouble>(setup_, a, b, j);
+    const auto relative = relative_axis_motion_of<DoubleDouble>(setup_, a, b, j);
     const auto half = half_extent<DoubleDouble, D>(setup_, a, b, j);
     MeetingLanes& m = meetings_;
-    m.x[l] = course.x.high, m.v[l] = course.v.high, m.a[l] = course.a.high, m.half[l] = half.high;
-    m.x_low[l] = course.x.low, m.v_low[l] = course.v.low, m.a_low[l] = course.a.low, m.half_low[l] = half.low;
+    m.x[l] = relative.x.high, m.v[l] = relative.v.high, m.a[l] = relative.a.high, m.half[l] = half.high;
+    m.x_low[l] = relative.x.low, m.v_low[l] = relative.v.low, m.a_low[l] = relative.a.low,
+    m.half_low[l] = half.low;
     m.ex[l] = lanes_.ex[j][l], m.ev[l] = lanes_.ev[j][l];
     m.side[l] = lanes_.side[l], m.moment[l] = lanes_.moment[l], m.room[l] = lanes_.room[l];
   }

@@ -40,7 +40,7 @@ template <int D, int Degree>
 struct BoxLanes {
   static constexpr int width = lanes_width;
 
-  /// Course from 0 to `end` (rounded up, at most 2^40) and half extents on each axis. Errors of x and v are
+  /// Motion from 0 to `end` (rounded up, at most 2^40) and half extents on each axis. Errors of x and v are
   /// at most ex + 4u|x| and ev + 4u|v|, those of a and half 4u.
   alignas(64) double x[D][width] = {};
   double v[D][width] = {}, a[D][width] = {}, half[D][width] = {};
@@ -57,7 +57,7 @@ struct BoxLanes {
   double side[width], room[width];  ///< 1 or -1: where x comes from; after - before
 };
 
-/// When? The course and the half extents, in DoubleDouble, on the axis on which the boxes of each lane meet.
+/// When? The motion and the half extents, in DoubleDouble, on the axis on which the boxes of each lane meet.
 struct MeetingLanes {
   static constexpr int width = lanes_width;
 
@@ -86,9 +86,9 @@ struct BoxKernel {
   /// Fills in what is found.
   void (*settle)(BoxLanes<D, Degree>& lanes);
   /// The same for pairs whose reference time is `now`; lanes.end is given. True if all lanes touch now and no
-  /// courses are wanted: nothing else is then found.
+  /// motions are wanted: nothing else is then found.
   bool (*settle_rows)(RowLanes<D>& rows, bool courses_wanted, BoxLanes<D, Degree>& lanes);
-  /// Takes the courses of lanes that settle_rows() has settled.
+  /// Takes the motions of lanes that settle_rows() has settled.
   void (*take_meetings)(const RowLanes<D>& rows, const BoxLanes<D, Degree>& lanes, MeetingLanes& meetings);
   /// Fills in dt and t.
   void (*find_meetings)(MeetingLanes& lanes, double now);

@@ -3,8 +3,8 @@
 //
 // Error bounds
 // ------------
-// With M = |x| + H + s (|v| + s |a|), everything computed here from the course at a moment up to s, or from
-// moments up to s, has at most 20 roundings of terms whose magnitudes M counts; with what the course itself
+// With M = |x| + H + s (|v| + s |a|), everything computed here from the motion at a moment up to s, or from
+// moments up to s, has at most 20 roundings of terms whose magnitudes M counts; with what the motion itself
 // is off by, ex + s ev, the total stays within ex + s ev + 32u M, u = 2^-53. Underflow takes less than 2^-900
 // as times are below 2^40.
 #pragma once
@@ -58,7 +58,7 @@ double floor_of(double c, double w, double k, double length, double last) {
     return least(least(c, greatest(c + 0.5 * length * w, bottom(c, w, k))), last);
 }
 
-/// Bound on the error of a place, from what the course itself is off by and the magnitudes behind it.
+/// Bound on the error of a place, from what the motion itself is off by and the magnitudes behind it.
 inline double error_bound(double of_course, double size) {
   return of_course + 0x1p-48 * size + underflow;
 }

@@ -12,8 +12,8 @@
 #include <span>
 #include <vector>
 
+#include "contact/certain/certain_motion.h"
 #include "contact/certain/certified.h"
-#include "contact/certain/relative.h"
 #include "contact/set/contact_set.h"
 
 namespace foresee {
@@ -31,7 +31,7 @@ class CertainSet {
  public:
   CertainSet(const ContactSet& set, const Setup& setup, const double* row_a, const double* row_b,
              CertainScratch& scratch)
-      : set_(set), relative_(relative_of<D, Degree>(setup, row_a, row_b)), scratch_(scratch) {
+      : set_(set), relative_(certain_motion_of<D, Degree>(setup, row_a, row_b)), scratch_(scratch) {
     scratch.lengths.take(set, row_a, row_b);
   }
 
@@ -102,7 +102,7 @@ class CertainSet {
   }
 
   const ContactSet& set() const { return set_; }
-  const Relative<D>& relative() const { return relative_; }
+  const CertainMotion<D>& relative() const { return relative_; }
 
  private:
   void forget() {
@@ -152,7 +152,7 @@ class CertainSet {
   }
 
   const ContactSet& set_;
-  const Relative<D> relative_;
+  const CertainMotion<D> relative_;
   CertainScratch& scratch_;
   Powers<Bounded, Degree> x_[D];
   double tau_ = 0;

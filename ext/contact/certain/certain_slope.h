@@ -1,14 +1,14 @@
 // Does the distance of two centres fall or rise, and where does it turn? With certainty, from double
 // arithmetic.
 //
-// The slope is that of half the squared distance, x . x' for the relative course x: at most a cubic in time.
+// The slope is that of half the squared distance, x . x' for the relative motion x: at most a cubic in time.
 // Its sign over a stretch follows from its Bernstein coefficients, which value and steepness at the two ends
 // give: no change of sign among them, no root; one change, exactly one root. A coefficient in doubt counts as
 // either sign. Source: Farouki, "The Bernstein polynomial basis: a centennial retrospective" (2012),
 // section 5.
 #pragma once
 
-#include "contact/certain/relative.h"
+#include "contact/certain/certain_motion.h"
 
 namespace foresee {
 

@@ -1,6 +1,6 @@
 // When could the two touch, at most? A cheap answer that lets most candidates go without any certified step.
 //
-// On one axis the relative course leaves its chord over [0, h] by at most |a| h^2 / 4, so x + v t + a t^2 <=
+// On one axis the relative motion leaves its chord over [0, h] by at most |a| h^2 / 4, so x + v t + a t^2 <=
 // H implies that the chord is within H plus that. Each bound of the contact set's hull cuts the time asked
 // about with one product. An empty interval is a certain miss. All widths are raised by far more than
 // rounding can lose; numbers too large for that give no answer, which is for ever.
@@ -11,7 +11,7 @@
 
 #include <cmath>
 
-#include "contact/certain/axis_relative.h"
+#include "contact/certain/certain_axis_motion.h"
 #include "contact/certain/certified.h"
 #include "contact/set/contact_set.h"
 
@@ -21,11 +21,11 @@ template <int D, class Real = double>
 class Chord {
  public:
   /// Requires: 0 <= end, which is h up to rounding.
-  Chord(const Relative<D, Real>& relative, const Real& end) {
+  Chord(const CertainMotion<D, Real>& relative, const Real& end) {
     using std::abs;
     constexpr double slack = 0x1p-40, least_slope = 0x1p-1000;
     for (int j = 0; j < D; ++j) {
-      const AxisRelative<Real>& r = relative.axis[j];
+      const CertainAxisMotion<Real>& r = relative.axis[j];
       const Real bend = end * end * abs(r.a), turn = end * abs(r.v);
       const Real lost = r.ex + end * (r.ev + end * r.ea) + end * least_slope;
       const Real slope = r.v + end * r.a;

@@ -39,7 +39,7 @@ struct CrossingScratch {
 template <Way way, int D, int Degree>
 class Crossing {
  public:
-  Crossing(CertainSet<D, Degree>& certain, const Course<DoubleDouble, D>& course,
+  Crossing(CertainSet<D, Degree>& certain, const RelativeMotion<DoubleDouble, D>& relative,
            const PairLengths<DoubleDouble>& lengths, const Bracket& bracket, double now,
            CrossingScratch& scratch)
       : certain_(certain), lengths_(lengths), scratch_(scratch), base_(bracket.before), now_(now) {
@@ -47,8 +47,8 @@ class Crossing {
     certain.look_from(base_);
     const DoubleDouble tau{base_, 0};
     for (int j = 0; j < D; ++j)
-      place_[j][0] = Degree < 2 ? course.x[j] + tau * course.v[j]
-                                : course.x[j] + tau * (course.v[j] + tau * course.a[j]);
+      place_[j][0] = Degree < 2 ? relative.x[j] + tau * relative.v[j]
+                                : relative.x[j] + tau * (relative.v[j] + tau * relative.a[j]);
     std::fill(scratch.asked.begin(), scratch.asked.end(), false);
   }
 

@@ -117,7 +117,7 @@ class Look {
 
   const LanesQuestion& q_;
   const Lives lives_;
-  Relative<D, Doubles> relative_;
+  CertainMotion<D, Doubles> relative_;
   DoublesMask usual_;  ///< no time is so long that underflow would lose more than usual
   const LengthLanes lengths_;
   double* const values_;  ///< of each primitive, at most

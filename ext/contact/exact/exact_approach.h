@@ -14,10 +14,10 @@ namespace foresee {
 using SquaredDistance = std::array<Dyadic, Polynomial::most + 1>;
 
 template <int D>
-SquaredDistance squared_distance(const Course<Dyadic, D>& course) {
+SquaredDistance squared_distance(const RelativeMotion<Dyadic, D>& relative) {
   SquaredDistance sum;
   for (int j = 0; j < D; ++j) {
-    const Dyadic &x = course.x[j], &v = course.v[j], &a = course.a[j];
+    const Dyadic &x = relative.x[j], &v = relative.v[j], &a = relative.a[j];
     sum[0] = sum[0] + x * x;
     sum[1] = sum[1] + (x * v).scaled(1);
     sum[2] = sum[2] + v * v + (x * a).scaled(1);

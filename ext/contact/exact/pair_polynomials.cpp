@@ -8,7 +8,7 @@ template <class T>
 PairPolynomials::Motion<T> PairPolynomials::motion() const {
   Motion<T> x;
   for (int axis = 0; axis < setup_.a.layout.axes; ++axis) {
-    const AxisCourse<T> one = axis_course_of<T>(setup_, row_a_, row_b_, axis);
+    const RelativeAxisMotion<T> one = relative_axis_motion_of<T>(setup_, row_a_, row_b_, axis);
     x[static_cast<std::size_t>(axis)] = {one.x, one.v, one.a};
   }
   return x;

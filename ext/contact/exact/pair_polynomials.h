@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contact/set/contact_set.h"
-#include "contact/set/pair_source.h"
+#include "contact/set/relative_motion.h"
 #include "numbers/algebraic_root.h"
 
 namespace foresee {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "contact/set/contact_set.h"
-#include "contact/set/pair_source.h"
+#include "contact/set/relative_motion.h"
 
 namespace foresee {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "contact/set/contact_set.h"
-#include "contact/set/pair_source.h"
+#include "contact/set/relative_motion.h"
 
 namespace foresee {
 

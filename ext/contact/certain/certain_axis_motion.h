@@ -1,4 +1,4 @@
-// The relative course of a pair in plain double, each number with a bound on its error.
+// The relative motion of a pair in plain double, each number with a bound on its error.
 //
 // With u = 2^-53 and S the larger |now - t|: positions are differenced before anything is added, so that two
 // objects near each other and far from the origin lose nothing. Each coefficient is a sum of at most six
@@ -22,14 +22,14 @@ constexpr double usual_age = 0x1p40, usual_underflow = 0x1p-988;
 
 /// One axis: x + v tau + a tau^2 (a is half the relative acceleration), and bounds on the errors.
 template <class Real>
-struct AxisRelative {
+struct CertainAxisMotion {
   Real x, v, a;
   Real ex, ev, ea;
 };
 
 template <int D, class Real = double>
-struct Relative {
-  AxisRelative<Real> axis[D];
+struct CertainMotion {
+  CertainAxisMotion<Real> axis[D];
   Real underflow;  ///< bound on what underflow loses in evaluating at any tau of the horizon
 };
 
@@ -42,8 +42,8 @@ struct AxisView {
 
 /// Whatever the two reference times are, `s_a` and `s_b` before now.
 template <int Degree, class Real>
-AxisRelative<Real> axis_of_any_age(const AxisMotion<Real>& a, const AxisMotion<Real>& b, const Real& s_a,
-                                   const Real& s_b, const Real& underflow) {
+CertainAxisMotion<Real> axis_of_any_age(const AxisMotion<Real>& a, const AxisMotion<Real>& b, const Real& s_a,
+                                        const Real& s_b, const Real& underflow) {
   using std::abs;
   constexpr double u = unit_roundoff;
   const Real x = b.x - a.x, v = b.v - a.v;
@@ -66,7 +66,7 @@ AxisRelative<Real> axis_of_any_age(const AxisMotion<Real>& a, const AxisMotion<R
 
 /// Requires: 0 <= tau <= h.
 template <int Degree, class Real>
-AxisView<Real> view_from(const AxisRelative<Real>& r, const Real& tau, const Real& underflow) {
+AxisView<Real> view_from(const CertainAxisMotion<Real>& r, const Real& tau, const Real& underflow) {
   using std::abs;
   constexpr double u = unit_roundoff;
   if constexpr (Degree < 2)
@@ -87,7 +87,7 @@ AxisView<Real> view_from(const AxisRelative<Real>& r, const Real& tau, const Rea
 
 /// All axes.
 template <int D, int Degree, class Real>
-void view_from(const Relative<D, Real>& r, const Real& tau, AxisView<Real> (&view)[D]) {
+void view_from(const CertainMotion<D, Real>& r, const Real& tau, AxisView<Real> (&view)[D]) {
   for (int j = 0; j < D; ++j) view[j] = view_from<Degree>(r.axis[j], tau, r.underflow);
 }
 

@@ -1,20 +1,20 @@
-// The relative course of a pair, from its rows, in plain double with a bound on the error of each number
-// (axis_relative.h).
+// The relative motion of a pair, from its rows, in plain double with a bound on the error of each number
+// (certain_axis_motion.h).
 #pragma once
 
-#include "contact/certain/axis_relative.h"
-#include "contact/set/pair_source.h"
+#include "contact/certain/certain_axis_motion.h"
+#include "contact/set/relative_motion.h"
 
 namespace foresee {
 
 /// With the same reference time.
 template <int Degree>
-AxisRelative<double> axis_of_one_age(const AxisMotion<double>& a, const AxisMotion<double>& b, double age,
-                                     double underflow) {
+CertainAxisMotion<double> axis_of_one_age(const AxisMotion<double>& a, const AxisMotion<double>& b,
+                                          double age, double underflow) {
   constexpr double u = unit_roundoff;
   const double x = b.x - a.x, v = b.v - a.v, acceleration = Degree < 2 ? 0 : b.a - a.a;
-  AxisRelative<double> r{x, v, 0.5 * acceleration, u * std::abs(x) + underflow, u * std::abs(v) + underflow,
-                         0};
+  CertainAxisMotion<double> r{
+      x, v, 0.5 * acceleration, u * std::abs(x) + underflow, u * std::abs(v) + underflow, 0};
   if (acceleration != 0) r.ea = u * std::abs(r.a) + 0x1p-1022;
   if (age == 0) return r;
   const double turn = age * acceleration, swing = std::abs(v) + std::abs(turn);
@@ -24,11 +24,11 @@ AxisRelative<double> axis_of_one_age(const AxisMotion<double>& a, const AxisMoti
 }
 
 template <int D, int Degree>
-Relative<D> relative_of(const Setup& setup, const double* row_a, const double* row_b) {
+CertainMotion<D> certain_motion_of(const Setup& setup, const double* row_a, const double* row_b) {
   const double now = setup.horizon.now;
   const double t_a = value_or(row_a, setup.a.at.t, 0), t_b = value_or(row_b, setup.b.at.t, 0);
   const double s_a = now - t_a, s_b = now - t_b;
-  Relative<D> r;
+  CertainMotion<D> r;
   const double age = 1 + std::max(std::abs(s_a), std::abs(s_b)) + setup.horizon.h;
   r.underflow = age <= usual_age ? usual_underflow : 0x1p-1068 * age * age;
   for (int j = 0; j < D; ++j) {

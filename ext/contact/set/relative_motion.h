@@ -1,4 +1,4 @@
-// What the contact room knows about a pair before any geometry: its rows, its moments, its relative course.
+// What the contact room knows about a pair before any geometry: its rows, its moments, its relative motion.
 //
 // Time runs from `now`: tau = 0 is now. With exact numbers as T nothing is rounded; with DoubleDouble little
 // is.
@@ -28,13 +28,13 @@ struct Setup {
 
 /// Centre of b minus centre of a: x + v tau + a tau^2 on each axis, so `a` is half the relative acceleration.
 template <class T, int D>
-struct Course {
+struct RelativeMotion {
   T x[D], v[D], a[D];
 };
 
 /// The same on one axis.
 template <class T>
-struct AxisCourse {
+struct RelativeAxisMotion {
   T x, v, a;
 };
 
@@ -76,7 +76,8 @@ inline AxisMotion<double> axis_motion(const Bodies& bodies, const double* row, i
 }
 
 template <class T>
-AxisCourse<T> axis_course_of(const Setup& setup, const double* row_a, const double* row_b, int axis) {
+RelativeAxisMotion<T> relative_axis_motion_of(const Setup& setup, const double* row_a, const double* row_b,
+                                              int axis) {
   using E = Exactly<T>;
   const double now = setup.horizon.now;
   const double t_a = value_or(row_a, setup.a.at.t, 0), t_b = value_or(row_b, setup.b.at.t, 0);
@@ -93,13 +94,13 @@ AxisCourse<T> axis_course_of(const Setup& setup, const double* row_a, const doub
 }
 
 template <class T, int D>
-Course<T, D> course_of(const Setup& setup, const double* row_a, const double* row_b) {
-  Course<T, D> course;
+RelativeMotion<T, D> relative_motion_of(const Setup& setup, const double* row_a, const double* row_b) {
+  RelativeMotion<T, D> relative;
   for (int axis = 0; axis < D; ++axis) {
-    const AxisCourse<T> one = axis_course_of<T>(setup, row_a, row_b, axis);
-    course.x[axis] = one.x, course.v[axis] = one.v, course.a[axis] = one.a;
+    const RelativeAxisMotion<T> one = relative_axis_motion_of<T>(setup, row_a, row_b, axis);
+    relative.x[axis] = one.x, relative.v[axis] = one.v, relative.a[axis] = one.a;
   }
-  return course;
+  return relative;
 }
 
 }  // namespace foresee
