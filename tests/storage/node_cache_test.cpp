@@ -42,7 +42,7 @@ TEST_F(NodeCacheTest, ACancelledCallThatHadWrittenLosesNothingThatASavepointSaw)
   cache.begin_call();
   const NodeNumber number = add(1);
   cache.end_call();
-  const Marks::Handle mark = cache.mark(false);
+  const UndoLog::Handle mark = cache.set_mark(false);
   db.run("SAVEPOINT s");
   cache.begin_call();
   cache.put(number, leaf(2));
@@ -79,7 +79,7 @@ TEST_F(NodeCacheTest, ACancelledRecordIsAsItWasAlsoIfItsLeafChangedLater) {
   cache.begin_call();
   const NodeNumber number = add(1);
   cache.end_call();
-  const Marks::Handle mark = cache.mark(false);
+  const UndoLog::Handle mark = cache.set_mark(false);
   cache.begin_call();
   cache.modify_record(number, 0)[1] = 77;
   cache.end_call();

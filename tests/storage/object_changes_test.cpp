@@ -23,9 +23,9 @@ TEST(ObjectChanges, KeepWhatWasBeforeTheFirstChange) {
   changes.add(8, {});
   EXPECT_TRUE(changes.knows(7) && changes.knows(8));
   EXPECT_FALSE(changes.knows(9));
-  const auto mark = changes.position();
+  const auto position = changes.position();
   changes.add(9, before);
-  changes.rewind(mark);
+  changes.rewind(position);
   EXPECT_FALSE(changes.knows(9));
   changes.add(-9, before);
   std::vector<std::pair<std::int64_t, Record>> seen;

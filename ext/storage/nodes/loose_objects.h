@@ -1,8 +1,8 @@
 // Which objects were inserted and are not in the tree yet?
 //
 //   loose.add(42, record);
-//   loose.find(42)                          // its record, or null
-//   const auto mark = loose.position();     // … and back to it: loose.rewind(mark)
+//   loose.find(42)                           // its record, or null
+//   const auto position = loose.position();  // … and back to it: loose.rewind(position)
 //
 // Inserted objects wait here so that many of them, in however many statements, are bulk loaded. Objects are
 // only ever appended; one that is erased or replaced leaves a hole, so that going back is cutting off the end

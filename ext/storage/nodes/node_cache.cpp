@@ -148,19 +148,19 @@ void NodeCache::note_changed(NodeNumber number, Slot& slot) {
 // Nothing is lost if this throws.
 void NodeCache::about_to_change(NodeNumber number, Slot& slot) {
   note_changed(number, slot);
-  if (slot.kept == moment_) return;
+  if (slot.kept == mark_count_) return;
   if (in_call_)
     call_log_.emplace_back(number, slot.state);
-  else if (!marks_.none())
-    marks_.keep(number, slot.state);
-  slot.kept = moment_;
+  else if (!undo_.none())
+    undo_.keep(number, slot.state);
+  slot.kept = mark_count_;
 }
 
 // What a node was matters only to those who read it at an earlier moment.
 NodeCache::Slot& NodeCache::overwritten(NodeNumber number) {
   const auto found = slots_.find(number);
   if (found != slots_.end()) return found->second;
-  return marks_.snapshots() > 0 ? fetch(number) : slots_[number];
+  return undo_.snapshots() > 0 ? fetch(number) : slots_[number];
 }
 
 Node& NodeCache::modify(NodeNumber number) {
@@ -180,8 +180,8 @@ Node& NodeCache::modify(NodeNumber number) {
 double* NodeCache::modify_record(NodeNumber leaf, std::size_t place) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   Slot& slot = fetch(leaf);
-  const bool record_is_enough = in_call_ && marks_.none() && record_before_.leaf == 0 &&
-                                slot.kept != moment_ && slot.state.node.use_count() == 1;
+  const bool record_is_enough = in_call_ && undo_.none() && record_before_.leaf == 0 &&
+                                slot.kept != mark_count_ && slot.state.node.use_count() == 1;
   if (!record_is_enough) return modify(leaf).values.data() + place * size;
   double* record = slot.state.node->values.data() + place * size;
   note_changed(leaf, slot);
@@ -212,7 +212,7 @@ void NodeCache::put(NodeNumber number, Node node) {
   set_dirty(slot, true);
   note_memory();
   if (share_.budget().too_many_nodes_wait()) {
-    hand_call_to_marks();
+    hand_call_to_undo_log();
     write_nodes();
     make_room();
   }
@@ -241,7 +241,7 @@ void NodeCache::erase_everything() {
   rows_->read_node_numbers([&](NodeNumber number) { numbers.push_back(number); });
   for (const auto& [number, slot] : slots_) numbers.push_back(number);
   for (const NodeNumber number : numbers) {
-    if (marks_.snapshots() > 0 && !slots_.contains(number)) {
+    if (undo_.snapshots() > 0 && !slots_.contains(number)) {
       try {
         fetch(number);
       } catch (const StoreError&) {

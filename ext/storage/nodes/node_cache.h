@@ -7,7 +7,7 @@
 //   cache.write(interrupt);                  // everything that waits
 //
 // Nodes that were read stay, within the connection's memory_budget.h, for as long as the stamp says that
-// nothing changed. Old states live in marks.h: savepoints, snapshots, and the call in progress. A node is
+// nothing changed. Old states live in undo_log.h: savepoints, snapshots, and the call in progress. A node is
 // copied before it changes only while somebody holds it as it was; for the call alone one record is enough.
 //
 // Rows are hostile: a node without fault by leaf_fault() or inner_fault() is believed by itself, what nodes
@@ -18,8 +18,8 @@
 
 #include "storage/nodes/leaf_hints.h"
 #include "storage/nodes/map_changes.h"
-#include "storage/nodes/marks.h"
 #include "storage/nodes/memory_budget.h"
+#include "storage/nodes/undo_log.h"
 #include "storage/rows/shadow_rows.h"
 
 namespace foresee {
@@ -79,13 +79,13 @@ class NodeCache final : public Pages {
   bool wrote_in_call() const { return wrote_in_call_; }
 
   // --- marks
-  Marks::Handle mark(bool is_snapshot);
-  void give_up(Marks::Handle mark) noexcept { marks_.give_up(mark); }
+  UndoLog::Handle set_mark(bool is_snapshot);
+  void give_up(UndoLog::Handle mark) noexcept { undo_.give_up(mark); }
   /// The node as it was at the mark.
-  std::shared_ptr<const Node> read_at(Marks::Handle mark, NodeNumber number);
+  std::shared_ptr<const Node> read_at(UndoLog::Handle mark, NodeNumber number);
   std::size_t map_position() const { return map_.position(); }
   /// Back to a savepoint. SQLite has taken the rows back already.
-  void restore(Marks::Handle mark, std::size_t map_position);
+  void restore(UndoLog::Handle mark, std::size_t map_position);
 
   // --- transactions
   void begin();
@@ -95,7 +95,7 @@ class NodeCache final : public Pages {
  private:
   struct Slot {
     NodeState state;
-    std::uint64_t kept = 0;     ///< the moment up to which a mark or the call knows what it was
+    std::uint64_t kept = 0;     ///< the newest mark or call that knows what it was
     std::uint64_t changed = 0;  ///< the transaction that changed it last
     std::uint64_t used = 0;
     bool learned = false;  ///< where its objects are
@@ -114,7 +114,7 @@ class NodeCache final : public Pages {
   void back_to(NodeNumber number, const NodeState& state) noexcept;
   const std::vector<NodeNumber>& waiting_numbers();
   void write_nodes();
-  void hand_call_to_marks();
+  void hand_call_to_undo_log();
   void make_room();
   void drop_unused(std::uint64_t before);
 
@@ -133,8 +133,8 @@ class NodeCache final : public Pages {
   std::size_t dirty_ = 0;
   std::uint64_t use_ = 1;  ///< moves whenever nodes that were not used are dropped
 
-  Marks marks_;
-  std::uint64_t moment_ = 1;  ///< moves with every mark and call
+  UndoLog undo_;
+  std::uint64_t mark_count_ = 1;  ///< of marks and calls so far
   std::uint64_t transaction_ = 1;
   std::vector<NodeNumber> changed_;  ///< in this transaction, some of them repeatedly
   bool dropped_changed_ = false;     ///< … and dropped from memory, once written

@@ -13,12 +13,12 @@ namespace foresee {
 void NodeCache::drop_nodes(bool all) {
   drop_unused(all ? use_ + 1 : use_);
   ++use_;
-  if (marks_.snapshots() == 0) marks_.drop_stored();
+  if (undo_.snapshots() == 0) undo_.drop_stored();
   note_memory();
 }
 
 void NodeCache::drop_unused(std::uint64_t before) {
-  const bool watched = marks_.snapshots() > 0;
+  const bool watched = undo_.snapshots() > 0;
   places_.clear();
   std::erase_if(slots_, [&](const auto& entry) {
     const Slot& slot = entry.second;
@@ -45,12 +45,12 @@ void NodeCache::write(Interrupt& interrupt) {
     std::sort(changes.begin(), changes.end(),
               [&](const IdTable::Entry& a, const IdTable::Entry& b) { return step(), a.id < b.id; });
     rows_->write_map(changes);
-    map_.written(!marks_.none());
+    map_.written(!undo_.none());
     last_found_.reset();
   }
   if (head_.root_dirty) rows_->write_root(head_.root);
   head_.root_dirty = false;
-  if (marks_.snapshots() == 0) marks_.drop_stored();
+  if (undo_.snapshots() == 0) undo_.drop_stored();
   make_room();
 }
 

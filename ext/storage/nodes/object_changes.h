@@ -2,7 +2,7 @@
 //
 //   if (!changes.knows(42)) changes.add(42, record);     // about to change for the first time; {}: it is new
 //   changes.for_each([&](std::int64_t id, std::span<const double> before) { … });
-//   const auto mark = changes.position();                // … and back to it: changes.rewind(mark)
+//   const auto position = changes.position();            // … and back to it: changes.rewind(position)
 //
 // The first change of an object keeps its record, later ones nothing: what it is now the store knows. Going
 // back to a savepoint forgets the objects that had not been changed before it. Cost: a look-up for each

@@ -11,8 +11,8 @@
 //
 // Every double comes back bit for bit. All state lives in SQLite's tables, so transactions, WAL readers,
 // VACUUM and backup are SQLite's own. Changes wait in memory until sync(), or until many MB wait in all
-// tables of the connection together, and every read sees them. A savepoint is a mark in memory (marks.h): it
-// writes nothing, and going back to it undoes what memory did since, while SQLite takes back what was
+// tables of the connection together, and every read sees them. A savepoint is a mark in memory (undo_log.h):
+// it writes nothing, and going back to it undoes what memory did since, while SQLite takes back what was
 // written. What was read in one transaction is believed in the next only under the same stamp. Blobs are
 // checked before they are believed.
 //
@@ -136,7 +136,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
 
   // For snapshots.
   NodeCache& nodes();
-  void give_up(Marks::Handle mark) noexcept { cache_.give_up(mark); }
+  void give_up(UndoLog::Handle mark) noexcept { cache_.give_up(mark); }
 
  private:
   class OwnStatements;
@@ -187,7 +187,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   // transactions (store_life.cpp)
   struct Savepoint {
     int level;
-    Marks::Handle mark;
+    UndoLog::Handle mark;
     std::size_t map_position;
     std::shared_ptr<LooseObjects> loose;
     std::size_t loose_position;

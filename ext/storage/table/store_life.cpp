@@ -174,7 +174,7 @@ void Store::savepoint(int level) {
   if (savepoints_.size() == savepoints_.capacity())
     savepoints_.reserve(std::max<std::size_t>(8, 2 * savepoints_.size()));
   std::string table = name_.table;
-  savepoints_.push_back({level, cache_.mark(false), cache_.map_position(), loose_, loose_->position(),
+  savepoints_.push_back({level, cache_.set_mark(false), cache_.map_position(), loose_, loose_->position(),
                          object_changes_.position(), largest_, change_, own_stamp_, std::move(table),
                          waits() || object_changes_.count() > 0});
 }

@@ -1,6 +1,6 @@
 // The tree as it was when this was made, whatever the connection has written, committed or rolled back since.
 //
-// Holds the store, and a mark in its cache (marks.h); it must not outlive the statement that asked, whose
+// Holds the store, and a mark in its cache (undo_log.h); it must not outlive the statement that asked, whose
 // read transaction keeps the rows as they are.
 #pragma once
 
@@ -11,7 +11,7 @@ namespace foresee {
 class TreeSnapshot final : public NodeSource {
  public:
   explicit TreeSnapshot(std::shared_ptr<Store> store)
-      : store_(std::move(store)), root_(store_->nodes().root()), mark_(store_->nodes().mark(true)) {}
+      : store_(std::move(store)), root_(store_->nodes().root()), mark_(store_->nodes().set_mark(true)) {}
   ~TreeSnapshot() override { store_->give_up(mark_); }
   TreeSnapshot(const TreeSnapshot&) = delete;
   TreeSnapshot& operator=(const TreeSnapshot&) = delete;
@@ -25,7 +25,7 @@ class TreeSnapshot final : public NodeSource {
  private:
   std::shared_ptr<Store> store_;
   NodeNumber root_;
-  Marks::Handle mark_;
+  UndoLog::Handle mark_;
 };
 
 }  // namespace foresee

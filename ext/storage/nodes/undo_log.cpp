@@ -1,4 +1,4 @@
-#include "storage/nodes/marks.h"
+#include "storage/nodes/undo_log.h"
 
 #include <iterator>
 #include <new>
@@ -6,13 +6,13 @@
 
 namespace foresee {
 
-Marks::Handle Marks::set(const TreeHead& head, bool is_snapshot) {
+UndoLog::Handle UndoLog::set(const TreeHead& head, bool is_snapshot) {
   marks_.push_back({.head = head, .is_snapshot = is_snapshot, .before = {}});
   snapshots_ += is_snapshot;
   return std::prev(marks_.end());
 }
 
-void Marks::give_up(Handle mark) noexcept {
+void UndoLog::give_up(Handle mark) noexcept {
   snapshots_ -= mark->is_snapshot;
   mark->is_snapshot = false;
   mark->given_up = true;
@@ -35,31 +35,31 @@ void Marks::give_up(Handle mark) noexcept {
   while (!marks_.empty() && marks_.front().given_up) marks_.pop_front();
 }
 
-const NodeState* Marks::find(Handle mark, NodeNumber number) const {
-  for (auto at = std::list<Mark>::const_iterator(mark); at != marks_.end(); ++at)
+const NodeState* UndoLog::find(Handle mark, NodeNumber number) const {
+  for (auto at = std::list<UndoMark>::const_iterator(mark); at != marks_.end(); ++at)
     if (const auto found = at->before.find(number); found != at->before.end()) return &found->second;
   return nullptr;
 }
 
-std::unordered_map<NodeNumber, NodeState> Marks::changed_since(Handle mark) const {
+std::unordered_map<NodeNumber, NodeState> UndoLog::changed_since(Handle mark) const {
   std::unordered_map<NodeNumber, NodeState> all;
-  for (auto at = std::list<Mark>::const_iterator(mark); at != marks_.end(); ++at)
+  for (auto at = std::list<UndoMark>::const_iterator(mark); at != marks_.end(); ++at)
     all.insert(at->before.begin(), at->before.end());
   return all;
 }
 
-bool Marks::snapshot_since(Handle mark) const {
-  for (auto at = std::list<Mark>::const_iterator(mark); at != marks_.end(); ++at)
+bool UndoLog::snapshot_since(Handle mark) const {
+  for (auto at = std::list<UndoMark>::const_iterator(mark); at != marks_.end(); ++at)
     if (at->is_snapshot) return true;
   return false;
 }
 
-void Marks::break_snapshots() noexcept {
-  for (Mark& mark : marks_) mark.broken |= mark.is_snapshot;
+void UndoLog::break_snapshots() noexcept {
+  for (UndoMark& mark : marks_) mark.broken |= mark.is_snapshot;
 }
 
-void Marks::drop_stored() noexcept {
-  for (Mark& mark : marks_)
+void UndoLog::drop_stored() noexcept {
+  for (UndoMark& mark : marks_)
     for (auto& [number, state] : mark.before)
       if (!state.dirty) state.node.reset();
 }

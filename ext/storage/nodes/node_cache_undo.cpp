@@ -25,16 +25,16 @@ void NodeCache::begin_call() {
   map_before_call_ = map_.position();
   in_call_ = true;
   wrote_in_call_ = false;
-  ++moment_;
+  ++mark_count_;
 }
 
 void NodeCache::end_call() {
-  if (marks_.none()) {
+  if (undo_.none()) {
     map_.forget_log();
     if (!call_log_.empty() && call_log_.front().second.node.use_count() == 1)
       spare_ = std::move(call_log_.front().second.node);
   } else {
-    hand_call_to_marks();
+    hand_call_to_undo_log();
   }
   call_log_.clear();
   record_before_.leaf = 0;
@@ -43,9 +43,9 @@ void NodeCache::end_call() {
 
 /// What was before the call, for those who go back to before it: once rows are written only a savepoint
 /// helps, and nodes that leave memory then cannot be had back from the call's own log.
-void NodeCache::hand_call_to_marks() {
-  if (marks_.none()) return;
-  for (const auto& [number, state] : call_log_) marks_.keep(number, state);
+void NodeCache::hand_call_to_undo_log() {
+  if (undo_.none()) return;
+  for (const auto& [number, state] : call_log_) undo_.keep(number, state);
 }
 
 void NodeCache::cancel_call() noexcept {
@@ -71,27 +71,27 @@ void NodeCache::take_back_record() noexcept {
   set_dirty(found->second, record_before_.dirty);
 }
 
-Marks::Handle NodeCache::mark(bool is_snapshot) {
-  const Marks::Handle mark = marks_.set(head_, is_snapshot);
-  ++moment_;
+UndoLog::Handle NodeCache::set_mark(bool is_snapshot) {
+  const UndoLog::Handle mark = undo_.set(head_, is_snapshot);
+  ++mark_count_;
   return mark;
 }
 
-std::shared_ptr<const Node> NodeCache::read_at(Marks::Handle mark, NodeNumber number) {
+std::shared_ptr<const Node> NodeCache::read_at(UndoLog::Handle mark, NodeNumber number) {
   if (mark->broken)
     throw StoreError(SQLITE_ABORT, name_.table + ": a rollback ended this question; ask again");
-  const NodeState* before = marks_.find(mark, number);
+  const NodeState* before = undo_.find(mark, number);
   if (!before) return read(number);
   if (!before->node) damaged("node " + std::to_string(number) + " is missing");
   return before->node;
 }
 
-void NodeCache::restore(Marks::Handle mark, std::size_t map_position) {
-  const bool watched = marks_.snapshot_since(mark);
-  if (watched && dropped_changed_) marks_.break_snapshots();
-  const auto wanted = marks_.changed_since(mark);
+void NodeCache::restore(UndoLog::Handle mark, std::size_t map_position) {
+  const bool watched = undo_.snapshot_since(mark);
+  if (watched && dropped_changed_) undo_.break_snapshots();
+  const auto wanted = undo_.changed_since(mark);
   changed_.reserve(changed_.size() + wanted.size());
-  ++moment_;
+  ++mark_count_;
   for (const auto& [number, state] : wanted) {
     const bool as_stored = !state.node && !state.dirty;
     if (!as_stored) slots_[number];
@@ -144,15 +144,15 @@ void NodeCache::commit() noexcept {
 
 // SQLite has taken the rows back. Snapshots keep what they saw.
 void NodeCache::roll_back() noexcept {
-  if (marks_.snapshots() > 0) try {
+  if (undo_.snapshots() > 0) try {
       for (const NodeNumber number : changed_)
         if (const auto slot = slots_.find(number); slot != slots_.end())
-          marks_.keep(number, slot->second.state);
+          undo_.keep(number, slot->second.state);
     } catch (const std::bad_alloc&) {
-      marks_.break_snapshots();
+      undo_.break_snapshots();
     }
   if (dropped_changed_) {
-    marks_.break_snapshots();
+    undo_.break_snapshots();
     forget_all();
   }
   for (const NodeNumber number : changed_) back_to(number, {});

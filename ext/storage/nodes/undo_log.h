@@ -1,8 +1,9 @@
-// How was the tree at an earlier moment? Marks in time, and what each node was like before it changed.
+// How was the tree at an earlier moment? An undo log of nodes: marks in time, and what each node was like
+// before it changed.
 //
-//   marks.set(head);                       // a mark: nothing is copied
-//   marks.keep(7, state);                  // node 7 is about to change: the newest mark keeps what it is
-//   marks.find(mark, 7)                    // node 7 as it was at that mark; null: it is so still
+//   undo.set(head);                        // a mark: nothing is copied
+//   undo.keep(7, state);                   // node 7 is about to change: the newest mark keeps what it is
+//   undo.find(mark, 7)                     // node 7 as it was at that mark; null: it is so still
 //
 // A savepoint and a question's snapshot are both a mark. A node that changes is kept once, by the newest
 // mark; an older one finds it there, because the node did not change in between. A mark that is given up
@@ -35,7 +36,7 @@ struct TreeHead {
   bool root_dirty = false;
 };
 
-struct Mark {
+struct UndoMark {
   TreeHead head;
   bool is_snapshot = false;
   bool given_up = false;
@@ -43,9 +44,9 @@ struct Mark {
   std::unordered_map<NodeNumber, NodeState> before;
 };
 
-class Marks {
+class UndoLog {
  public:
-  using Handle = std::list<Mark>::iterator;
+  using Handle = std::list<UndoMark>::iterator;
 
   bool none() const { return marks_.empty(); }
   int snapshots() const { return snapshots_; }
@@ -66,7 +67,7 @@ class Marks {
   void drop_stored() noexcept;
 
  private:
-  std::list<Mark> marks_;  // oldest first
+  std::list<UndoMark> marks_;  // oldest first
   int snapshots_ = 0;
 };
 
