@@ -28,10 +28,10 @@
 
 #include "index/tpr_tree/tpr_tree.h"
 #include "storage/format/declaration.h"
-#include "storage/nodes/loose_objects.h"
 #include "storage/nodes/memory_budget.h"
 #include "storage/nodes/node_cache.h"
 #include "storage/nodes/object_changes.h"
+#include "storage/nodes/pending_inserts.h"
 #include "storage/rows/store_error.h"
 
 namespace foresee {

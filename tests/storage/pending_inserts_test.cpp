@@ -1,4 +1,4 @@
-#include "storage/nodes/loose_objects.h"
+#include "storage/nodes/pending_inserts.h"
 
 #include <gtest/gtest.h>
 
