@@ -161,7 +161,7 @@ std::shared_ptr<Store> store_with(Database& db, MemoryLimits limits) {
 
 TEST(Memory, MoreThanMayWaitIsWrittenEarlyAndStillRollsBack) {
   Database db;
-  auto store = store_with(db, {.loose = 1 << 20, .memory = 1 << 20, .waiting = 1 << 20});
+  auto store = store_with(db, {.pending = 1 << 20, .memory = 1 << 20, .waiting = 1 << 20});
   begin(db, *store);
   for (int id = 1; id <= 100; ++id) store->insert(id, box(id), {});
   commit(db, *store);

@@ -40,7 +40,7 @@ class TwoTables : public ::testing::Test {
 
 TEST_F(TwoTables, LoadedTogetherAreWrittenEarlyByTheCommonLimit) {
   constexpr int objects = 5000;  // of some 80 bytes, so that those of one table alone would wait
-  make_both({.loose = objects * 120});
+  make_both({.pending = objects * 120});
   insert_into_both(objects);
   EXPECT_GT(db.number("SELECT count(*) FROM a_map"), 0);
   EXPECT_GT(db.number("SELECT count(*) FROM b_map"), 0);
@@ -57,7 +57,7 @@ TEST_F(TwoTables, LoadedTogetherAreWrittenEarlyByTheCommonLimit) {
 
 TEST_F(TwoTables, WhatWasWrittenEarlyForAnotherTableGoesBackToASavepoint) {
   constexpr int objects = 5000;
-  make_both({.loose = objects * 120});
+  make_both({.pending = objects * 120});
   begin(db, *a);
   b->begin();
   a->insert(-1, ship(1), {});

@@ -24,7 +24,7 @@ MemoryShare::MemoryShare(MemoryBudget& budget, MemoryHolder& holder) : budget_(b
 }
 
 MemoryShare::~MemoryShare() {
-  hold_loose(0);
+  hold_pending(0);
   hold_nodes(0, 0, 0);
   std::erase(budget_.holders_, &holder_);
 }

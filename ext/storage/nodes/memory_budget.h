@@ -2,7 +2,7 @@
 //
 //   auto budget = std::make_shared<MemoryBudget>(limits);       // one a connection: memory_budget_of(db)
 //   MemoryShare share(*budget, table);                          // one a table
-//   share.hold_loose(bytes); share.hold_nodes(…);               // as it is now
+//   share.hold_pending(bytes); share.hold_nodes(…);             // as it is now
 //   if (budget->too_much_waits()) budget->write_out();          // every table writes what waits
 //   budget->evict();                                            // every table drops nodes that it can read
 //   again
@@ -17,10 +17,11 @@
 namespace foresee {
 
 struct MemoryLimits {
-  std::size_t loose = 128 << 20;   ///< bytes of objects that wait to be bulk loaded
-  std::size_t memory = 128 << 20;  ///< bytes of nodes that are kept, or of changes that wait, roughly
+  std::size_t pending = 128 << 20;  ///< bytes of objects that wait to be bulk loaded
+  std::size_t memory = 128 << 20;   ///< bytes of nodes that are kept, or of changes that wait, roughly
   /// … of nodes that wait while one call puts many. What waits can be taken back, so that whoever interrupts
-  /// a question loses nothing: room for as many new objects as may be loose, not for a large old tree beside.
+  /// a question loses nothing: room for as many new objects as may be pending, not for a large old tree
+  /// beside.
   std::size_t waiting = 128 << 20;
 };
 
@@ -40,7 +41,7 @@ class MemoryBudget {
  public:
   explicit MemoryBudget(const MemoryLimits& limits = {}) : limits_(limits) {}
 
-  bool too_much_waits() const { return loose_ > limits_.loose || waiting_ + map_ > limits_.memory; }
+  bool too_much_waits() const { return pending_ > limits_.pending || waiting_ + map_ > limits_.memory; }
   /// … to put more of them in the middle of a call.
   bool too_many_nodes_wait() const { return waiting_ > limits_.waiting; }
   void write_out();
@@ -51,7 +52,7 @@ class MemoryBudget {
   friend class MemoryShare;
 
   MemoryLimits limits_;
-  std::size_t loose_ = 0, waiting_ = 0, map_ = 0, kept_ = 0;
+  std::size_t pending_ = 0, waiting_ = 0, map_ = 0, kept_ = 0;
   std::size_t evict_at_ = 0;  ///< where most of what is kept could not be dropped the last time
   std::vector<MemoryHolder*> holders_;
 };
@@ -65,7 +66,7 @@ class MemoryShare {
   MemoryShare& operator=(const MemoryShare&) = delete;
 
   MemoryBudget& budget() { return budget_; }
-  void hold_loose(std::size_t bytes) noexcept { replace(budget_.loose_, loose_, bytes); }
+  void hold_pending(std::size_t bytes) noexcept { replace(budget_.pending_, pending_, bytes); }
   /// Nodes that wait, changes of the map, and all nodes in memory, those that wait among them.
   void hold_nodes(std::size_t waiting, std::size_t map, std::size_t kept) noexcept {
     replace(budget_.waiting_, waiting_, waiting);
@@ -81,7 +82,7 @@ class MemoryShare {
 
   MemoryBudget& budget_;
   MemoryHolder& holder_;
-  std::size_t loose_ = 0, waiting_ = 0, map_ = 0, kept_ = 0;
+  std::size_t pending_ = 0, waiting_ = 0, map_ = 0, kept_ = 0;
 };
 
 }  // namespace foresee

@@ -14,24 +14,24 @@ void reserve_more(std::vector<T>& values, std::size_t more) {
 
 }  // namespace
 
-std::size_t LooseObjects::memory() const {
+std::size_t PendingInserts::memory() const {
   return ids_.size() * sizeof(std::int64_t) + records_.size() * sizeof(double) + slots_.memory() +
          log_.size() * sizeof(Change);
 }
 
-const double* LooseObjects::find(std::int64_t id) const noexcept {
+const double* PendingInserts::find(std::int64_t id) const noexcept {
   const std::int64_t slot = slots_.find(id);
   return slot == IdTable::unknown ? nullptr : records_.data() + static_cast<std::size_t>(slot) * record_size_;
 }
 
-void LooseObjects::make_room(std::int64_t id, std::size_t changes) {
+void PendingInserts::make_room(std::int64_t id, std::size_t changes) {
   reserve_more(ids_, 1);
   reserve_more(records_, record_size_);
   reserve_more(log_, changes);
   slots_.prepare(id);
 }
 
-void LooseObjects::add(std::int64_t id, std::span<const double> record) {
+void PendingInserts::add(std::int64_t id, std::span<const double> record) {
   make_room(id, 1);
   const std::size_t slot = ids_.size();
   ids_.push_back(id);
@@ -41,25 +41,25 @@ void LooseObjects::add(std::int64_t id, std::span<const double> record) {
   ++count_;
 }
 
-void LooseObjects::erase(std::int64_t id) {
+void PendingInserts::erase(std::int64_t id) {
   reserve_more(log_, 1);
   log_.push_back({static_cast<std::uint32_t>(slots_.find(id)), false});
   slots_.set(id, IdTable::unknown);
   --count_;
 }
 
-void LooseObjects::replace(std::int64_t id, std::span<const double> record) {
+void PendingInserts::replace(std::int64_t id, std::span<const double> record) {
   make_room(id, 2);
   erase(id);
   add(id, record);
 }
 
-void LooseObjects::forget_past() noexcept {
+void PendingInserts::forget_past() noexcept {
   log_.clear();
   constexpr std::size_t few = 64;
   if (ids_.size() < few || ids_.size() < 2 * count_) return;
   try {
-    LooseObjects fresh(record_size_);
+    PendingInserts fresh(record_size_);
     for_each([&](std::int64_t id, std::span<const double> record) { fresh.add(id, record); });
     fresh.log_.clear();
     *this = std::move(fresh);
@@ -68,7 +68,7 @@ void LooseObjects::forget_past() noexcept {
   }
 }
 
-void LooseObjects::clear() noexcept {
+void PendingInserts::clear() noexcept {
   ids_.clear();
   records_.clear();
   slots_.clear();
@@ -76,7 +76,7 @@ void LooseObjects::clear() noexcept {
   count_ = 0;
 }
 
-void LooseObjects::rewind(std::size_t position) noexcept {
+void PendingInserts::rewind(std::size_t position) noexcept {
   for (; log_.size() > position; log_.pop_back()) {
     const Change& change = log_.back();
     const std::int64_t id = ids_[change.slot];

@@ -1,8 +1,8 @@
 // Which objects were inserted and are not in the tree yet?
 //
-//   loose.add(42, record);
-//   loose.find(42)                           // its record, or null
-//   const auto position = loose.position();  // … and back to it: loose.rewind(position)
+//   pending.add(42, record);
+//   pending.find(42)                           // its record, or null
+//   const auto position = pending.position();  // … and back to it: pending.rewind(position)
 //
 // Inserted objects wait here so that many of them, in however many statements, are bulk loaded. Objects are
 // only ever appended; one that is erased or replaced leaves a hole, so that going back is cutting off the end
@@ -15,9 +15,9 @@
 
 namespace foresee {
 
-class LooseObjects {
+class PendingInserts {
  public:
-  explicit LooseObjects(std::size_t record_size) : record_size_(record_size) {}
+  explicit PendingInserts(std::size_t record_size) : record_size_(record_size) {}
 
   std::size_t count() const { return count_; }
   std::size_t memory() const;

@@ -6,8 +6,8 @@
 // Between SQLite and the rows stand a TPR-tree, and before it what a write transaction has changed but not
 // written yet:
 //
-//   insert ─► LooseObjects ─► tree over NodeCache (nodes, MapChanges) ─► shadow rows, once a transaction
-//   read   ─► loose, else the cache, else the tables
+//   insert ─► PendingInserts ─► tree over NodeCache (nodes, MapChanges) ─► shadow rows, once a transaction
+//   read   ─► pending, else the cache, else the tables
 //
 // Every double comes back bit for bit. All state lives in SQLite's tables, so transactions, WAL readers,
 // VACUUM and backup are SQLite's own. Changes wait in memory until sync(), or until many MB wait in all
@@ -189,8 +189,8 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
     int level;
     UndoLog::Handle mark;
     std::size_t map_position;
-    std::shared_ptr<LooseObjects> loose;
-    std::size_t loose_position;
+    std::shared_ptr<PendingInserts> pending;
+    std::size_t pending_position;
     std::size_t changes_position;
     Largest largest;
     std::uint64_t change;
@@ -199,7 +199,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
     bool waits;  ///< something that only memory knows
   };
   /// Something is not stored yet.
-  bool waits() const { return cache_.waits() || loose_->count() > 0; }
+  bool waits() const { return cache_.waits() || pending_->count() > 0; }
   void back_to(const Savepoint& savepoint);
   void back_to_begin() noexcept;
   void go_by(const std::string& table);
@@ -217,8 +217,8 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   MemoryShare share_;
   NodeCache cache_;
   std::unique_ptr<TprTree> tree_;
-  std::shared_ptr<LooseObjects> loose_;  ///< shared with savepoints that would take it back
-  ObjectChanges object_changes_;         ///< empty where nobody wants them
+  std::shared_ptr<PendingInserts> pending_;  ///< shared with savepoints that would take it back
+  ObjectChanges object_changes_;             ///< empty where nobody wants them
   bool keeps_changes_ = false, wants_changes_ = false;
 
   bool in_transaction_;

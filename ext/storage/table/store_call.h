@@ -33,8 +33,8 @@ class Store::Call {
   explicit Call(Store& store)
       : own_(store),
         store_(store),
-        loose_(store.loose_),
-        loose_position_(store.loose_->position()),
+        pending_(store.pending_),
+        pending_position_(store.pending_->position()),
         changes_position_(store.object_changes_.position()),
         largest_(store.largest_) {
     store_.cache_.begin_call();
@@ -43,8 +43,8 @@ class Store::Call {
     if (done_) return;
     store_.torn_ |= store_.cache_.wrote_in_call();
     store_.cache_.cancel_call();
-    store_.loose_ = std::move(loose_);
-    store_.loose_->rewind(loose_position_);
+    store_.pending_ = std::move(pending_);
+    store_.pending_->rewind(pending_position_);
     store_.object_changes_.rewind(changes_position_);
     store_.largest_ = largest_;
   }
@@ -53,14 +53,14 @@ class Store::Call {
     store_.cache_.end_call();
     done_ = true;
     store_.note_change();
-    if (store_.savepoints_.empty()) store_.loose_->forget_past();
+    if (store_.savepoints_.empty()) store_.pending_->forget_past();
   }
 
  private:
   OwnStatements own_;
   Store& store_;
-  std::shared_ptr<LooseObjects> loose_;
-  std::size_t loose_position_, changes_position_;
+  std::shared_ptr<PendingInserts> pending_;
+  std::size_t pending_position_, changes_position_;
   Largest largest_;
   bool done_ = false;
 };

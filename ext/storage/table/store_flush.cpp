@@ -1,4 +1,4 @@
-// From memory to the tables: loose objects into the tree, and all that waits into the rows. And the tree
+// From memory to the tables: pending inserts into the tree, and all that waits into the rows. And the tree
 // anew: 'rebuild' and 'optimize'.
 #include <algorithm>
 
@@ -19,22 +19,22 @@ constexpr double most_loaded = 1 << 30;  // bytes of records in memory at once
 }  // namespace
 
 void Store::settle() {
-  if (loose_->count() == 0) return;
+  if (pending_->count() == 0) return;
   rows();
   StatementInterrupt interrupt(db_);
-  auto none = std::make_shared<LooseObjects>(static_cast<std::size_t>(format_.at.size));
+  auto none = std::make_shared<PendingInserts>(static_cast<std::size_t>(format_.at.size));
   Call call(*this);
   with_sound_tree([&] {
-    const double loose = static_cast<double>(loose_->count()), stored = objects_about(cache_);
-    const bool fits = (loose + stored) * static_cast<double>(format_.record_size) < most_loaded;
-    if (stored == 0 || (loose > stored * worth_loading && fits))
+    const double pending = static_cast<double>(pending_->count()), stored = objects_about(cache_);
+    const bool fits = (pending + stored) * static_cast<double>(format_.record_size) < most_loaded;
+    if (stored == 0 || (pending > stored * worth_loading && fits))
       load_all_anew(interrupt);
     else
       insert_one_by_one(interrupt);
   });
   const std::uint64_t change = change_;
   const bool changed = changed_;
-  loose_ = std::move(none);
+  pending_ = std::move(none);
   call.done();
   change_ = change + 1;
   changed_ = changed;  // the same objects as before
@@ -42,7 +42,7 @@ void Store::settle() {
 
 void Store::insert_one_by_one(Interrupt& interrupt) {
   unsigned inserted = 0;
-  loose_->for_each([&](std::int64_t id, std::span<const double> record) {
+  pending_->for_each([&](std::int64_t id, std::span<const double> record) {
     if (++inserted % 256 == 0) interrupt.check();
     tree_->insert(id, record);
   });
@@ -53,13 +53,13 @@ void Store::load_all_anew(Interrupt& interrupt) {
   std::vector<double> records;
   collect_objects(cache_, ids, records, interrupt);
   expect_objects(ids.size());
-  if (ids.empty() && !loose_->has_holes()) {
-    tree_->load(loose_->all_ids(), loose_->all_records(), interrupt);
+  if (ids.empty() && !pending_->has_holes()) {
+    tree_->load(pending_->all_ids(), pending_->all_records(), interrupt);
     return;
   }
-  ids.reserve(ids.size() + loose_->count());
-  records.reserve(records.size() + loose_->count() * static_cast<std::size_t>(format_.at.size));
-  loose_->for_each([&](std::int64_t id, std::span<const double> record) {
+  ids.reserve(ids.size() + pending_->count());
+  records.reserve(records.size() + pending_->count() * static_cast<std::size_t>(format_.at.size));
+  pending_->for_each([&](std::int64_t id, std::span<const double> record) {
     ids.push_back(id);
     records.insert(records.end(), record.begin(), record.end());
   });
@@ -87,7 +87,7 @@ void Store::flush() {
 }
 
 void Store::note_memory() noexcept {
-  share_.hold_loose(loose_->memory());
+  share_.hold_pending(pending_->memory());
   cache_.note_memory();
 }
 

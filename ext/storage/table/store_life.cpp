@@ -51,7 +51,7 @@ Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const Nod
       share_(*memory_, *this),
       cache_(format_, name_, share_),
       tree_(make_tpr_tree(cache_, declaration_.horizon)),
-      loose_(std::make_shared<LooseObjects>(static_cast<std::size_t>(format_.at.size))),
+      pending_(std::make_shared<PendingInserts>(static_cast<std::size_t>(format_.at.size))),
       in_transaction_(is_new),
       table_at_begin_(name_.table) {
   cache_.connect(*rows_);
@@ -118,7 +118,7 @@ void Store::end_transaction() noexcept {
   in_transaction_ = writing_ = stamped_ = torn_ = false;
   largest_ = {};
   own_stamp_.reset();
-  loose_->clear();
+  pending_->clear();
   object_changes_.clear();
   keeps_changes_ = wants_changes_;
   note_memory();
@@ -157,8 +157,8 @@ void Store::rollback() {
 
 void Store::back_to_begin() noexcept {
   cache_.roll_back();
-  if (!savepoints_.empty()) loose_ = savepoints_.front().loose;
-  loose_->clear();
+  if (!savepoints_.empty()) pending_ = savepoints_.front().pending;
+  pending_->clear();
   object_changes_.clear();
   give_up_savepoints(0);
 }
@@ -174,7 +174,7 @@ void Store::savepoint(int level) {
   if (savepoints_.size() == savepoints_.capacity())
     savepoints_.reserve(std::max<std::size_t>(8, 2 * savepoints_.size()));
   std::string table = name_.table;
-  savepoints_.push_back({level, cache_.set_mark(false), cache_.map_position(), loose_, loose_->position(),
+  savepoints_.push_back({level, cache_.set_mark(false), cache_.map_position(), pending_, pending_->position(),
                          object_changes_.position(), largest_, change_, own_stamp_, std::move(table),
                          waits() || object_changes_.count() > 0});
 }
@@ -197,7 +197,7 @@ void Store::release(int level) {
   if (own_statements_ > 0) return;
   const std::size_t kept = savepoints_before(level);
   give_up_savepoints(kept);
-  if (kept == 0) loose_->forget_past();
+  if (kept == 0) pending_->forget_past();
 }
 
 void Store::rollback_to(int level) {
@@ -223,8 +223,8 @@ void Store::back_to(const Savepoint& savepoint) {
   go_by(savepoint.table);
   own_stamp_ = savepoint.own_stamp;
   cache_.restore(savepoint.mark, savepoint.map_position);
-  loose_ = savepoint.loose;
-  loose_->rewind(savepoint.loose_position);
+  pending_ = savepoint.pending;
+  pending_->rewind(savepoint.pending_position);
   object_changes_.rewind(savepoint.changes_position);
   largest_ = savepoint.largest;
   stamped_ = torn_ = false;
@@ -261,7 +261,7 @@ void Store::drop() {
   const OwnStatements own(*this);
   shadow_tables(db_, name_, declaration_).drop();
   cache_.forget_all();
-  loose_->clear();
+  pending_->clear();
 }
 
 }  // namespace foresee

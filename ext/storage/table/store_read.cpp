@@ -27,13 +27,13 @@ void append(const Node& leaf, std::size_t, std::vector<std::int64_t>& ids, std::
 
 }  // namespace
 
-// The stored leaf, or the one in memory: not for loose objects.
+// The stored leaf, or the one in memory: not for pending inserts.
 std::optional<std::int64_t> Store::leaf_of(std::int64_t id) {
   return writing_ ? nodes().leaf_of(id) : rows().leaf_of(id);
 }
 
 bool Store::contains(std::int64_t id) {
-  if (loose_->find(id)) return true;
+  if (pending_->find(id)) return true;
   // Ascending new ids, the common case, are larger than any known one.
   if (largest_.known && (!largest_.id || *largest_.id < id)) return false;
   return leaf_of(id).has_value();
@@ -41,7 +41,7 @@ bool Store::contains(std::int64_t id) {
 
 std::optional<std::vector<double>> Store::read(std::int64_t id) {
   const auto size = static_cast<std::size_t>(format_.at.size);
-  if (const double* record = loose_->find(id)) return std::vector<double>(record, record + size);
+  if (const double* record = pending_->find(id)) return std::vector<double>(record, record + size);
   const std::optional<std::int64_t> number = leaf_of(id);
   if (!number) return std::nullopt;
   const std::string where = "node " + std::to_string(*number);

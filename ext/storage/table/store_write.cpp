@@ -85,13 +85,13 @@ void Store::for_each_change(
 
 void Store::add(std::int64_t id, std::span<const double> record) {
   const std::optional<std::int64_t> last = largest().id;
-  loose_->add(id, record);
+  pending_->add(id, record);
   if (!last || *last <= id) largest_ = {true, true, id};
 }
 
 void Store::take_out(std::int64_t id) {
-  if (loose_->find(id))
-    loose_->erase(id);
+  if (pending_->find(id))
+    pending_->erase(id);
   else if (!tree_->erase(id))
     throw StoreError(SQLITE_ERROR, name_.table + ": there is no object " + std::to_string(id));
   if (largest_.id == id) largest_.exact = false;
@@ -117,8 +117,8 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
       if (contains(new_id)) take_out(new_id);
       take_out(id);
       add(new_id, record);
-    } else if (loose_->find(id)) {
-      loose_->replace(id, record);
+    } else if (pending_->find(id)) {
+      pending_->replace(id, record);
     } else if (!tree_->update(id, record)) {
       throw StoreError(SQLITE_ERROR, name_.table + ": there is no object " + std::to_string(id));
     }
