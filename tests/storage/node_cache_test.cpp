@@ -39,16 +39,16 @@ class NodeCacheTest : public ::testing::Test, MemoryHolder {
 };
 
 TEST_F(NodeCacheTest, ACancelledCallThatHadWrittenLosesNothingThatASavepointSaw) {
-  cache.begin_call();
+  cache.begin_change();
   const NodeNumber number = add(1);
-  cache.end_call();
+  cache.end_change();
   const UndoLog::Handle mark = cache.set_mark(false);
   db.run("SAVEPOINT s");
-  cache.begin_call();
+  cache.begin_change();
   cache.put(number, leaf(2));
   for (int id = 10; id < 30; ++id) add(id);
-  ASSERT_TRUE(cache.wrote_in_call());
-  cache.cancel_call();
+  ASSERT_TRUE(cache.wrote_in_change());
+  cache.cancel_change();
   db.run("ROLLBACK TO s");
   cache.restore(mark, 0);
   EXPECT_EQ(cache.read(number)->keys, std::vector<std::int64_t>{1});
@@ -67,22 +67,22 @@ TEST_F(NodeCacheTest, ACancelledRecordIsAsItWasAlsoIfItsLeafChangedLater) {
       const NodeNumber number = add(1);
       if (is_stored) cache.write(never);
       const std::vector<double> before = cache.read(number)->values;
-      cache.begin_call();
+      cache.begin_change();
       cache.modify_record(number, 0)[1] = 77;
       EXPECT_EQ(cache.read(number)->values[1], 77);
       EXPECT_TRUE(cache.waiting(number));
       if (leaf_changes) cache.modify(number).values[2] = 88;
-      cache.cancel_call();
+      cache.cancel_change();
       EXPECT_EQ(cache.read(number)->values, before);
       EXPECT_EQ(cache.waiting(number).has_value(), !is_stored);
     }
-  cache.begin_call();
+  cache.begin_change();
   const NodeNumber number = add(1);
-  cache.end_call();
+  cache.end_change();
   const UndoLog::Handle mark = cache.set_mark(false);
-  cache.begin_call();
+  cache.begin_change();
   cache.modify_record(number, 0)[1] = 77;
-  cache.end_call();
+  cache.end_change();
   cache.restore(mark, 0);
   EXPECT_EQ(cache.read(number)->values, ship(1));
   cache.give_up(mark);
@@ -90,20 +90,20 @@ TEST_F(NodeCacheTest, ACancelledRecordIsAsItWasAlsoIfItsLeafChangedLater) {
 }
 
 TEST_F(NodeCacheTest, NamesWhatWaitsInOrder) {
-  cache.begin_call();
+  cache.begin_change();
   const NodeNumber first = add(1), second = add(2), third = add(3), none = third + 1;
   EXPECT_EQ(cache.next_waiting(0, none), first);
   EXPECT_EQ(cache.next_waiting(first, none), second);
   EXPECT_EQ(cache.next_waiting(first, second), 0);
   EXPECT_EQ(cache.next_waiting(second, third), 0);
   EXPECT_EQ(cache.next_waiting(third, 1'000'000'000'000), 0);
-  cache.end_call();
+  cache.end_change();
   cache.write(never);
   EXPECT_EQ(cache.next_waiting(0, none), 0);
-  cache.begin_call();
+  cache.begin_change();
   cache.free(second);
   EXPECT_EQ(cache.next_waiting(0, none), second);
-  cache.cancel_call();
+  cache.cancel_change();
   EXPECT_EQ(cache.next_waiting(0, none), 0);
   db.run("ROLLBACK");
 }

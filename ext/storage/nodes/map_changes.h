@@ -4,7 +4,7 @@
 //   changes.find(42) == leaf
 //   const auto position = changes.position();  // … and back to it: changes.rewind(position)
 //
-// Everything is logged so that a savepoint, or one call that fails, can be taken back; forget_log() drops
+// Everything is logged so that a savepoint, or one change that fails, can be taken back; forget_log() drops
 // what nobody can go back to any more. A write to the map is logged too: SQLite takes the rows back, and
 // what they said waits again.
 #pragma once

@@ -19,9 +19,9 @@ namespace foresee {
 struct MemoryLimits {
   std::size_t pending = 128 << 20;  ///< bytes of objects that wait to be bulk loaded
   std::size_t memory = 128 << 20;   ///< bytes of nodes that are kept, or of changes that wait, roughly
-  /// … of nodes that wait while one call puts many. What waits can be taken back, so that whoever interrupts
-  /// a question loses nothing: room for as many new objects as may be pending, not for a large old tree
-  /// beside.
+  /// … of nodes that wait while one change puts many. What waits can be taken back, so that whoever
+  /// interrupts a question loses nothing: room for as many new objects as may be pending, not for a large old
+  /// tree beside.
   std::size_t waiting = 128 << 20;
 };
 
@@ -42,7 +42,7 @@ class MemoryBudget {
   explicit MemoryBudget(const MemoryLimits& limits = {}) : limits_(limits) {}
 
   bool too_much_waits() const { return pending_ > limits_.pending || waiting_ + map_ > limits_.memory; }
-  /// … to put more of them in the middle of a call.
+  /// … to put more of them in the middle of a change.
   bool too_many_nodes_wait() const { return waiting_ > limits_.waiting; }
   void write_out();
   /// Does nothing while there is room.

@@ -149,8 +149,8 @@ void NodeCache::note_changed(NodeNumber number, Slot& slot) {
 void NodeCache::about_to_change(NodeNumber number, Slot& slot) {
   note_changed(number, slot);
   if (slot.kept == mark_count_) return;
-  if (in_call_)
-    call_log_.emplace_back(number, slot.state);
+  if (in_change_)
+    change_log_.emplace_back(number, slot.state);
   else if (!undo_.none())
     undo_.keep(number, slot.state);
   slot.kept = mark_count_;
@@ -180,7 +180,7 @@ Node& NodeCache::modify(NodeNumber number) {
 double* NodeCache::modify_record(NodeNumber leaf, std::size_t place) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   Slot& slot = fetch(leaf);
-  const bool record_is_enough = in_call_ && undo_.none() && record_before_.leaf == 0 &&
+  const bool record_is_enough = in_change_ && undo_.none() && record_before_.leaf == 0 &&
                                 slot.kept != mark_count_ && slot.state.node.use_count() == 1;
   if (!record_is_enough) return modify(leaf).values.data() + place * size;
   double* record = slot.state.node->values.data() + place * size;
@@ -212,7 +212,7 @@ void NodeCache::put(NodeNumber number, Node node) {
   set_dirty(slot, true);
   note_memory();
   if (share_.budget().too_many_nodes_wait()) {
-    hand_call_to_undo_log();
+    hand_change_to_undo_log();
     write_nodes();
     make_room();
   }

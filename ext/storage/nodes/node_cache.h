@@ -3,12 +3,13 @@
 //
 //   cache.forget_all();                      // another connection has changed the table
 //   auto tree = make_tpr_tree(cache, 60);    // index/pages.h says what a tree may do with its pages
-//   cache.begin_call(); tree->insert(…); cache.end_call();       // or cancel_call(): as if nothing was
+//   cache.begin_change(); tree->insert(…); cache.end_change();       // or cancel_change(): as if nothing was
 //   cache.write(interrupt);                  // everything that waits
 //
 // Nodes that were read stay, within the connection's memory_budget.h, for as long as the stamp says that
-// nothing changed. Old states live in undo_log.h: savepoints, snapshots, and the call in progress. A node is
-// copied before it changes only while somebody holds it as it was; for the call alone one record is enough.
+// nothing changed. Old states live in undo_log.h: savepoints, snapshots, and the change in progress. A node
+// is copied before it changes only while somebody holds it as it was; for the change alone one record is
+// enough.
 //
 // Rows are hostile: a node without fault by leaf_fault() or inner_fault() is believed by itself, what nodes
 // say about one another is not.
@@ -71,12 +72,12 @@ class NodeCache final : public Pages {
   /// What is wrong with a node's bytes; null: nothing.
   const char* fault(NodeNumber number, std::span<const std::byte> blob) const;
 
-  // --- one call of the tree: all or nothing
-  void begin_call();
-  void end_call();
-  void cancel_call() noexcept;
-  /// Cancelling no longer helps: rows were written during the call.
-  bool wrote_in_call() const { return wrote_in_call_; }
+  // --- one change of the tree: all or nothing
+  void begin_change();
+  void end_change();
+  void cancel_change() noexcept;
+  /// Cancelling no longer helps: rows were written during the change.
+  bool wrote_in_change() const { return wrote_in_change_; }
 
   // --- marks
   UndoLog::Handle set_mark(bool is_snapshot);
@@ -95,7 +96,7 @@ class NodeCache final : public Pages {
  private:
   struct Slot {
     NodeState state;
-    std::uint64_t kept = 0;     ///< the newest mark or call that knows what it was
+    std::uint64_t kept = 0;     ///< the newest mark or change that knows what it was
     std::uint64_t changed = 0;  ///< the transaction that changed it last
     std::uint64_t used = 0;
     bool learned = false;  ///< where its objects are
@@ -114,7 +115,7 @@ class NodeCache final : public Pages {
   void back_to(NodeNumber number, const NodeState& state) noexcept;
   const std::vector<NodeNumber>& waiting_numbers();
   void write_nodes();
-  void hand_call_to_undo_log();
+  void hand_change_to_undo_log();
   void make_room();
   void drop_unused(std::uint64_t before);
 
@@ -134,15 +135,15 @@ class NodeCache final : public Pages {
   std::uint64_t use_ = 1;  ///< moves whenever nodes that were not used are dropped
 
   UndoLog undo_;
-  std::uint64_t mark_count_ = 1;  ///< of marks and calls so far
+  std::uint64_t mark_count_ = 1;  ///< of marks and changes so far
   std::uint64_t transaction_ = 1;
   std::vector<NodeNumber> changed_;  ///< in this transaction, some of them repeatedly
   bool dropped_changed_ = false;     ///< … and dropped from memory, once written
   std::vector<NodeNumber> waiting_;  ///< dirty ones, ascending, unless stale
   bool waiting_is_stale_ = false;
 
-  bool in_call_ = false, wrote_in_call_ = false;
-  std::vector<std::pair<NodeNumber, NodeState>> call_log_;
+  bool in_change_ = false, wrote_in_change_ = false;
+  std::vector<std::pair<NodeNumber, NodeState>> change_log_;
   /// Most updates change one record and nothing else: it is kept alone.
   struct {
     NodeNumber leaf = 0;  ///< 0: there is none
@@ -150,8 +151,8 @@ class NodeCache final : public Pages {
     bool dirty;
     std::vector<double> values;
   } record_before_;
-  TreeHead head_before_call_;
-  std::size_t map_before_call_ = 0;
+  TreeHead head_before_change_;
+  std::size_t map_before_change_ = 0;
   std::shared_ptr<Node> spare_;  ///< room for the next copy of a node
 };
 

@@ -56,7 +56,7 @@ void NodeCache::write(Interrupt& interrupt) {
 
 void NodeCache::write_nodes() {
   const std::vector<NodeNumber> numbers = waiting_numbers();
-  wrote_in_call_ |= in_call_ && !numbers.empty();
+  wrote_in_change_ |= in_change_ && !numbers.empty();
   for (const NodeNumber number : numbers) {
     Slot& slot = slots_.at(number);
     about_to_change(number, slot);

@@ -1,4 +1,4 @@
-// Going back: one call, a savepoint, a transaction; and reading what was.
+// Going back: one change, a savepoint, a transaction; and reading what was.
 #include <algorithm>
 #include <utility>
 
@@ -18,44 +18,44 @@ void NodeCache::back_to(NodeNumber number, const NodeState& state) noexcept {
   erase_slot(number);
 }
 
-void NodeCache::begin_call() {
-  call_log_.clear();
+void NodeCache::begin_change() {
+  change_log_.clear();
   record_before_.leaf = 0;
-  head_before_call_ = head_;
-  map_before_call_ = map_.position();
-  in_call_ = true;
-  wrote_in_call_ = false;
+  head_before_change_ = head_;
+  map_before_change_ = map_.position();
+  in_change_ = true;
+  wrote_in_change_ = false;
   ++mark_count_;
 }
 
-void NodeCache::end_call() {
+void NodeCache::end_change() {
   if (undo_.none()) {
     map_.forget_log();
-    if (!call_log_.empty() && call_log_.front().second.node.use_count() == 1)
-      spare_ = std::move(call_log_.front().second.node);
+    if (!change_log_.empty() && change_log_.front().second.node.use_count() == 1)
+      spare_ = std::move(change_log_.front().second.node);
   } else {
-    hand_call_to_undo_log();
+    hand_change_to_undo_log();
   }
-  call_log_.clear();
+  change_log_.clear();
   record_before_.leaf = 0;
-  in_call_ = false;
+  in_change_ = false;
 }
 
-/// What was before the call, for those who go back to before it: once rows are written only a savepoint
-/// helps, and nodes that leave memory then cannot be had back from the call's own log.
-void NodeCache::hand_call_to_undo_log() {
+/// What was before the change, for those who go back to before it: once rows are written only a savepoint
+/// helps, and nodes that leave memory then cannot be had back from the change's own log.
+void NodeCache::hand_change_to_undo_log() {
   if (undo_.none()) return;
-  for (const auto& [number, state] : call_log_) undo_.keep(number, state);
+  for (const auto& [number, state] : change_log_) undo_.keep(number, state);
 }
 
-void NodeCache::cancel_call() noexcept {
-  for (auto change = call_log_.rbegin(); change != call_log_.rend(); ++change)
+void NodeCache::cancel_change() noexcept {
+  for (auto change = change_log_.rbegin(); change != change_log_.rend(); ++change)
     back_to(change->first, change->second);
-  call_log_.clear();
+  change_log_.clear();
   take_back_record();
-  map_.rewind(map_before_call_);
-  head_ = head_before_call_;
-  in_call_ = false;
+  map_.rewind(map_before_change_);
+  head_ = head_before_change_;
+  in_change_ = false;
 }
 
 /// After all else: if its leaf changed as a whole too, that was later.

@@ -16,7 +16,7 @@
 // written. What was read in one transaction is believed in the next only under the same stamp. Blobs are
 // checked before they are believed.
 //
-// Auxiliary values are written at once. Every change is one call (store_call.h): all or nothing.
+// Auxiliary values are written at once. Every change is atomic (store_change.h): all or nothing.
 //
 // Errors: SQLite's result codes as StoreError; a blob that is not what this code wrote is
 // SQLITE_CORRUPT_VTAB.
@@ -81,7 +81,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   /// While changed leaves wait to be written, nothing can be said.
   void expect_objects(std::size_t found);
 
-  // --- writing: each call is all or nothing
+  // --- writing: each is atomic, all or nothing
   /// The id that SQLite would give to a row without one: one more than the largest.
   std::int64_t next_id();
   /// Requires: no object has this id. `auxiliaries`: one value per auxiliary column.
@@ -140,7 +140,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
 
  private:
   class OwnStatements;
-  class Call;
+  class AtomicChange;
 
   /// The largest id, known within a write transaction only.
   struct Largest {
@@ -224,7 +224,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   bool in_transaction_;
   bool writing_ = false;      ///< this transaction has changed something: nobody else can
   bool stamped_ = false;      ///< … and what is stored now has a stamp of its own
-  bool torn_ = false;         ///< rows were written by a call that then failed: only rolling back helps
+  bool torn_ = false;         ///< rows were written by a change that then failed: only rolling back helps
   int own_statements_ = 0;    ///< our own statements under way: callbacks that come now are about them
   bool rolled_back_ = false;  ///< … SQLite rolled everything back among them
   std::vector<Savepoint> savepoints_;

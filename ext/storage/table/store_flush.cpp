@@ -7,7 +7,7 @@
 #include "storage/format/leaf_node.h"
 #include "storage/rows/statement_interrupt.h"
 #include "storage/table/store.h"
-#include "storage/table/store_call.h"
+#include "storage/table/store_change.h"
 
 namespace foresee {
 namespace {
@@ -23,7 +23,7 @@ void Store::settle() {
   rows();
   StatementInterrupt interrupt(db_);
   auto none = std::make_shared<PendingInserts>(static_cast<std::size_t>(format_.at.size));
-  Call call(*this);
+  AtomicChange atomic_change(*this);
   with_sound_tree([&] {
     const double pending = static_cast<double>(pending_->count()), stored = objects_about(cache_);
     const bool fits = (pending + stored) * static_cast<double>(format_.record_size) < most_loaded;
@@ -35,7 +35,7 @@ void Store::settle() {
   const std::uint64_t change = change_;
   const bool changed = changed_;
   pending_ = std::move(none);
-  call.done();
+  atomic_change.done();
   change_ = change + 1;
   changed_ = changed;  // the same objects as before
 }
@@ -144,10 +144,10 @@ void Store::pack(Interrupt& interrupt) {
   std::vector<double> records;
   collect_stored(ids, records, interrupt);
   interrupt.check();
-  Call call(*this);
+  AtomicChange atomic_change(*this);
   cache_.erase_everything();
   with_sound_tree([&] { tree_->load(ids, records, interrupt); });
-  call.done();
+  atomic_change.done();
 }
 
 }  // namespace foresee

@@ -5,7 +5,7 @@
 
 #include "storage/table/open_stores.h"
 #include "storage/table/store.h"
-#include "storage/table/store_call.h"
+#include "storage/table/store_change.h"
 #include "storage/table/tree_snapshot.h"
 
 namespace foresee {

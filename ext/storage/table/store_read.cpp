@@ -4,7 +4,7 @@
 #include "storage/format/leaf_node.h"
 #include "storage/table/check.h"
 #include "storage/table/store.h"
-#include "storage/table/store_call.h"
+#include "storage/table/store_change.h"
 
 namespace foresee {
 namespace {

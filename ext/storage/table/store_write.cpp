@@ -1,10 +1,10 @@
-// Writing: each change is one call, all or nothing.
+// Writing: each change is atomic, all or nothing.
 #include <cstring>
 #include <limits>
 
 #include "storage/format/leaf_node.h"
 #include "storage/table/store.h"
-#include "storage/table/store_call.h"
+#include "storage/table/store_change.h"
 
 namespace foresee {
 // What every change begins with. Writing early here, not after the change, keeps the change all or nothing.
@@ -99,17 +99,17 @@ void Store::take_out(std::int64_t id) {
 
 void Store::insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries) {
   start_change(record);
-  Call call(*this);
+  AtomicChange atomic_change(*this);
   if (keeps_changes_ && !object_changes_.knows(id)) object_changes_.add(id, {});
   add(id, record);
   if (has_auxiliaries()) rows().insert_auxiliaries(id, auxiliaries);
-  call.done();
+  atomic_change.done();
 }
 
 void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double> record,
                    std::span<sqlite3_value*> auxiliaries) {
   start_change(record);
-  Call call(*this);
+  AtomicChange atomic_change(*this);
   with_sound_tree([&] {
     about_to_change(id);
     about_to_change(new_id);
@@ -124,18 +124,18 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
     }
   });
   if (has_auxiliaries()) rows().update_auxiliaries(id, new_id, auxiliaries);
-  call.done();
+  atomic_change.done();
 }
 
 void Store::erase(std::int64_t id) {
   start_change({});
-  Call call(*this);
+  AtomicChange atomic_change(*this);
   with_sound_tree([&] {
     about_to_change(id);
     take_out(id);
   });
   if (has_auxiliaries()) rows().erase_auxiliaries(id);
-  call.done();
+  atomic_change.done();
 }
 
 }  // namespace foresee

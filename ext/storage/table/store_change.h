@@ -1,7 +1,7 @@
 // Our own work inside a callback: SQLite may call the table back about our statements (their savepoints, a
 // rollback of everything after a disk error), and the application's last_insert_rowid() must not see them.
 //
-// Call is one change: done() makes it hold; without it, everything in memory is as it was.
+// An AtomicChange holds once it is done(); without it, everything in memory is as it was.
 #pragma once
 
 #include "base/float_environment.h"
@@ -28,21 +28,21 @@ class Store::OwnStatements {
   sqlite3_int64 rowid_;
 };
 
-class Store::Call {
+class Store::AtomicChange {
  public:
-  explicit Call(Store& store)
+  explicit AtomicChange(Store& store)
       : own_(store),
         store_(store),
         pending_(store.pending_),
         pending_position_(store.pending_->position()),
         changes_position_(store.object_changes_.position()),
         largest_(store.largest_) {
-    store_.cache_.begin_call();
+    store_.cache_.begin_change();
   }
-  ~Call() {
+  ~AtomicChange() {
     if (done_) return;
-    store_.torn_ |= store_.cache_.wrote_in_call();
-    store_.cache_.cancel_call();
+    store_.torn_ |= store_.cache_.wrote_in_change();
+    store_.cache_.cancel_change();
     store_.pending_ = std::move(pending_);
     store_.pending_->rewind(pending_position_);
     store_.object_changes_.rewind(changes_position_);
@@ -50,7 +50,7 @@ class Store::Call {
   }
 
   void done() {
-    store_.cache_.end_call();
+    store_.cache_.end_change();
     done_ = true;
     store_.note_change();
     if (store_.savepoints_.empty()) store_.pending_->forget_past();
