@@ -4,7 +4,7 @@
 //   count
 //
 // Every operation adds the errors of its arguments and half an ulp of its result. Two things are left to
-// whoever reads the bound in the end (settled()), as once is enough: the bound's own roundings, and what
+// whoever reads the bound in the end (error_bound()), as once is enough: the bound's own roundings, and what
 // underflow loses. Real: double, or several at once (base/doubles.h).
 #pragma once
 
@@ -20,7 +20,7 @@ struct BoundedOf {
   Real error = 0.0;
 
   /// The bound, raised by more than some dozens of roundings can have taken from it, and by `lost`.
-  Real settled(const Real& lost) const { return error * (1 + 0x1p-40) + lost; }
+  Real error_bound(const Real& lost) const { return error * (1 + 0x1p-40) + lost; }
 };
 using Bounded = BoundedOf<double>;
 

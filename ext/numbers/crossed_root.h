@@ -1,5 +1,5 @@
 // The root of a polynomial that is crossed near a moment, rounded once: a Newton step with an error radius,
-// and Ziv's test of what it rounds to. What this cannot settle is NaN.
+// and Ziv's test of what it rounds to. What this cannot tell is NaN.
 //
 // No branches, and inlined wherever it is used, as DoubleDouble is: loops over lanes become vector code, and
 // no copy made for one CPU ends up in the place of another's.

@@ -139,7 +139,7 @@ TEST(Primitive, EveryNumberTypeEnclosesTheExactCoefficients) {
         const Dyadic gap = other - exact[k];
         return gap.sign() < 0 ? -gap : gap;
       };
-      const double error = doubles[k].settled(0x1p-1000);
+      const double error = doubles[k].error_bound(0x1p-1000);
       ASSERT_LE(distance(Dyadic(doubles[k].value)), Dyadic(error)) << seed << " power " << k;
       ASSERT_LE(distance(Dyadic(pairs[k].high) + Dyadic(pairs[k].low)), Dyadic(error).scaled(-44))
           << seed << " power " << k;

@@ -133,7 +133,7 @@ class CertainSet {
     if (known == known) return known;
     const Primitive& primitive = set_.primitives()[place];
     const double lost = this->lost(primitive);
-    const auto wanted = [side, lost](const Bounded& now) { return side * now.value > now.settled(lost); };
+    const auto wanted = [side, lost](const Bounded& now) { return side * now.value > now.error_bound(lost); };
     const auto take = [side, lost, room](const auto& p) { return positive_during(p, side, lost, room); };
     return known = foresee::with_polynomial<Degree>(primitive, x_, scratch_.lengths, tau_, wanted, take);
   }
@@ -147,7 +147,7 @@ class CertainSet {
     Powers<Bounded, 0> x[D];
     for (int j = 0; j < D; ++j) x[j] = {x_[j][0]};
     const Bounded value = polynomial_of<0>(primitive, x, scratch_.lengths, tau_)[0];
-    const double error = value.settled(lost(primitive));
+    const double error = value.error_bound(lost(primitive));
     return known = value.value - error > 0 ? 1 : -value.value - error > 0 ? -1 : 0;
   }
 

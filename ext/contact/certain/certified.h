@@ -72,7 +72,7 @@ double bent_positive_for(double f0, double f1, double room, Bend bend) {
 template <std::size_t N>
 [[gnu::always_inline]] inline double positive_during(const std::array<Bounded, N>& p, double side,
                                                      double lost, double room) {
-  const auto least = [&](std::size_t k) { return side * p[k].value - p[k].settled(lost); };
+  const auto least = [&](std::size_t k) { return side * p[k].value - p[k].error_bound(lost); };
   const double now = least(0);
   if (!(now > 0)) return not_certain;
   if constexpr (N == 2) return linear_positive_for(now, least(1));

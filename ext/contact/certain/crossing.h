@@ -4,7 +4,7 @@
 // most one root. That root is found by one Newton step from the bracket's begin, with the value of the
 // polynomial in DoubleDouble; it comes with an error radius, and is accepted if all numbers within that
 // radius round to the same double (Ziv's test). Roots of different primitives are rounded apart and then
-// compared: rounding keeps order. What this cannot settle is NaN.
+// compared: rounding keeps order. What this cannot tell is NaN.
 #pragma once
 
 #include "contact/certain/track.h"
@@ -98,7 +98,7 @@ class Crossing {
 
   template <std::size_t N>
   Instant of(const Primitive& primitive, const std::array<Bounded, N>& p) const {
-    const double lost = certain_.lost(primitive), error = p[0].settled(lost);
+    const double lost = certain_.lost(primitive), error = p[0].error_bound(lost);
     double moved = 0;
     for (std::size_t k = N - 1; k > 0; --k) moved = width_ * (most(p[k]) + moved);
     const double certain = error + 2 * moved;
@@ -109,7 +109,7 @@ class Crossing {
     const double underflow = certain_.relative().underflow;
     const double slope = p[1].value;
     return root_of<way>(
-        {value, error * 0x1p-44 + underflow, slope, p[1].settled(underflow), bend(p, value.high / slope)},
+        {value, error * 0x1p-44 + underflow, slope, p[1].error_bound(underflow), bend(p, value.high / slope)},
         now_, base_, width_);
   }
 
@@ -124,7 +124,7 @@ class Crossing {
     }
   }
 
-  static double most(const Bounded& c) { return std::abs(c.value) + c.settled(0x1p-1060); }
+  static double most(const Bounded& c) { return std::abs(c.value) + c.error_bound(0x1p-1060); }
 
   CertainSet<D, Degree>& certain_;
   const PairLengths<DoubleDouble> lengths_;

@@ -72,7 +72,7 @@ class Look {
     }
     for (int i = 0; i < q_.set.primitive_count; ++i) {
       const BoundedDoubles p = polynomial_of<0>(q_.set.primitives[i], x, lengths_, moment)[0];
-      some(values_ + register_width * i) = (p.value + p.settled(usual_underflow + 0x1p-1060)).of;
+      some(values_ + register_width * i) = (p.value + p.error_bound(usual_underflow + 0x1p-1060)).of;
     }
     DoublesMask in_some = Doubles(0.0) < Doubles(0.0);
     for (int i = 0; i < q_.set.piece_count; ++i) in_some = in_some | in_piece(q_.set.pieces[i]);

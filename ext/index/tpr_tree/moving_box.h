@@ -112,15 +112,15 @@ MovingBox<D> moving_window(const Vec<D>& lower, const Vec<D>& upper, const Vec<D
                            const Horizon& horizon) {
   const double infinity = std::numeric_limits<double>::infinity(), reach = horizon.h + shortest_reach;
   MovingBox<D> box{lower, upper, velocity, velocity, {0, horizon.h}};
-  auto settle = [&](Vec<D>& face, Vec<D>& speed) {
+  auto round_outward = [&](Vec<D>& face, Vec<D>& speed) {
     face = lower_end<D>(face, (face.abs() + speed.abs() * reach) * rounding_pad + smallest_pad);
     speed = (face >= -largest_bound).select(speed, 0.0);
     face = (speed.abs() * std::max(1.0, reach) <= largest_bound).select(face, -infinity);
     speed = (face >= -largest_bound).select(speed, 0.0);
   };
-  settle(box.lower, box.v_lower);
+  round_outward(box.lower, box.v_lower);
   box.upper = -box.upper, box.v_upper = -box.v_upper;
-  settle(box.upper, box.v_upper);
+  round_outward(box.upper, box.v_upper);
   box.upper = -box.upper, box.v_upper = -box.v_upper;
   return box;
 }

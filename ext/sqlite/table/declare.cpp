@@ -52,7 +52,7 @@ double positive_number(const Argument& argument) {
   return number;
 }
 
-/// Takes the arguments one by one; the layout is settled once all are known.
+/// Takes the arguments one by one; the layout is made once all are known.
 class Declarer {
  public:
   void add(const Argument& argument) {

@@ -177,7 +177,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   const Largest& largest();
 
   // from memory to the tables (store_flush.cpp)
-  void settle();
+  void insert_pending();
   void insert_one_by_one(Interrupt& interrupt);
   void load_all_anew(Interrupt& interrupt);
   void flush();

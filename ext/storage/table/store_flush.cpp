@@ -18,7 +18,7 @@ constexpr double most_loaded = 1 << 30;  // bytes of records in memory at once
 
 }  // namespace
 
-void Store::settle() {
+void Store::insert_pending() {
   if (pending_->count() == 0) return;
   rows();
   StatementInterrupt interrupt(db_);
@@ -75,7 +75,7 @@ void Store::flush() {
     stamped_ = false;
     return;
   }
-  settle();
+  insert_pending();
   rows();
   const OwnStatements own(*this);
   ++change_;

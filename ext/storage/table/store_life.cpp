@@ -95,7 +95,7 @@ std::int64_t Store::shown(std::int64_t stored_stamp) const {
 
 std::shared_ptr<NodeSource> Store::snapshot() {
   believe_only_this_stamp();
-  settle();
+  insert_pending();
   return std::make_shared<TreeSnapshot>(shared_from_this());
 }
 

@@ -94,7 +94,7 @@ void Store::read_leaves(Interrupt& interrupt, const std::function<void(const Lea
 }
 
 void Store::load(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt) {
-  settle();
+  insert_pending();
   ids.clear();
   rows.clear();
   const bool waits = cache_.waits();
@@ -130,7 +130,7 @@ void Store::expect_objects(std::size_t found) {
 
 std::int64_t Store::next_leaf(std::int64_t after, std::vector<std::int64_t>& ids,
                               std::vector<double>& records) {
-  if (after == 0) settle();
+  if (after == 0) insert_pending();
   ids.clear();
   records.clear();
   const auto size = static_cast<std::size_t>(format_.at.size);
@@ -160,7 +160,7 @@ void Store::result_auxiliary(sqlite3_context* context, std::int64_t id, int colu
 
 double Store::newest_t() {
   believe_only_this_stamp();
-  settle();
+  insert_pending();
   return with_sound_tree([&] { return foresee::newest_t(nodes()); });
 }
 
