@@ -29,7 +29,7 @@ class RoomGuard(unittest.TestCase):
     def test_a_room_may_include_rooms_to_its_right(self):
         self.passes("contact/ball.h", '#include "motion/vec.h"')
         self.passes("query/join/join.h", '#include "index/candidates.h"\n#include "contact/contact.h"')
-        self.passes("sqlite/table/table.cpp", '#include "storage/table/store.h"\n#include "query/join/join.h"')
+        self.passes("sqlite/table/moving_objects_table.cpp", '#include "storage/table/store.h"\n#include "query/join/join.h"')
         self.passes("motion/vec.h", '#include <Eigen/Core>\n#include "motion/law.h"')
         self.passes("index/gpcd_grid/stripes.cpp", '#include "index/gpcd_grid/stripes.h"')
 

@@ -17,25 +17,25 @@ enum Input { in_h, in_tbl, in_within, in_other, in_now, in_method, in_within_z, 
 using OpenTable = Connection::OpenTable;
 
 /// tbl and other. The same table as `other` makes pairs in both orders.
-struct Tables {
+struct JoinedTables {
   OpenTable a;
   std::optional<OpenTable> b = {};  ///< none: pairs within a, each once
 
   bool are_one() const { return b && b->store == a.store; }
 };
 
-Tables open_tables(Connection& connection, const JoinInputs& inputs) {
-  Tables tables{open_table(connection, inputs.tbl)};
+JoinedTables open_tables(Connection& connection, const JoinInputs& inputs) {
+  JoinedTables tables{open_table(connection, inputs.tbl)};
   if (inputs.other) tables.b = open_table(connection, {inputs.other, inputs.tbl.schema});
   return tables;
 }
 
-double newest_t_of(const Tables& tables) {
+double newest_t_of(const JoinedTables& tables) {
   const double newest = tables.a.store->newest_t();
   return tables.b ? std::max(newest, tables.b->store->newest_t()) : newest;
 }
 
-void take_scenes(Connection& connection, const Tables& tables, JoinQuestion& question) {
+void take_scenes(Connection& connection, const JoinedTables& tables, JoinQuestion& question) {
   const auto scene = [&](const OpenTable& table) {
     return question.method == JoinMethod::tree ? connection.scene_with_outline(table)
                                                : connection.scene(table);
@@ -63,7 +63,7 @@ std::shared_ptr<const Scene> scene_of(const OpenTable& table, std::int64_t id) {
 }
 
 /// One side becomes the object that is asked about, the other what may touch it.
-void take_object_and_near(Connection& connection, const Tables& tables, const AskedIds& ids,
+void take_object_and_near(Connection& connection, const JoinedTables& tables, const AskedIds& ids,
                           JoinQuestion& question) {
   const bool by_a = ids.a.has_value();
   const std::int64_t id = by_a ? *ids.a : *ids.b;
@@ -104,7 +104,7 @@ JoinInputs read_join_inputs(const FunctionCall& call) {
 }
 
 JoinQuestion join_question(Connection& connection, const JoinInputs& inputs, const AskedIds& ids) {
-  const Tables tables = open_tables(connection, inputs);
+  const JoinedTables tables = open_tables(connection, inputs);
   JoinQuestion question;
   question.now = inputs.now ? *inputs.now : newest_t_of(tables);
   question.h = inputs.h;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sqlite/names/moving_objects_tables.h"
+#include "sqlite/names/visible_tables.h"
 #include "sqlite/sql_tokens.h"
 #include "storage/rows/text.h"
 

@@ -7,7 +7,7 @@
 
 namespace foresee {
 
-std::string findings_of(Table& table) {
+std::string findings_of(MovingObjectsTable& table) {
   constexpr std::size_t most = 5;
   const std::vector<std::string> findings = table.store().check(table.connection->interrupt());
   std::string text;
@@ -16,7 +16,7 @@ std::string findings_of(Table& table) {
   return text;
 }
 
-void run_command(Table& table, sqlite3_value* command) {
+void run_command(MovingObjectsTable& table, sqlite3_value* command) {
   const std::string word = sqlite3_value_type(command) == SQLITE_TEXT ? text_of(command) : "";
   if (word == "rebuild") {
     table.store().rebuild(table.connection->interrupt());

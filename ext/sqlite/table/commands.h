@@ -5,14 +5,14 @@
 //   integrity-check   fails with SQLITE_CORRUPT_VTAB and the first findings if the stored bytes are broken
 #pragma once
 
-#include "sqlite/table/table.h"
+#include "sqlite/table/moving_objects_table.h"
 
 namespace foresee {
 
 /// Throws Error for an unknown command, listing the known.
-void run_command(Table& table, sqlite3_value* command);
+void run_command(MovingObjectsTable& table, sqlite3_value* command);
 
 /// The first findings of the integrity check, joined; "" if there is nothing to find.
-std::string findings_of(Table& table);
+std::string findings_of(MovingObjectsTable& table);
 
 }  // namespace foresee

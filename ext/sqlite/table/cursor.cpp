@@ -7,7 +7,7 @@
 
 namespace foresee {
 
-TableCursor::TableCursor(Table& table) : sqlite3_vtab_cursor{}, table_(table) {
+TableCursor::TableCursor(MovingObjectsTable& table) : sqlite3_vtab_cursor{}, table_(table) {
   table_.opened(*this);
 }
 
@@ -120,11 +120,12 @@ void TableCursor::column(sqlite3_context* context, int column) const {
     return;
   }
   const int auxiliary = column - table_.first_auxiliary_column();
-  if (column == Table::id_column) {
+  if (column == MovingObjectsTable::id_column) {
     sqlite3_result_int64(context, rowid());
   } else if (auxiliary < 0) {
     const auto& motion =
-        table_.declaration().columns[static_cast<std::size_t>(column - Table::first_motion_column)];
+        table_.declaration()
+            .columns[static_cast<std::size_t>(column - MovingObjectsTable::first_motion_column)];
     const std::size_t first = by_leaf_ ? position_ * (records_.size() / ids_.size()) : 0;
     const double number = records_[first + static_cast<std::size_t>(motion.place)];
     if (std::isfinite(number)) sqlite3_result_double(context, number);  // an infinite until reads as NULL

@@ -1,20 +1,20 @@
 // Which object is the scan at? A cursor over one moving_objects table.
 //
-// Objects are read leaf by leaf; after a write beneath the scan one by one (see table.h). Memory: one leaf,
-// and after such a write the ids yet to come.
+// Objects are read leaf by leaf; after a write beneath the scan one by one (see moving_objects_table.h).
+// Memory: one leaf, and after such a write the ids yet to come.
 #pragma once
 
 #include <cstdint>
 #include <vector>
 
+#include "sqlite/table/moving_objects_table.h"
 #include "sqlite/table/plan.h"
-#include "sqlite/table/table.h"
 
 namespace foresee {
 
 class TableCursor : public sqlite3_vtab_cursor {
  public:
-  explicit TableCursor(Table& table);
+  explicit TableCursor(MovingObjectsTable& table);
   ~TableCursor();
   TableCursor(const TableCursor&) = delete;
   TableCursor& operator=(const TableCursor&) = delete;
@@ -37,7 +37,7 @@ class TableCursor : public sqlite3_vtab_cursor {
   void next_leaf();
   void read_present();
 
-  Table& table_;
+  MovingObjectsTable& table_;
   std::vector<std::int64_t> ids_;
   std::vector<double> records_;  ///< of all ids_, or when not by_leaf_ of the one at position_
   std::size_t position_ = 0;

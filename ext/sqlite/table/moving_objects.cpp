@@ -7,8 +7,8 @@
 #include "sqlite/table/commands.h"
 #include "sqlite/table/cursor.h"
 #include "sqlite/table/declare.h"
+#include "sqlite/table/moving_objects_table.h"
 #include "sqlite/table/plan.h"
-#include "sqlite/table/table.h"
 #include "sqlite/table/write.h"
 #include "storage/rows/shadow_schema.h"
 
@@ -52,7 +52,8 @@ int connect(OpenStore open, sqlite3* db, void* aux, int argc, const char* const*
     sqlite3_vtab_config(db, SQLITE_VTAB_INNOCUOUS);
     const int rc = sqlite3_declare_vtab(db, declared_schema(declaration, name).c_str());
     if (rc != SQLITE_OK) throw StoreError(rc, name + ": " + sqlite3_errmsg(db));
-    *table = new Table(connection_of(aux), declaration, open(db, schema, name, declaration), schema, name);
+    *table = new MovingObjectsTable(connection_of(aux), declaration, open(db, schema, name, declaration),
+                                    schema, name);
     return SQLITE_OK;
   });
 }
@@ -119,19 +120,19 @@ int table_update(sqlite3_vtab* base, int count, sqlite3_value** arguments, sqlit
 /// A callback that is one call of the store, or nothing where it cannot be read.
 template <void (Store::*step)()>
 int forward(sqlite3_vtab* base) noexcept {
-  Table& table = table_of(base);
+  MovingObjectsTable& table = table_of(base);
   if (!table.has_store()) return SQLITE_OK;
   return guarded(&base->zErrMsg, [&] { (table.store().*step)(); });
 }
 
 template <void (Store::*step)(int)>
 int forward(sqlite3_vtab* base, int level) noexcept {
-  Table& table = table_of(base);
+  MovingObjectsTable& table = table_of(base);
   if (!table.has_store()) return SQLITE_OK;
   return guarded(&base->zErrMsg, [&] { (table.store().*step)(level); });
 }
 
-void abort_scans(Table& table) noexcept {
+void abort_scans(MovingObjectsTable& table) noexcept {
   for (TableCursor* cursor : table.cursors()) cursor->abort_leaves();
 }
 
@@ -159,7 +160,7 @@ int is_shadow_name(const char* suffix) noexcept {
 /// PRAGMA integrity_check, from SQLite 3.44 on: what is wrong comes as text, not as a result code.
 int table_integrity(sqlite3_vtab* base, const char*, const char*, int, char** finding) noexcept {
   const int rc = guarded(finding, [&] {
-    Table& table = table_of(base);
+    MovingObjectsTable& table = table_of(base);
     const std::string findings = findings_of(table);
     if (!findings.empty()) throw StoreError(SQLITE_CORRUPT_VTAB, table.name + ": " + findings);
   });

@@ -18,7 +18,7 @@ void use(sqlite3_index_info* info, std::size_t constraint, TablePlan plan, bool 
 
 }  // namespace
 
-int plan_table(const Table& table, sqlite3_index_info* info) {
+int plan_table(const MovingObjectsTable& table, sqlite3_index_info* info) {
   const std::span<const Constraint> constraints(info->aConstraint,
                                                 static_cast<std::size_t>(info->nConstraint));
   for (std::size_t i = 0; i < constraints.size(); ++i) {
@@ -32,7 +32,7 @@ int plan_table(const Table& table, sqlite3_index_info* info) {
   }
   for (std::size_t i = 0; i < constraints.size(); ++i) {
     const Constraint& constraint = constraints[i];
-    const bool on_id = constraint.iColumn < 0 || constraint.iColumn == Table::id_column;
+    const bool on_id = constraint.iColumn < 0 || constraint.iColumn == MovingObjectsTable::id_column;
     if (constraint.usable && on_id && constraint.op == SQLITE_INDEX_CONSTRAINT_EQ) {
       use(info, i, TablePlan::one_object, false);
       return SQLITE_OK;

@@ -8,7 +8,7 @@
 // The last one is how table-valued functions reach a table by name: `WHERE "ships" MATCH 'foresee-handle'`.
 #pragma once
 
-#include "sqlite/table/table.h"
+#include "sqlite/table/moving_objects_table.h"
 
 namespace foresee {
 
@@ -16,6 +16,6 @@ enum class TablePlan : int { scan = 0, one_object = 1, handle = 2 };
 
 constexpr const char* handle_word = "foresee-handle";
 
-int plan_table(const Table& table, sqlite3_index_info* info);
+int plan_table(const MovingObjectsTable& table, sqlite3_index_info* info);
 
 }  // namespace foresee

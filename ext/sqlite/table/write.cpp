@@ -12,10 +12,10 @@ namespace {
 
 /// One call of xUpdate that brings a row: its parts by name.
 struct NewRow {
-  NewRow(const Table& table, sqlite3_value** arguments)
+  NewRow(const MovingObjectsTable& table, sqlite3_value** arguments)
       : rowid(arguments[1]),
-        id(arguments[2 + Table::id_column]),
-        motion(arguments + 2 + Table::first_motion_column),
+        id(arguments[2 + MovingObjectsTable::id_column]),
+        motion(arguments + 2 + MovingObjectsTable::first_motion_column),
         auxiliaries(arguments + 2 + table.first_auxiliary_column(), table.declaration().auxiliaries.size()),
         command(arguments[2 + table.command_column()]) {}
 
@@ -31,13 +31,13 @@ bool is_null(sqlite3_value* value) {
 }
 
 /// Whether an object of this id is in the way and is to be replaced; refused unless the statement says so.
-bool replaces(Table& table, std::int64_t id) {
+bool replaces(MovingObjectsTable& table, std::int64_t id) {
   if (!table.store().contains(id)) return false;
   if (sqlite3_vtab_on_conflict(table.connection->db()) == SQLITE_REPLACE) return true;
   throw Refusal(SQLITE_CONSTRAINT, "UNIQUE constraint failed: " + table.name + ".id");
 }
 
-std::int64_t insert_row(Table& table, const NewRow& row) {
+std::int64_t insert_row(MovingObjectsTable& table, const NewRow& row) {
   if (!is_null(row.command)) {
     run_command(table, row.command);
     return 0;
@@ -56,7 +56,7 @@ std::int64_t insert_row(Table& table, const NewRow& row) {
   return *id;
 }
 
-void update_row(Table& table, std::int64_t old_id, const NewRow& row) {
+void update_row(MovingObjectsTable& table, std::int64_t old_id, const NewRow& row) {
   if (!is_null(row.command))
     throw Error(table.name + "." + table.name + " takes commands by INSERT only; write INSERT INTO " +
                 table.name + "(" + table.name + ") VALUES('rebuild')");
@@ -73,7 +73,7 @@ void update_row(Table& table, std::int64_t old_id, const NewRow& row) {
 
 }  // namespace
 
-void write_table(Table& table, int count, sqlite3_value** arguments, sqlite3_int64* rowid) {
+void write_table(MovingObjectsTable& table, int count, sqlite3_value** arguments, sqlite3_int64* rowid) {
   for (TableCursor* cursor : table.cursors()) cursor->keep_ids();
   if (count == 1) {
     table.store().erase(sqlite3_value_int64(arguments[0]));

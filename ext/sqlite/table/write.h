@@ -6,11 +6,11 @@
 
 #include <cstdint>
 
-#include "sqlite/table/table.h"
+#include "sqlite/table/moving_objects_table.h"
 
 namespace foresee {
 
 /// `arguments` as xUpdate gets them; the new row's id goes to `*rowid`.
-void write_table(Table& table, int count, sqlite3_value** arguments, sqlite3_int64* rowid);
+void write_table(MovingObjectsTable& table, int count, sqlite3_value** arguments, sqlite3_int64* rowid);
 
 }  // namespace foresee

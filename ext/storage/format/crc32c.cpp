@@ -14,11 +14,11 @@ namespace {
 
 constexpr std::uint32_t polynomial = 0x82F63B78;  // reflected
 
-using Tables = std::array<std::array<std::uint32_t, 256>, 8>;
+using LookUpTables = std::array<std::array<std::uint32_t, 256>, 8>;
 
 // tables[k][b]: the checksum of byte b followed by k zero bytes.
-constexpr Tables make_tables() {
-  Tables tables{};
+constexpr LookUpTables make_tables() {
+  LookUpTables tables{};
   for (std::uint32_t byte = 0; byte < 256; ++byte) {
     std::uint32_t crc = byte;
     for (int bit = 0; bit < 8; ++bit) crc = crc & 1 ? crc >> 1 ^ polynomial : crc >> 1;
@@ -30,7 +30,7 @@ constexpr Tables make_tables() {
   return tables;
 }
 
-constexpr Tables tables = make_tables();
+constexpr LookUpTables tables = make_tables();
 
 struct PortableSteps {
   static std::uint32_t eight(std::uint32_t crc, std::uint64_t word) {

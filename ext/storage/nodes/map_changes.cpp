@@ -19,7 +19,7 @@ void MapChanges::log_change_of_void(bool before) {
 }
 
 void MapChanges::void_stored() {
-  const std::vector<IdTable::Entry> waiting = leaves_.known();
+  const std::vector<IdHashMap::Entry> waiting = leaves_.known();
   log_.reserve(log_.size() + waiting.size() + 1);
   log_.insert(log_.end(), waiting.begin(), waiting.end());
   leaves_.reset();
@@ -32,7 +32,7 @@ void MapChanges::written(bool may_rewind) {
     clear();
     return;
   }
-  const std::vector<IdTable::Entry> waiting = leaves_.known();
+  const std::vector<IdHashMap::Entry> waiting = leaves_.known();
   log_.reserve(log_.size() + waiting.size() + 1);
   log_.insert(log_.end(), waiting.begin(), waiting.end());
   if (stored_is_void_) log_change_of_void(true);
@@ -44,7 +44,7 @@ void MapChanges::written(bool may_rewind) {
 void MapChanges::rewind(std::size_t position) noexcept {
   if (position == 0 && began_with_nothing_) return clear();  // at once, where a load is taken back
   for (; log_.size() > position; log_.pop_back()) {
-    const IdTable::Entry& before = log_.back();
+    const IdHashMap::Entry& before = log_.back();
     if (before.value == was_void || before.value == was_not_void)
       stored_is_void_ = before.value == was_void;
     else

@@ -12,14 +12,14 @@
 #include <algorithm>
 #include <vector>
 
-#include "storage/rows/id_table.h"
+#include "storage/rows/id_hash_map.h"
 
 namespace foresee {
 
 class MapChanges {
  public:
   static constexpr std::int64_t erased = 0;  ///< the id is gone
-  static constexpr std::int64_t unknown = IdTable::unknown;
+  static constexpr std::int64_t unknown = IdHashMap::unknown;
 
   /// A leaf's number, erased, or unknown: the stored map knows.
   std::int64_t find(std::int64_t id) const noexcept {
@@ -36,7 +36,7 @@ class MapChanges {
   /// Bytes more than after the last write: what writing again would make worth its while.
   std::size_t memory() const { return held() - held_after_writing_; }
   /// All that waits, in no order.
-  std::vector<IdTable::Entry> waiting() const { return leaves_.known(); }
+  std::vector<IdHashMap::Entry> waiting() const { return leaves_.known(); }
   /// All that waited is in the stored map now. `may_rewind`: somebody may go back to before.
   void written(bool may_rewind);
 
@@ -52,12 +52,12 @@ class MapChanges {
 
  private:
   void log_change_of_void(bool before);
-  std::size_t held() const { return leaves_.memory() + log_.size() * sizeof(IdTable::Entry); }
+  std::size_t held() const { return leaves_.memory() + log_.size() * sizeof(IdHashMap::Entry); }
 
-  IdTable leaves_;
+  IdHashMap leaves_;
   bool stored_is_void_ = false;
-  std::vector<IdTable::Entry> log_;  // what was known before, oldest first
-  bool began_with_nothing_ = true;   // when the log was empty nothing waited
+  std::vector<IdHashMap::Entry> log_;  // what was known before, oldest first
+  bool began_with_nothing_ = true;     // when the log was empty nothing waited
   std::size_t held_after_writing_ = 0;
 };
 

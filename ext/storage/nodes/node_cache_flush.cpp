@@ -40,10 +40,10 @@ void NodeCache::write(Interrupt& interrupt) {
   write_nodes();
   if (map_.waits()) {
     if (map_.stored_is_void()) rows_->erase_map();
-    std::vector<IdTable::Entry> changes = map_.waiting();
+    std::vector<IdHashMap::Entry> changes = map_.waiting();
     Steps step(interrupt);
     std::sort(changes.begin(), changes.end(),
-              [&](const IdTable::Entry& a, const IdTable::Entry& b) { return step(), a.id < b.id; });
+              [&](const IdHashMap::Entry& a, const IdHashMap::Entry& b) { return step(), a.id < b.id; });
     rows_->write_map(changes);
     map_.written(!undo_.none());
     last_found_.reset();

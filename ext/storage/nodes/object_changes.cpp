@@ -19,7 +19,7 @@ std::size_t ObjectChanges::memory() const {
 }
 
 void ObjectChanges::rewind(std::size_t position) noexcept {
-  for (; firsts_.size() > position; firsts_.pop_back()) known_.set(firsts_.back().id, IdTable::unknown);
+  for (; firsts_.size() > position; firsts_.pop_back()) known_.set(firsts_.back().id, IdHashMap::unknown);
   records_.resize(firsts_.empty() ? 0 : firsts_.back().end);
 }
 

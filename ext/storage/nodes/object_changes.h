@@ -11,13 +11,13 @@
 
 #include <span>
 
-#include "storage/rows/id_table.h"
+#include "storage/rows/id_hash_map.h"
 
 namespace foresee {
 
 class ObjectChanges {
  public:
-  bool knows(std::int64_t id) const noexcept { return known_.find(id) != IdTable::unknown; }
+  bool knows(std::int64_t id) const noexcept { return known_.find(id) != IdHashMap::unknown; }
   /// Requires: not known. `before`: the object's record, empty if there was none. All or nothing.
   void add(std::int64_t id, std::span<const double> before);
 
@@ -45,7 +45,7 @@ class ObjectChanges {
 
   std::vector<First> firsts_;
   std::vector<double> records_;
-  IdTable known_;
+  IdHashMap known_;
 };
 
 }  // namespace foresee

@@ -21,7 +21,8 @@ std::size_t PendingInserts::memory() const {
 
 const double* PendingInserts::find(std::int64_t id) const noexcept {
   const std::int64_t slot = slots_.find(id);
-  return slot == IdTable::unknown ? nullptr : records_.data() + static_cast<std::size_t>(slot) * record_size_;
+  return slot == IdHashMap::unknown ? nullptr
+                                    : records_.data() + static_cast<std::size_t>(slot) * record_size_;
 }
 
 void PendingInserts::make_room(std::int64_t id, std::size_t changes) {
@@ -44,7 +45,7 @@ void PendingInserts::add(std::int64_t id, std::span<const double> record) {
 void PendingInserts::erase(std::int64_t id) {
   reserve_more(log_, 1);
   log_.push_back({static_cast<std::uint32_t>(slots_.find(id)), false});
-  slots_.set(id, IdTable::unknown);
+  slots_.set(id, IdHashMap::unknown);
   --count_;
 }
 
@@ -80,7 +81,7 @@ void PendingInserts::rewind(std::size_t position) noexcept {
   for (; log_.size() > position; log_.pop_back()) {
     const Change& change = log_.back();
     const std::int64_t id = ids_[change.slot];
-    slots_.set(id, change.added ? IdTable::unknown : change.slot);
+    slots_.set(id, change.added ? IdHashMap::unknown : change.slot);
     count_ = change.added ? count_ - 1 : count_ + 1;
     if (!change.added) continue;
     ids_.pop_back();

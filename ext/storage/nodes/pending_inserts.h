@@ -11,7 +11,7 @@
 
 #include <span>
 
-#include "storage/rows/id_table.h"
+#include "storage/rows/id_hash_map.h"
 
 namespace foresee {
 
@@ -61,7 +61,7 @@ class PendingInserts {
   std::size_t record_size_;
   std::vector<std::int64_t> ids_;
   std::vector<double> records_;
-  IdTable slots_;
+  IdHashMap slots_;
   std::vector<Change> log_;
   std::size_t count_ = 0;
 };

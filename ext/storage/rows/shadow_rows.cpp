@@ -122,21 +122,21 @@ bool ShadowRows::map_is_empty() {
   return !run.step() || run.is_null(0);
 }
 
-void ShadowRows::write_map(std::span<const IdTable::Entry> changes) {
+void ShadowRows::write_map(std::span<const IdHashMap::Entry> changes) {
   // Whoever reads hostile SQL may have set a limit as low as 10.
   const std::size_t together = variables() < map_rows * map_columns ? 1 : map_rows;
-  std::vector<IdTable::Entry> waiting;
+  std::vector<IdHashMap::Entry> waiting;
   waiting.reserve(map_rows);
-  const auto write = [&](Statement& statement, std::span<const IdTable::Entry> rows) {
+  const auto write = [&](Statement& statement, std::span<const IdHashMap::Entry> rows) {
     Statement::Run run(statement);
     int place = 0;
-    for (const IdTable::Entry& row : rows) {
+    for (const IdHashMap::Entry& row : rows) {
       run.bind(++place, row.id);
       run.bind(++place, row.value);
     }
     run.step();
   };
-  for (const IdTable::Entry& change : changes) {
+  for (const IdHashMap::Entry& change : changes) {
     if (change.value == 0) {
       Statement::Run run(erase_map_row_);
       run.bind(1, change.id);
@@ -148,7 +148,7 @@ void ShadowRows::write_map(std::span<const IdTable::Entry> changes) {
     write(together == 1 ? write_map_row_ : write_map_rows_, waiting);
     waiting.clear();
   }
-  for (const IdTable::Entry& change : waiting) write(write_map_row_, {&change, 1});
+  for (const IdHashMap::Entry& change : waiting) write(write_map_row_, {&change, 1});
 }
 
 void ShadowRows::erase_map() {

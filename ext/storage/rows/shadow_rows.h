@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "storage/rows/ascending_rows.h"
-#include "storage/rows/id_table.h"
+#include "storage/rows/id_hash_map.h"
 #include "storage/rows/shadow_schema.h"
 #include "storage/rows/statement.h"
 
@@ -66,7 +66,7 @@ class ShadowRows {
                    [&](std::int64_t id, Statement::Run& run) { read(id, run.integer(1)); });
   }
   /// Each id's leaf; 0: the id goes. Fast if the ids ascend.
-  void write_map(std::span<const IdTable::Entry> changes);
+  void write_map(std::span<const IdHashMap::Entry> changes);
   void erase_map();
 
   // --- _aux; requires: there are auxiliary columns

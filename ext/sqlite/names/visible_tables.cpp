@@ -1,4 +1,4 @@
-#include "sqlite/names/moving_objects_tables.h"
+#include "sqlite/names/visible_tables.h"
 
 #include "sqlite/host.h"
 #include "sqlite/sql_tokens.h"

@@ -1,12 +1,13 @@
-#include "sqlite/table/table.h"
+#include "sqlite/table/moving_objects_table.h"
 
 #include "sqlite/table/declare.h"
 #include "storage/rows/shadow_schema.h"
 
 namespace foresee {
 
-Table::Table(std::shared_ptr<Connection> connection_, Declaration declaration, StoreOrFault opened,
-             const std::string& schema_, const std::string& name_)
+MovingObjectsTable::MovingObjectsTable(std::shared_ptr<Connection> connection_, Declaration declaration,
+                                       StoreOrFault opened, const std::string& schema_,
+                                       const std::string& name_)
     : sqlite3_vtab{},
       connection(std::move(connection_)),
       schema(schema_),
@@ -18,12 +19,12 @@ Table::Table(std::shared_ptr<Connection> connection_, Declaration declaration, S
   number = connection->announce(opened_.store, schema, name);
 }
 
-Table::~Table() {
+MovingObjectsTable::~MovingObjectsTable() {
   connection->leave(number);
   sqlite3_free(zErrMsg);  // what nobody asked for: SQLite 3.40 takes no message from xDestroy
 }
 
-void Table::rename(const std::string& new_name) {
+void MovingObjectsTable::rename(const std::string& new_name) {
   require_table_name(declaration(), new_name);
   store().rename(new_name);
   name = new_name;
@@ -31,7 +32,7 @@ void Table::rename(const std::string& new_name) {
   connection->rename(number, new_name);
 }
 
-void Table::drop() {
+void MovingObjectsTable::drop() {
   if (opened_.store)
     opened_.store->drop();
   else

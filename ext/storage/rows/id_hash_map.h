@@ -1,8 +1,8 @@
 // What is known of this id? A number for each of many ids, looked up in some nanoseconds.
 //
-//   table.prepare(42);             // may throw; says nothing about 42 yet
-//   table.set(42, 7);              // cannot fail: the second half of a change that is all or nothing
-//   table.find(42) == 7
+//   map.prepare(42);             // may throw; says nothing about 42 yet
+//   map.set(42, 7);              // cannot fail: the second half of a change that is all or nothing
+//   map.find(42) == 7
 //
 // An open hash table with linear probing, never more than half full. Its hash is keyed at random, so that no
 // choice of ids makes it slow. Cost: 16 bytes a slot.
@@ -15,7 +15,7 @@
 
 namespace foresee {
 
-class IdTable {
+class IdHashMap {
  public:
   static constexpr std::int64_t unknown = -1;  ///< what find() says of an id that nobody set
 
@@ -23,7 +23,7 @@ class IdTable {
     std::int64_t id, value;
   };
 
-  IdTable();
+  IdHashMap();
 
   std::int64_t find(std::int64_t id) const noexcept;
   /// Makes room for `id`.

@@ -1,4 +1,4 @@
-#include "storage/rows/id_table.h"
+#include "storage/rows/id_hash_map.h"
 
 #include <algorithm>
 
@@ -6,12 +6,12 @@
 
 namespace foresee {
 
-IdTable::IdTable() {
+IdHashMap::IdHashMap() {
   sqlite3_randomness(sizeof key_, &key_);
 }
 
 // Where `id` is, or would be. The mixing is MurmurHash3's finalizer.
-std::size_t IdTable::place_of(std::int64_t id) const noexcept {
+std::size_t IdHashMap::place_of(std::int64_t id) const noexcept {
   std::uint64_t hash = static_cast<std::uint64_t>(id) ^ key_;
   hash = (hash ^ hash >> 33) * 0xff51afd7ed558ccd;
   hash = (hash ^ hash >> 33) * 0xc4ceb9fe1a85ec53;
@@ -21,13 +21,13 @@ std::size_t IdTable::place_of(std::int64_t id) const noexcept {
   return place;
 }
 
-std::int64_t IdTable::find(std::int64_t id) const noexcept {
+std::int64_t IdHashMap::find(std::int64_t id) const noexcept {
   if (size_ == 0) return unknown;
   const Entry& entry = slots_[place_of(id)];
   return entry.value == free_slot ? unknown : entry.value;
 }
 
-void IdTable::prepare(std::int64_t id) {
+void IdHashMap::prepare(std::int64_t id) {
   if (2 * (size_ + 1) > slots_.size()) grow();
   Entry& entry = slots_[place_of(id)];
   if (entry.value != free_slot) return;
@@ -35,30 +35,30 @@ void IdTable::prepare(std::int64_t id) {
   ++size_;
 }
 
-void IdTable::grow() {
+void IdHashMap::grow() {
   std::vector<Entry> old(std::max<std::size_t>(16, 2 * slots_.size()), Entry{0, free_slot});
   slots_.swap(old);
   for (const Entry& entry : old)
     if (entry.value != free_slot) slots_[place_of(entry.id)] = entry;
 }
 
-void IdTable::set(std::int64_t id, std::int64_t value) noexcept {
+void IdHashMap::set(std::int64_t id, std::int64_t value) noexcept {
   if (size_ == 0) return;
   Entry& entry = slots_[place_of(id)];
   if (entry.value != free_slot) entry.value = value;
 }
 
-void IdTable::reset() noexcept {
+void IdHashMap::reset() noexcept {
   for (Entry& entry : slots_)
     if (entry.value != free_slot) entry.value = unknown;
 }
 
-void IdTable::clear() noexcept {
+void IdHashMap::clear() noexcept {
   slots_ = {};
   size_ = 0;
 }
 
-std::vector<IdTable::Entry> IdTable::known() const {
+std::vector<IdHashMap::Entry> IdHashMap::known() const {
   std::vector<Entry> all;
   all.reserve(size_);
   for (const Entry& entry : slots_)

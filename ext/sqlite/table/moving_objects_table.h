@@ -24,12 +24,12 @@ struct StoreOrFault {
   StoreError fault{SQLITE_OK, ""};
 };
 
-struct Table : sqlite3_vtab {
-  Table(std::shared_ptr<Connection> connection, Declaration declaration, StoreOrFault opened,
-        const std::string& schema, const std::string& name);
-  ~Table();
-  Table(const Table&) = delete;
-  Table& operator=(const Table&) = delete;
+struct MovingObjectsTable : sqlite3_vtab {
+  MovingObjectsTable(std::shared_ptr<Connection> connection, Declaration declaration, StoreOrFault opened,
+                     const std::string& schema, const std::string& name);
+  ~MovingObjectsTable();
+  MovingObjectsTable(const MovingObjectsTable&) = delete;
+  MovingObjectsTable& operator=(const MovingObjectsTable&) = delete;
 
   const Declaration& declaration() const { return declared_; }
   /// Throws the fault if there is one.
@@ -68,8 +68,8 @@ struct Table : sqlite3_vtab {
   StoreOrFault opened_;
 };
 
-inline Table& table_of(sqlite3_vtab* base) {
-  return *static_cast<Table*>(base);
+inline MovingObjectsTable& table_of(sqlite3_vtab* base) {
+  return *static_cast<MovingObjectsTable*>(base);
 }
 
 }  // namespace foresee
