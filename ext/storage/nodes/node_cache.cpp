@@ -25,9 +25,9 @@ const char* NodeCache::fault(NodeNumber number, std::span<const std::byte> blob)
 
 NodeNumber NodeCache::root() {
   if (head_.root == TreeHead::unknown) {
-    const std::optional<std::int64_t> stored = rows_->root();
+    const std::optional<std::int64_t> stored = shadow_rows_->root();
     if (!stored || *stored < 0) damaged("the root is no node");
-    if (*stored == 0 && !rows_->map_is_empty()) damaged("there is no root, but the map has objects");
+    if (*stored == 0 && !shadow_rows_->map_is_empty()) damaged("there is no root, but the map has objects");
     head_.root = *stored;
   }
   return head_.root;
@@ -62,7 +62,7 @@ NodeCache::Slot& NodeCache::fetch(NodeNumber number) {
   if (!gone) make_room();
   std::shared_ptr<Node> node;
   if (!gone)
-    rows_->read_node(number, [&](std::span<const std::byte> blob) {
+    shadow_rows_->read_node(number, [&](std::span<const std::byte> blob) {
       if (const char* what = fault(number, blob))
         damaged("node " + std::to_string(number) + " is damaged: " + what);
       const bool is_leaf = blob[NodeFormat::level_at] == std::byte{0};
@@ -95,7 +95,7 @@ std::optional<NodeNumber> NodeCache::leaf_of(std::int64_t id) {
         return hint;
       }
     }
-  const std::optional<std::int64_t> stored = rows_->leaf_of(id);
+  const std::optional<std::int64_t> stored = shadow_rows_->leaf_of(id);
   if (!stored) return stored;
   last_found_ = {id, *stored};
   hints_.make_room(1);
@@ -192,7 +192,7 @@ double* NodeCache::modify_record(NodeNumber leaf, std::size_t place) {
 }
 
 NodeNumber NodeCache::allocate() {
-  if (head_.last == TreeHead::unknown) head_.last = std::max<std::int64_t>(rows_->largest_node(), 0);
+  if (head_.last == TreeHead::unknown) head_.last = std::max<std::int64_t>(shadow_rows_->largest_node(), 0);
   if (head_.last == std::numeric_limits<std::int64_t>::max()) damaged("there is no node number left");
   auto node = std::make_shared<Node>();
   const NodeNumber number = head_.last + 1;
@@ -238,7 +238,7 @@ void NodeCache::place(std::span<const std::int64_t> ids, NodeNumber leaf) {
 
 void NodeCache::erase_everything() {
   std::vector<NodeNumber> numbers;
-  rows_->read_node_numbers([&](NodeNumber number) { numbers.push_back(number); });
+  shadow_rows_->read_node_numbers([&](NodeNumber number) { numbers.push_back(number); });
   for (const auto& [number, slot] : slots_) numbers.push_back(number);
   for (const NodeNumber number : numbers) {
     if (undo_.snapshots() > 0 && !slots_.contains(number)) {

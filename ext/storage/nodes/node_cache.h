@@ -31,7 +31,7 @@ class NodeCache final : public Pages {
   NodeCache(const NodeFormat& format, const QualifiedName& name, MemoryShare& share)
       : format_(format), name_(name), share_(share) {}
   /// Where the rows are from now on.
-  void connect(ShadowRows& rows) { rows_ = &rows; }
+  void connect(ShadowRows& rows) { shadow_rows_ = &rows; }
 
   // --- Pages
   const Layout& layout() const override { return format_.layout; }
@@ -122,7 +122,7 @@ class NodeCache final : public Pages {
   NodeFormat format_;
   const QualifiedName& name_;
   MemoryShare& share_;
-  ShadowRows* rows_ = nullptr;
+  ShadowRows* shadow_rows_ = nullptr;
 
   std::unordered_map<NodeNumber, Slot> slots_;
   /// Where slots are, by the last digits of their numbers: a look-up in slots_ misses the processor's caches.

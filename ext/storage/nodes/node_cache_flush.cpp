@@ -39,16 +39,16 @@ void NodeCache::erase_slot(NodeNumber number) noexcept {
 void NodeCache::write(Interrupt& interrupt) {
   write_nodes();
   if (map_.waits()) {
-    if (map_.stored_is_void()) rows_->erase_map();
+    if (map_.stored_is_void()) shadow_rows_->erase_map();
     std::vector<IdHashMap::Entry> changes = map_.waiting();
     Steps step(interrupt);
     std::sort(changes.begin(), changes.end(),
               [&](const IdHashMap::Entry& a, const IdHashMap::Entry& b) { return step(), a.id < b.id; });
-    rows_->write_map(changes);
+    shadow_rows_->write_map(changes);
     map_.written(!undo_.none());
     last_found_.reset();
   }
-  if (head_.root_dirty) rows_->write_root(head_.root);
+  if (head_.root_dirty) shadow_rows_->write_root(head_.root);
   head_.root_dirty = false;
   if (undo_.snapshots() == 0) undo_.drop_stored();
   make_room();
@@ -61,10 +61,10 @@ void NodeCache::write_nodes() {
     Slot& slot = slots_.at(number);
     about_to_change(number, slot);
     if (const Node* node = slot.state.node.get())
-      rows_->write_node(number, node->is_leaf() ? encode_leaf(format_, number, *node)
-                                                : encode_inner(format_, number, *node));
+      shadow_rows_->write_node(number, node->is_leaf() ? encode_leaf(format_, number, *node)
+                                                       : encode_inner(format_, number, *node));
     else
-      rows_->erase_node(number);
+      shadow_rows_->erase_node(number);
     set_dirty(slot, false);
     if (!slot.state.node) erase_slot(number);
   }

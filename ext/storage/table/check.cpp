@@ -21,10 +21,15 @@ class Check {
  public:
   Check(ShadowRows& rows, NodeCache& cache, const NodeFormat& format, const QualifiedName& name,
         Interrupt& interrupt)
-      : rows_(rows), cache_(cache), format_(format), name_(name), interrupt_(interrupt), step_(interrupt) {}
+      : shadow_rows_(rows),
+        cache_(cache),
+        format_(format),
+        name_(name),
+        interrupt_(interrupt),
+        step_(interrupt) {}
 
   void nodes() {
-    rows_.read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+    shadow_rows_.read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
       interrupt_.check();
       ++nodes_;
       if (const char* fault = cache_.fault(number, blob))
@@ -47,7 +52,7 @@ class Check {
 
   void map() {
     std::size_t next = 0;
-    rows_.read_map([&](std::int64_t id, std::int64_t leaf) {
+    shadow_rows_.read_map([&](std::int64_t id, std::int64_t leaf) {
       step_();
       for (; next < objects_.size() && objects_[next].id < id; ++next) not_in("map", objects_[next]);
       if (next == objects_.size() || objects_[next].id != id)
@@ -63,7 +68,7 @@ class Check {
 
   void auxiliaries() {
     std::size_t next = 0;
-    rows_.read_auxiliary_ids([&](std::int64_t id) {
+    shadow_rows_.read_auxiliary_ids([&](std::int64_t id) {
       step_();
       for (; next < objects_.size() && objects_[next].id < id; ++next)
         not_in("auxiliary columns", objects_[next]);
@@ -91,7 +96,7 @@ class Check {
   }
 
   void meta() {
-    if (!rows_.stamp()) say("the stamp is missing");
+    if (!shadow_rows_.stamp()) say("the stamp is missing");
   }
 
   std::vector<std::string> faults() && { return std::move(faults_); }
@@ -105,7 +110,7 @@ class Check {
     if (faults_.size() < most_faults) faults_.push_back(name_.table + ": " + fault);
   }
 
-  ShadowRows& rows_;
+  ShadowRows& shadow_rows_;
   NodeCache& cache_;
   const NodeFormat& format_;
   const QualifiedName& name_;

@@ -153,7 +153,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   void drop_nodes(bool all) override { cache_.drop_nodes(all); }
   void note_memory() noexcept;
 
-  ShadowRows& rows();
+  ShadowRows& shadow_rows();
   bool has_auxiliaries() const { return !declaration_.auxiliaries.empty(); }
   [[noreturn]] void damaged(const std::string& what) const;
   template <class Body>
@@ -212,7 +212,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   QualifiedName name_;
   Declaration declaration_;
   NodeFormat format_;
-  std::unique_ptr<ShadowRows> rows_;
+  std::unique_ptr<ShadowRows> shadow_rows_;
   std::shared_ptr<MemoryBudget> memory_;
   MemoryShare share_;
   NodeCache cache_;

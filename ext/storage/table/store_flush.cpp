@@ -20,7 +20,7 @@ constexpr double most_loaded = 1 << 30;  // bytes of records in memory at once
 
 void Store::insert_pending() {
   if (pending_->count() == 0) return;
-  rows();
+  shadow_rows();
   StatementInterrupt interrupt(db_);
   auto none = std::make_shared<PendingInserts>(static_cast<std::size_t>(format_.at.size));
   AtomicChange atomic_change(*this);
@@ -76,7 +76,7 @@ void Store::flush() {
     return;
   }
   insert_pending();
-  rows();
+  shadow_rows();
   const OwnStatements own(*this);
   ++change_;
   StatementInterrupt interrupt(db_);
@@ -104,7 +104,7 @@ void Store::rebuild(Interrupt& interrupt) {
   const OwnStatements own(*this);
   if (!has_auxiliaries()) return;
   flush();
-  rows().match_auxiliaries_to_map();
+  shadow_rows().match_auxiliaries_to_map();
 }
 
 void Store::optimize(Interrupt& interrupt) {
@@ -118,7 +118,7 @@ void Store::collect_stored(std::vector<std::int64_t>& ids, std::vector<double>& 
                            Interrupt& interrupt) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   unsigned nodes = 0;
-  rows().read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+  shadow_rows().read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
     if (++nodes % 16 == 0) interrupt.check();
     if (is_inner(format_, blob, number)) return;
     read_stored_leaf(number, blob, [&](const LeafView& leaf) {

@@ -46,7 +46,8 @@ Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const Nod
       name_(std::move(name)),
       declaration_(std::move(declaration)),
       format_(format),
-      rows_(std::make_unique<ShadowRows>(db, name_, static_cast<int>(declaration_.auxiliaries.size()))),
+      shadow_rows_(
+          std::make_unique<ShadowRows>(db, name_, static_cast<int>(declaration_.auxiliaries.size()))),
       memory_(std::move(memory)),
       share_(*memory_, *this),
       cache_(format_, name_, share_),
@@ -54,16 +55,16 @@ Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const Nod
       pending_(std::make_shared<PendingInserts>(static_cast<std::size_t>(format_.at.size))),
       in_transaction_(is_new),
       table_at_begin_(name_.table) {
-  cache_.connect(*rows_);
+  cache_.connect(*shadow_rows_);
 }
 
-ShadowRows& Store::rows() {
+ShadowRows& Store::shadow_rows() {
   if (torn_) throw StoreError(SQLITE_ABORT, name_.table + ": a write failed half-way; roll back");
-  return *rows_;
+  return *shadow_rows_;
 }
 
 NodeCache& Store::nodes() {
-  rows();
+  shadow_rows();
   return cache_;
 }
 
@@ -74,7 +75,7 @@ void Store::damaged(const std::string& what) const {
 // While this connection writes nobody else can. At any other time somebody may have written since.
 void Store::believe_only_this_stamp() {
   if (writing_) return;
-  const auto stamp = rows().stamp();
+  const auto stamp = shadow_rows().stamp();
   if (!stamp) damaged("the stamp is missing");
   if (believed_stamp_ != stamp) cache_.forget_all();
   believed_stamp_ = stamp;
@@ -84,7 +85,7 @@ ContentVersion Store::version() {
   static std::atomic<std::uint64_t> last_change{0};
   if (changed_) changes_ = ++last_change;
   changed_ = false;
-  const auto stamp = rows().stamp();
+  const auto stamp = shadow_rows().stamp();
   if (!stamp) damaged("the stamp is missing");
   return {static_cast<std::uint64_t>(shown(*stamp)), changes_};
 }
@@ -109,7 +110,7 @@ void Store::begin() {
 }
 
 void Store::sync() {
-  rows();
+  shadow_rows();
   flush();
 }
 
@@ -129,7 +130,7 @@ void Store::end_transaction() noexcept {
 bool Store::is_taken_back() {
   if (!own_stamp_) return false;
   try {
-    return rows().stamp() != own_stamp_;
+    return shadow_rows().stamp() != own_stamp_;
   } catch (const StoreError& error) {
     if ((error.code & 0xff) != SQLITE_ERROR) throw;
     return true;
@@ -167,7 +168,7 @@ void Store::back_to_begin() noexcept {
 
 void Store::savepoint(int level) {
   if (own_statements_ > 0) return;
-  rows();
+  shadow_rows();
   // Two virtual tables that share this store are both told.
   if (!savepoints_.empty() && savepoints_.back().level >= level) return;
   // Room first, by doubling: once the mark is set nothing may throw.
@@ -244,8 +245,8 @@ void Store::rename(const std::string& new_table) {
 void Store::go_by(const std::string& table) {
   if (name_.table == table) return;
   name_.table = table;
-  rows_ = std::make_unique<ShadowRows>(db_, name_, static_cast<int>(declaration_.auxiliaries.size()));
-  cache_.connect(*rows_);
+  shadow_rows_ = std::make_unique<ShadowRows>(db_, name_, static_cast<int>(declaration_.auxiliaries.size()));
+  cache_.connect(*shadow_rows_);
   remember_open_store(db_, name_, shared_from_this());
 }
 

@@ -29,7 +29,7 @@ void append(const Node& leaf, std::size_t, std::vector<std::int64_t>& ids, std::
 
 // The stored leaf, or the one in memory: not for pending inserts.
 std::optional<std::int64_t> Store::leaf_of(std::int64_t id) {
-  return writing_ ? nodes().leaf_of(id) : rows().leaf_of(id);
+  return writing_ ? nodes().leaf_of(id) : shadow_rows().leaf_of(id);
 }
 
 bool Store::contains(std::int64_t id) {
@@ -54,7 +54,7 @@ std::optional<std::vector<double>> Store::read(std::int64_t id) {
   }
   std::vector<double> record(size);
   int slot = -1;
-  const bool found = rows().read_node(*number, [&](std::span<const std::byte> blob) {
+  const bool found = shadow_rows().read_node(*number, [&](std::span<const std::byte> blob) {
     read_stored_leaf(*number, blob, [&](const LeafView& leaf) {
       slot = leaf.find(id);
       if (slot >= 0) leaf.copy_record(slot, record.data());
@@ -85,7 +85,7 @@ void Store::read_leaves(Interrupt& interrupt, const std::function<void(const Lea
     done = std::max(done, end - 1);
   };
   unsigned leaves = 0;
-  rows().read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+  shadow_rows().read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
     if (++leaves % 16 == 0) interrupt.check();
     waiting_up_to(number);
     if (!cache_.waiting(number)) read_stored_leaf(number, blob, stored);
@@ -98,7 +98,7 @@ void Store::load(std::vector<std::int64_t>& ids, std::vector<double>& rows, Inte
   ids.clear();
   rows.clear();
   const bool waits = cache_.waits();
-  const auto expected = waits ? 0 : static_cast<std::size_t>(this->rows().count());
+  const auto expected = waits ? 0 : static_cast<std::size_t>(this->shadow_rows().count());
   const auto row_size = static_cast<std::size_t>(row_offsets(format_.layout).size);
   const auto record_size = static_cast<std::size_t>(format_.at.size);
   const bool rows_are_records = format_.layout.law != Law::forced;
@@ -123,7 +123,7 @@ void Store::load(std::vector<std::int64_t>& ids, std::vector<double>& rows, Inte
 
 void Store::expect_objects(std::size_t found) {
   if (cache_.waits()) return;
-  const auto mapped = static_cast<std::size_t>(rows().count());
+  const auto mapped = static_cast<std::size_t>(shadow_rows().count());
   if (found != mapped)
     damaged("the leaves hold " + std::to_string(found) + " objects, the map " + std::to_string(mapped));
 }
@@ -137,7 +137,7 @@ std::int64_t Store::next_leaf(std::int64_t after, std::vector<std::int64_t>& ids
   for (;;) {
     std::int64_t number = no_number;
     bool is_leaf = false;
-    rows().read_node_after(after, [&](std::int64_t stored, std::span<const std::byte> blob) {
+    shadow_rows().read_node_after(after, [&](std::int64_t stored, std::span<const std::byte> blob) {
       number = stored;
       if (cache_.next_waiting(after, stored) == 0 && !cache_.waiting(stored))
         is_leaf =
@@ -155,7 +155,7 @@ std::int64_t Store::next_leaf(std::int64_t after, std::vector<std::int64_t>& ids
 }
 
 void Store::result_auxiliary(sqlite3_context* context, std::int64_t id, int column) {
-  rows().result_auxiliary(context, id, column);
+  shadow_rows().result_auxiliary(context, id, column);
 }
 
 double Store::newest_t() {
@@ -168,7 +168,7 @@ std::vector<std::string> Store::check(Interrupt& interrupt) {
   flush();
   cache_.forget_clean();
   return with_sound_tree(
-      [&] { return check_tables(rows(), cache_, format_, name_, has_auxiliaries(), interrupt); });
+      [&] { return check_tables(shadow_rows(), cache_, format_, name_, has_auxiliaries(), interrupt); });
 }
 
 }  // namespace foresee

@@ -12,7 +12,7 @@ void Store::start_change(std::span<const double> record) {
   if (!record.empty())
     if (const char* fault = record_fault(format_, record.data())) throw Error(name_.table + ": " + fault);
   if (!in_transaction_) begin();
-  rows();
+  shadow_rows();
   if (!writing_) {
     believe_only_this_stamp();
     stamp_before_ = believed_stamp_;
@@ -29,14 +29,14 @@ void Store::start_change(std::span<const double> record) {
 void Store::write_new_stamp() {
   std::int64_t stamp;
   sqlite3_randomness(sizeof stamp, &stamp);
-  rows().write_stamp(stamp);
+  shadow_rows().write_stamp(stamp);
   believed_stamp_ = own_stamp_ = stamp;
   writing_ = stamped_ = true;
 }
 
 const Store::Largest& Store::largest() {
   // Unknown: no object was added in this transaction.
-  if (!largest_.known) largest_ = {true, !cache_.waits(), rows().largest_id()};
+  if (!largest_.known) largest_ = {true, !cache_.waits(), shadow_rows().largest_id()};
   return largest_;
 }
 
@@ -102,7 +102,7 @@ void Store::insert(std::int64_t id, std::span<const double> record, std::span<sq
   AtomicChange atomic_change(*this);
   if (keeps_changes_ && !object_changes_.knows(id)) object_changes_.add(id, {});
   add(id, record);
-  if (has_auxiliaries()) rows().insert_auxiliaries(id, auxiliaries);
+  if (has_auxiliaries()) shadow_rows().insert_auxiliaries(id, auxiliaries);
   atomic_change.done();
 }
 
@@ -123,7 +123,7 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
       throw StoreError(SQLITE_ERROR, name_.table + ": there is no object " + std::to_string(id));
     }
   });
-  if (has_auxiliaries()) rows().update_auxiliaries(id, new_id, auxiliaries);
+  if (has_auxiliaries()) shadow_rows().update_auxiliaries(id, new_id, auxiliaries);
   atomic_change.done();
 }
 
@@ -134,7 +134,7 @@ void Store::erase(std::int64_t id) {
     about_to_change(id);
     take_out(id);
   });
-  if (has_auxiliaries()) rows().erase_auxiliaries(id);
+  if (has_auxiliaries()) shadow_rows().erase_auxiliaries(id);
   atomic_change.done();
 }
 
