@@ -18,7 +18,7 @@ int main() {
   std::printf("scene,rows,seconds\n");
   for (const testing::ExtremeScene& scene : testing::extreme_scenes()) {
     bench::Database db(":memory:");
-    db.check(sqlite3_foresee_init(db.handle(), nullptr, nullptr));
+    db.require_ok(sqlite3_foresee_init(db.handle(), nullptr, nullptr));
     db.run(scene.setup);
     bench::Statement query(db, scene.query);
     std::size_t rows = 0;

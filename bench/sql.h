@@ -12,13 +12,13 @@ namespace foresee::bench {
 
 class Database {
  public:
-  explicit Database(const std::string& path) { check(sqlite3_open(path.c_str(), &db_)); }
+  explicit Database(const std::string& path) { require_ok(sqlite3_open(path.c_str(), &db_)); }
   ~Database() { sqlite3_close(db_); }
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
 
-  void run(const std::string& sql) { check(sqlite3_exec(db_, sql.c_str(), nullptr, nullptr, nullptr)); }
-  void check(int code) {
+  void run(const std::string& sql) { require_ok(sqlite3_exec(db_, sql.c_str(), nullptr, nullptr, nullptr)); }
+  void require_ok(int code) {
     if (code != SQLITE_OK) throw Error(sqlite3_errmsg(db_));
   }
   sqlite3* handle() { return db_; }
@@ -30,7 +30,7 @@ class Database {
 class Statement {
  public:
   Statement(Database& db, const std::string& sql) : db_(db) {
-    db.check(sqlite3_prepare_v2(db.handle(), sql.c_str(), -1, &statement_, nullptr));
+    db.require_ok(sqlite3_prepare_v2(db.handle(), sql.c_str(), -1, &statement_, nullptr));
   }
   ~Statement() { sqlite3_finalize(statement_); }
   Statement(const Statement&) = delete;
@@ -42,7 +42,7 @@ class Statement {
   bool step() {
     const int code = sqlite3_step(statement_);
     if (code == SQLITE_ROW) return true;
-    db_.check(sqlite3_reset(statement_));
+    db_.require_ok(sqlite3_reset(statement_));
     return false;
   }
   std::int64_t integer(int column) { return sqlite3_column_int64(statement_, column); }

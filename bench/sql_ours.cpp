@@ -27,7 +27,7 @@ std::string places_for(const Workload& w) {
 }
 
 void register_foresee(Database& db) {
-  db.check(sqlite3_foresee_init(db.handle(), nullptr, nullptr));
+  db.require_ok(sqlite3_foresee_init(db.handle(), nullptr, nullptr));
 }
 
 void create_ours(Database& db, const Workload& w) {

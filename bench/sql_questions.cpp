@@ -101,10 +101,10 @@ struct Tables {
 
 void add_rival_functions(Database& db) {
   constexpr int flags = SQLITE_UTF8 | SQLITE_DETERMINISTIC;
-  db.check(sqlite3_create_function(db.handle(), "first_in_window", 13, flags, nullptr, first_in_window,
-                                   nullptr, nullptr));
-  db.check(sqlite3_create_function(db.handle(), "first_disc_in_window", 12, flags, nullptr,
-                                   first_disc_in_window, nullptr, nullptr));
+  db.require_ok(sqlite3_create_function(db.handle(), "first_in_window", 13, flags, nullptr, first_in_window,
+                                        nullptr, nullptr));
+  db.require_ok(sqlite3_create_function(db.handle(), "first_disc_in_window", 12, flags, nullptr,
+                                        first_disc_in_window, nullptr, nullptr));
 }
 
 class Places {

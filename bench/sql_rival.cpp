@@ -12,9 +12,9 @@ Rival::Rival(Database& db, const Workload& workload, Tables tables) : db_(db), w
     pair_rows_.insert(pair_rows_.end(), workload.rows.begin(), workload.rows.begin() + numbers);
   const Bodies pair(workload.layout, pair_rows_.data(), 2);
   contact_ = make_contact(pair, pair, {.horizon = {0, workload.h}}, "base", "base");
-  db.check(sqlite3_create_function(db.handle(), "first_contact", 2 * numbers,
-                                   SQLITE_UTF8 | SQLITE_DETERMINISTIC, this, first_contact, nullptr,
-                                   nullptr));
+  db.require_ok(sqlite3_create_function(db.handle(), "first_contact", 2 * numbers,
+                                        SQLITE_UTF8 | SQLITE_DETERMINISTIC, this, first_contact, nullptr,
+                                        nullptr));
   if (tables == stands_ready) return;
   NeverInterrupt never;
   boxes_ = swept_boxes<2>(workload.bodies(), {0, workload.h}, Vec<2>::Zero(), never);

@@ -19,7 +19,7 @@ bool has(const Bodies& a, const Bodies& b, Shape shape) {
   return a.layout.shape == shape || b.layout.shape == shape;
 }
 
-void check_within_z(const Bodies& a, const Bodies& b) {
+void require_cylinders_or_points(const Bodies& a, const Bodies& b) {
   if (a.layout.axes != 3)
     throw Error("within_z is for tables with x, y and z; leave it out here (within covers every axis)");
   if (!has(a, b, Shape::point) && !has(a, b, Shape::cylinder))
@@ -29,8 +29,8 @@ void check_within_z(const Bodies& a, const Bodies& b) {
 }
 
 /// By declarations alone: no answer may be an error for some rows, ids or methods only.
-void check_cylinder_meets_no_ball(const Bodies& a, const Bodies& b, const std::string& name_a,
-                                  const std::string& name_b) {
+void require_no_ball_with_cylinder(const Bodies& a, const Bodies& b, const std::string& name_a,
+                                   const std::string& name_b) {
   if (!has(a, b, Shape::ball)) return;
   const bool ball_a = a.layout.shape == Shape::ball;
   const std::string& ball = ball_a ? name_a : name_b;
@@ -47,12 +47,12 @@ void check_cylinder_meets_no_ball(const Bodies& a, const Bodies& b, const std::s
 
 std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const ContactQuestion& question,
                                       const std::string& name_a, const std::string& name_b) {
-  if (question.within_z) check_within_z(a, b);
+  if (question.within_z) require_cylinders_or_points(a, b);
   const double within = question.within;
   const int degree = std::max(degree_of(a.layout.law), degree_of(b.layout.law));
   const bool box = has(a, b, Shape::box);
   if (has(a, b, Shape::cylinder) || question.within_z) {
-    check_cylinder_meets_no_ball(a, b, name_a, name_b);
+    require_no_ball_with_cylinder(a, b, name_a, name_b);
     const Setup upright{a, b, question.horizon, within, question.within_z.value_or(0)};
     return make_set_contact(upright, box ? cylinder_box_set(upright) : cylinder_cylinder_set(upright),
                             degree);

@@ -115,7 +115,7 @@ inline std::vector<double> ship(double mark) {
 
 inline std::vector<std::string> faults(Store& store) {
   NeverInterrupt never;
-  return store.check(never);
+  return store.integrity_check(never);
 }
 
 /// Every id and its first coordinate, as load() sees them.

@@ -31,7 +31,7 @@
 
 namespace foresee {
 
-/// What check() found: sentences about what is wrong, and how much there is.
+/// What check_tree() found: sentences about what is wrong, and how much there is.
 struct TreeReport {
   std::vector<std::string> problems;
   std::size_t objects = 0, nodes = 0;

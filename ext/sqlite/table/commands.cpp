@@ -9,7 +9,7 @@ namespace foresee {
 
 std::string findings_of(MovingObjectsTable& table) {
   constexpr std::size_t most = 5;
-  const std::vector<std::string> findings = table.store().check(table.connection->interrupt());
+  const std::vector<std::string> findings = table.store().integrity_check(table.connection->interrupt());
   std::string text;
   for (std::size_t i = 0; i < findings.size() && i < most; ++i) text += (i == 0 ? "" : "; ") + findings[i];
   if (findings.size() > most) text += "; and " + std::to_string(findings.size() - most) + " more";

@@ -78,28 +78,28 @@ Statement::Run::~Run() {
   owner_.running_ = false;
 }
 
-void Statement::Run::check(int code) {
+void Statement::Run::require_ok(int code) {
   if (code != SQLITE_OK) throw_sqlite_error(owner_.db_, code);
 }
 
 void Statement::Run::bind(int place, std::int64_t value) {
-  check(sqlite3_bind_int64(statement_, place, value));
+  require_ok(sqlite3_bind_int64(statement_, place, value));
 }
 
 void Statement::Run::bind(int place, double value) {
-  check(sqlite3_bind_double(statement_, place, value));
+  require_ok(sqlite3_bind_double(statement_, place, value));
 }
 
 void Statement::Run::bind(int place, const std::string& text) {
-  check(sqlite3_bind_text64(statement_, place, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
+  require_ok(sqlite3_bind_text64(statement_, place, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
 }
 
 void Statement::Run::bind(int place, std::span<const std::byte> blob) {
-  check(sqlite3_bind_blob64(statement_, place, blob.data(), blob.size(), SQLITE_STATIC));
+  require_ok(sqlite3_bind_blob64(statement_, place, blob.data(), blob.size(), SQLITE_STATIC));
 }
 
 void Statement::Run::bind(int place, const sqlite3_value* value) {
-  check(sqlite3_bind_value(statement_, place, value));
+  require_ok(sqlite3_bind_value(statement_, place, value));
 }
 
 bool Statement::Run::step() {

@@ -89,7 +89,7 @@ class Statement::Run {
   sqlite3_value* value(int column) { return sqlite3_column_value(statement_, column); }
 
  private:
-  void check(int code);
+  void require_ok(int code);
 
   Statement& owner_;
   sqlite3_stmt* statement_;

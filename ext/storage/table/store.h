@@ -109,10 +109,10 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   /// Writes tree and map anew from what the leaves hold, whatever else says, neighbours in space and velocity
   /// together; drops auxiliary values that belong to no object.
   void rebuild(Interrupt& interrupt);
-  /// The same for a table without fault; SQLITE_CORRUPT_VTAB if check() finds any.
+  /// The same for a table without fault; SQLITE_CORRUPT_VTAB if integrity_check() finds any.
   void optimize(Interrupt& interrupt);
   /// What is wrong with the stored bytes, a sentence each; empty: nothing.
-  std::vector<std::string> check(Interrupt& interrupt);
+  std::vector<std::string> integrity_check(Interrupt& interrupt);
 
   // --- the virtual table's life, named as SQLite's callbacks
   void begin();

@@ -108,7 +108,7 @@ void Store::rebuild(Interrupt& interrupt) {
 }
 
 void Store::optimize(Interrupt& interrupt) {
-  const std::vector<std::string> faults = check(interrupt);
+  const std::vector<std::string> faults = integrity_check(interrupt);
   if (!faults.empty()) throw StoreError(SQLITE_CORRUPT_VTAB, faults.front());
   pack(interrupt);
 }

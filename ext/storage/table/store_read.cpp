@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "storage/format/leaf_node.h"
-#include "storage/table/check.h"
+#include "storage/table/integrity_check.h"
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
 
@@ -164,11 +164,11 @@ double Store::newest_t() {
   return with_sound_tree([&] { return foresee::newest_t(nodes()); });
 }
 
-std::vector<std::string> Store::check(Interrupt& interrupt) {
+std::vector<std::string> Store::integrity_check(Interrupt& interrupt) {
   flush();
   cache_.forget_clean();
   return with_sound_tree(
-      [&] { return check_tables(shadow_rows(), cache_, format_, name_, has_auxiliaries(), interrupt); });
+      [&] { return check_integrity(shadow_rows(), cache_, format_, name_, has_auxiliaries(), interrupt); });
 }
 
 }  // namespace foresee

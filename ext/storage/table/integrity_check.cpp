@@ -1,4 +1,4 @@
-#include "storage/table/check.h"
+#include "storage/table/integrity_check.h"
 
 #include <algorithm>
 
@@ -17,10 +17,10 @@ struct Entry {
   std::int64_t id, leaf;
 };
 
-class Check {
+class IntegrityCheck {
  public:
-  Check(ShadowRows& rows, NodeCache& cache, const NodeFormat& format, const QualifiedName& name,
-        Interrupt& interrupt)
+  IntegrityCheck(ShadowRows& rows, NodeCache& cache, const NodeFormat& format, const QualifiedName& name,
+                 Interrupt& interrupt)
       : shadow_rows_(rows),
         cache_(cache),
         format_(format),
@@ -123,9 +123,10 @@ class Check {
 
 }  // namespace
 
-std::vector<std::string> check_tables(ShadowRows& rows, NodeCache& cache, const NodeFormat& format,
-                                      const QualifiedName& name, bool has_auxiliaries, Interrupt& interrupt) {
-  Check check(rows, cache, format, name, interrupt);
+std::vector<std::string> check_integrity(ShadowRows& rows, NodeCache& cache, const NodeFormat& format,
+                                         const QualifiedName& name, bool has_auxiliaries,
+                                         Interrupt& interrupt) {
+  IntegrityCheck check(rows, cache, format, name, interrupt);
   check.meta();
   check.nodes();
   check.map();

@@ -16,7 +16,8 @@
 namespace foresee {
 
 /// What is wrong, a sentence each, at most some hundred; empty: nothing. Requires: nothing waits in `cache`.
-std::vector<std::string> check_tables(ShadowRows& rows, NodeCache& cache, const NodeFormat& format,
-                                      const QualifiedName& name, bool has_auxiliaries, Interrupt& interrupt);
+std::vector<std::string> check_integrity(ShadowRows& rows, NodeCache& cache, const NodeFormat& format,
+                                         const QualifiedName& name, bool has_auxiliaries,
+                                         Interrupt& interrupt);
 
 }  // namespace foresee
