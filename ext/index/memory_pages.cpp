@@ -60,7 +60,7 @@ void MemoryPages::free(NodeNumber number) {
   free_.push_back(number);
 }
 
-std::optional<NodeNumber> MemoryPages::leaf_of(std::int64_t id) {
+std::optional<NodeNumber> MemoryPages::find_leaf(std::int64_t id) {
   const auto found = leaves_.find(id);
   return found == leaves_.end() ? std::nullopt : std::optional(found->second);
 }

@@ -18,7 +18,7 @@ class MemoryPages final : public Pages {
   explicit MemoryPages(const Layout& layout, std::size_t leaf_capacity = 0, std::size_t inner_capacity = 0);
 
   const Layout& layout() const override { return layout_; }
-  NodeNumber root() override { return root_; }
+  NodeNumber find_root() override { return root_; }
   std::shared_ptr<const Node> read(NodeNumber number) override;
 
   std::size_t leaf_capacity() const override { return leaf_capacity_; }
@@ -29,7 +29,7 @@ class MemoryPages final : public Pages {
   void put(NodeNumber number, Node node) override;
   void free(NodeNumber number) override;
   void set_root(NodeNumber number) override { root_ = number; }
-  std::optional<NodeNumber> leaf_of(std::int64_t id) override;
+  std::optional<NodeNumber> find_leaf(std::int64_t id) override;
   void place(std::span<const std::int64_t> ids, NodeNumber leaf) override;
   void forget(std::int64_t id) override { leaves_.erase(id); }
 

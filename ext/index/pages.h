@@ -67,7 +67,7 @@ class NodeSource {
 
   virtual const Layout& layout() const = 0;
   /// 0: no objects.
-  virtual NodeNumber root() = 0;
+  virtual NodeNumber find_root() = 0;
   virtual std::shared_ptr<const Node> read(NodeNumber number) = 0;
 };
 
@@ -89,7 +89,7 @@ class Pages : public NodeSource {
   virtual void set_root(NodeNumber number) = 0;
 
   /// The leaf that holds an object.
-  virtual std::optional<NodeNumber> leaf_of(std::int64_t id) = 0;
+  virtual std::optional<NodeNumber> find_leaf(std::int64_t id) = 0;
   /// From now on these objects are in `leaf`, wherever they were.
   virtual void place(std::span<const std::int64_t> ids, NodeNumber leaf) = 0;
   virtual void forget(std::int64_t id) = 0;

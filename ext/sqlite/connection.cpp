@@ -54,8 +54,8 @@ std::span<TableCursor* const> Connection::cursors(const Store* store) const noex
   return open->second;
 }
 
-std::shared_ptr<const Scene> Connection::scene(const OpenTable& table, bool outlined) {
-  const ContentVersion version = table.store->version();
+std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, bool outlined) {
+  const ContentVersion version = table.store->read_version();
   const auto cached = scenes_.find(table.store.get());
   if (cached != scenes_.end() && cached->second.version == version &&
       (!outlined || cached->second.scene->outline)) {
@@ -68,12 +68,12 @@ std::shared_ptr<const Scene> Connection::scene(const OpenTable& table, bool outl
   scene->layout = table.store->declaration().layout;
   const FloatEnvironment environment;  // accelerations are computed on loading
   if (outlined) {
-    TreeScene tree = read_tree(*table.store->snapshot(), interrupt_);
+    TreeScene tree = read_tree(*table.store->take_snapshot(), interrupt_);
     scene->ids = std::move(tree.ids), scene->rows = std::move(tree.rows);
     scene->outline = std::move(tree.outline);
     table.store->expect_objects(scene->ids.size());
   } else {
-    table.store->load(scene->ids, scene->rows, interrupt_);
+    table.store->read_all(scene->ids, scene->rows, interrupt_);
   }
   scenes_[table.store.get()] = {version, scene, ++last_use_};
   drop_scenes_used_long_ago();

@@ -65,9 +65,11 @@ class Connection {
   std::span<TableCursor* const> cursors(const Store* store) const noexcept;
 
   /// The table's contents as they are now, decoded at most once per version.
-  std::shared_ptr<const Scene> scene(const OpenTable& table) { return scene(table, false); }
+  std::shared_ptr<const Scene> load_scene(const OpenTable& table) { return load_scene(table, false); }
   /// The same with the outline of its tree.
-  std::shared_ptr<const Scene> scene_with_outline(const OpenTable& table) { return scene(table, true); }
+  std::shared_ptr<const Scene> load_scene_with_outline(const OpenTable& table) {
+    return load_scene(table, true);
+  }
 
   /// PRAGMA threads: how many a computation may use beside the caller's; 0 unless somebody asks for more.
   std::size_t helper_threads() const {
@@ -86,7 +88,7 @@ class Connection {
     std::uint64_t used;  ///< the later, the larger
   };
 
-  std::shared_ptr<const Scene> scene(const OpenTable& table, bool outlined);
+  std::shared_ptr<const Scene> load_scene(const OpenTable& table, bool outlined);
   void drop_scenes_used_long_ago() noexcept;
 
   sqlite3* db_;

@@ -82,7 +82,7 @@ TEST(TprTree, IsEmptyAfterEverythingHasGone) {
   model.load(scene);
   for (const std::int64_t id : scene.ids) model.erase(id);
   model.expect_sound();
-  EXPECT_EQ(model.pages.root(), 0);
+  EXPECT_EQ(model.pages.find_root(), 0);
   EXPECT_EQ(model.pages.node_count(), 0u);
   EXPECT_FALSE(model.tree->erase(1));
   EXPECT_FALSE(model.tree->update(1, std::vector<double>(6)));
@@ -107,7 +107,7 @@ class CountingPages final : public Pages {
  public:
   explicit CountingPages(Pages& pages) : pages_(pages) {}
   const Layout& layout() const override { return pages_.layout(); }
-  NodeNumber root() override { return pages_.root(); }
+  NodeNumber find_root() override { return pages_.find_root(); }
   std::shared_ptr<const Node> read(NodeNumber number) override { return pages_.read(number); }
   std::size_t leaf_capacity() const override { return pages_.leaf_capacity(); }
   std::size_t inner_capacity() const override { return pages_.inner_capacity(); }
@@ -119,7 +119,7 @@ class CountingPages final : public Pages {
   void put(NodeNumber number, Node node) override { ++changes, pages_.put(number, std::move(node)); }
   void free(NodeNumber number) override { ++changes, pages_.free(number); }
   void set_root(NodeNumber number) override { pages_.set_root(number); }
-  std::optional<NodeNumber> leaf_of(std::int64_t id) override { return pages_.leaf_of(id); }
+  std::optional<NodeNumber> find_leaf(std::int64_t id) override { return pages_.find_leaf(id); }
   void place(std::span<const std::int64_t> ids, NodeNumber leaf) override {
     ++moves, pages_.place(ids, leaf);
   }
@@ -138,7 +138,7 @@ TEST(TprTree, AnUpdateWithinTheLeafsBoundsTouchesTheLeafAlone) {
   CountingPages counting(model.pages);
   const auto tree = make_tpr_tree(counting, 60);
   for (const auto& [id, record] : model.objects) {
-    if (record[0] == newest_t(counting)) continue;
+    if (record[0] == read_newest_t(counting)) continue;
     counting.changes = counting.moves = 0;
     EXPECT_TRUE(tree->update(id, record));
     EXPECT_EQ(counting.changes, 1);
@@ -197,13 +197,13 @@ TEST(TprTree, NodesThatContradictOneAnotherAreAnError) {
     SCOPED_TRACE(damage);
     TreeModel model(boats, 60);
     model.load(scene);
-    const NodeNumber leaf = *model.pages.leaf_of(7), parent = model.pages.read(leaf)->parent;
+    const NodeNumber leaf = *model.pages.find_leaf(7), parent = model.pages.read(leaf)->parent;
     if (damage == 0) model.pages.modify(leaf).level = 1;
     if (damage == 1) model.pages.modify(parent).keys.assign(model.pages.read(parent)->size(), parent);
     if (damage == 2) model.pages.modify(leaf).parent = leaf;
     if (damage == 3) model.pages.modify(leaf).keys.assign(model.pages.read(leaf)->size(), 8);
     if (damage == 4) model.pages.modify(leaf).parent = 0;
-    if (damage == 5) model.pages.modify(model.pages.root()).parent = leaf;
+    if (damage == 5) model.pages.modify(model.pages.find_root()).parent = leaf;
     if (damage == 6) model.pages.modify(parent).keys[0] = 7, model.pages.place(std::array{7L}, parent);
     EXPECT_FALSE(check_tree(model.pages, model.never).problems.empty());
     if (damage == 5)  // which only a way down meets

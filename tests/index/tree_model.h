@@ -79,7 +79,7 @@ struct TreeModel {
     const Offsets at = record_offsets(pages.layout());
     for (const auto& [id, record] : objects)
       newest = std::max(newest, at.t == Offsets::absent ? 0 : record[static_cast<std::size_t>(at.t)]);
-    EXPECT_EQ(newest_t(pages), newest);
+    EXPECT_EQ(read_newest_t(pages), newest);
   }
 
   NeverInterrupt never;

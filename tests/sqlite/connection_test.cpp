@@ -18,7 +18,7 @@ class Scenes : public ::testing::Test {
     }
   }
   std::shared_ptr<const Scene> ask(Connection& connection, std::size_t table) {
-    return connection.scene({stores[table], "main", "", 0});
+    return connection.load_scene({stores[table], "main", "", 0});
   }
 
   static constexpr std::size_t scene_size = 100 * 7 * 8;  // an id and six numbers each

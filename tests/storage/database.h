@@ -123,7 +123,7 @@ inline std::vector<std::pair<std::int64_t, double>> contents(Store& store) {
   NeverInterrupt never;
   std::vector<std::int64_t> ids;
   std::vector<double> rows;
-  store.load(ids, rows, never);
+  store.read_all(ids, rows, never);
   const Offsets at = row_offsets(store.declaration().layout);
   std::vector<std::pair<std::int64_t, double>> result;
   for (std::size_t i = 0; i < ids.size(); ++i)

@@ -90,14 +90,14 @@ TEST_F(Faults, AFirstChangeThatFailsIsNotTakenForTheCommit) {
   forbid("INSERT", "aux");
   begin(db, *store);
   expect_forbidden([&] { store->insert(101, ship(1), values); });
-  const ContentVersion before_any_change = store->version();
+  const ContentVersion before_any_change = store->read_version();
   allow();
   store->insert(101, ship(1), values);
   commit(db, *store);
   begin(db, *store);
   store->erase(1);
   roll_back(db, *store);
-  EXPECT_NE(store->version(), before_any_change);
+  EXPECT_NE(store->read_version(), before_any_change);
 }
 
 TEST_F(Faults, AnAuthorizerThatSaysNoIsAnErrorNotACrash) {
@@ -194,9 +194,9 @@ TEST(Memory, ALoadThatFailsAfterItsFirstRowsAreWrittenCanOnlyBeRolledBack) {
       "'stopped'); END");
   begin(db, *store);
   for (int id = 101; id <= 3000; ++id) store->insert(id, box(id), {});
-  expect_store_error(SQLITE_CONSTRAINT, "stopped", [&] { store->snapshot(); });
+  expect_store_error(SQLITE_CONSTRAINT, "stopped", [&] { store->take_snapshot(); });
   const std::string words = "ships: a write failed half-way; roll back";
-  expect_store_error(SQLITE_ABORT, words, [&] { store->snapshot(); });
+  expect_store_error(SQLITE_ABORT, words, [&] { store->take_snapshot(); });
   expect_store_error(SQLITE_ABORT, words, [&] { store->read(2); });
   expect_store_error(SQLITE_ABORT, words, [&] { store->insert(-1, box(1), {}); });
   expect_store_error(SQLITE_ABORT, words, [&] { store->savepoint(0); });
@@ -215,7 +215,7 @@ TEST_F(Faults, LoadStopsWhenAsked) {
   commit(db, *store);
   std::vector<std::int64_t> ids;
   std::vector<double> rows;
-  EXPECT_THROW(store->load(ids, rows, interrupt), Interrupted);
+  EXPECT_THROW(store->read_all(ids, rows, interrupt), Interrupted);
   db.run("VACUUM");  // nothing was left open
 }
 

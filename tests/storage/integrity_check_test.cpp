@@ -47,7 +47,7 @@ TEST_F(Damage, EveryChangedByteOfALeafIsAnErrorOnEveryPath) {
       ++changed;
       std::vector<std::int64_t> ids;
       std::vector<double> rows;
-      expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { store->load(ids, rows, never); });
+      expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { store->read_all(ids, rows, never); });
       expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { store->next_leaf(0, ids, rows); });
       expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { store->read(1); });
     }
@@ -149,7 +149,7 @@ TEST_F(Damage, AnObjectInTwoLeavesIsFound) {
 
 TEST_F(Damage, AMissingStampIsAnError) {
   db.run("UPDATE ships_meta SET value = 'abc' WHERE key = 'stamp'");
-  expect_store_error(SQLITE_CORRUPT_VTAB, "ships: the stamp is missing", [&] { store->version(); });
+  expect_store_error(SQLITE_CORRUPT_VTAB, "ships: the stamp is missing", [&] { store->read_version(); });
   expect_faults({"ships: the stamp is missing"});
 }
 

@@ -86,7 +86,7 @@ TEST_F(TwoTables, NodesOfOneMakeRoomForThoseOfTheOther) {
   const auto read_all = [&](Store& store) {
     std::vector<std::int64_t> ids;
     std::vector<double> records;
-    collect_objects(*store.snapshot(), ids, records, never);
+    collect_objects(*store.take_snapshot(), ids, records, never);
     return ids.size();
   };
   for (int twice = 0; twice < 2; ++twice) EXPECT_EQ(read_all(*a), std::size_t{objects});

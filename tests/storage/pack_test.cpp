@@ -31,9 +31,9 @@ class Pack : public ::testing::Test {
 TEST_F(Pack, FillsLeavesWithNeighboursAndKeepsEveryObject) {
   const auto before = contents(*store);
   begin(db, *store);
-  const ContentVersion version = store->version();
+  const ContentVersion version = store->read_version();
   store->optimize(never);
-  EXPECT_NE(store->version(), version);
+  EXPECT_NE(store->read_version(), version);
   commit(db, *store);
   EXPECT_EQ(contents(*store), before);
   EXPECT_EQ(faults(*store), std::vector<std::string>{});

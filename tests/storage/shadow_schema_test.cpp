@@ -118,7 +118,7 @@ TEST(ShadowSchema, NoStatementStaysOpenAfterAnyCall) {
   for (int id = 1; id <= 200; ++id) store->insert(id, ship(id), values);
   commit(db, *store);
   store->read(5);
-  store->version();
+  store->read_version();
   std::vector<std::int64_t> ids;
   std::vector<double> records;
   store->next_leaf(0, ids, records);

@@ -21,7 +21,7 @@ Model walk(NodeSource& source) {
         self(self, node->keys[slot]);
     }
   };
-  if (source.root() != 0) visit(visit, source.root());
+  if (source.find_root() != 0) visit(visit, source.find_root());
   return all;
 }
 
@@ -50,7 +50,7 @@ class Snapshot : public ::testing::Test {
 TEST_F(Snapshot, SeesWhatWaitsAndStaysThroughChangesAndCommit) {
   begin(db, *store);
   store->insert(5000, ship(7), {});
-  const auto before = store->snapshot();
+  const auto before = store->take_snapshot();
   const Model expected = now(*store);
   EXPECT_EQ(expected.size(), 1001u);
   EXPECT_EQ(walk(*before), expected);
@@ -58,7 +58,7 @@ TEST_F(Snapshot, SeesWhatWaitsAndStaysThroughChangesAndCommit) {
   EXPECT_EQ(walk(*before), expected);
   commit(db, *store);
   EXPECT_EQ(walk(*before), expected);
-  EXPECT_EQ(walk(*store->snapshot()), now(*store));
+  EXPECT_EQ(walk(*store->take_snapshot()), now(*store));
   begin(db, *store);
   store->rebuild(never);
   commit(db, *store);
@@ -67,19 +67,19 @@ TEST_F(Snapshot, SeesWhatWaitsAndStaysThroughChangesAndCommit) {
   for (const auto& [id, x] : now(*store)) store->erase(id);
   commit(db, *store);
   EXPECT_EQ(walk(*before), expected);
-  EXPECT_EQ(walk(*store->snapshot()), Model{});
+  EXPECT_EQ(walk(*store->take_snapshot()), Model{});
 }
 
 TEST_F(Snapshot, StaysThroughARollback) {
   begin(db, *store);
   change_much();
-  const auto inside = store->snapshot();
+  const auto inside = store->take_snapshot();
   const Model expected = now(*store);
   for (int id = 2001; id <= 2400; ++id) store->erase(id);
   roll_back(db, *store);
   EXPECT_EQ(walk(*inside), expected);
   EXPECT_EQ(now(*store).size(), 1000u);
-  EXPECT_EQ(walk(*store->snapshot()), now(*store));
+  EXPECT_EQ(walk(*store->take_snapshot()), now(*store));
 }
 
 TEST_F(Snapshot, StaysThroughARollbackToASavepoint) {
@@ -88,7 +88,7 @@ TEST_F(Snapshot, StaysThroughARollbackToASavepoint) {
   open_savepoint(db, *store, 0);
   const Model outer = now(*store);
   store->erase(2001);
-  const auto inside = store->snapshot();
+  const auto inside = store->take_snapshot();
   const Model expected = now(*store);
   for (int id = 2100; id < 2300; ++id) store->erase(id);
   store->sync();  // written, then taken back by SQLite
@@ -96,7 +96,7 @@ TEST_F(Snapshot, StaysThroughARollbackToASavepoint) {
   roll_back_to(db, *store, 0);
   EXPECT_EQ(walk(*inside), expected);
   EXPECT_EQ(now(*store), outer);
-  EXPECT_EQ(walk(*store->snapshot()), outer);
+  EXPECT_EQ(walk(*store->take_snapshot()), outer);
   commit(db, *store);
   EXPECT_EQ(walk(*inside), expected);
   EXPECT_EQ(now(*store), outer);
@@ -107,20 +107,20 @@ TEST_F(Snapshot, NewestTIsReadOffTheRoot) {
   begin(db, *store);
   std::vector<double> late = ship(1);
   late[0] = 500;
-  EXPECT_EQ(store->newest_t(), 100);
+  EXPECT_EQ(store->read_newest_t(), 100);
   store->insert(5000, late, {});
-  EXPECT_EQ(store->newest_t(), 500);
+  EXPECT_EQ(store->read_newest_t(), 500);
   store->erase(5000);
-  EXPECT_EQ(store->newest_t(), 100);
+  EXPECT_EQ(store->read_newest_t(), 100);
   store->update(3, 3, late, {});
-  EXPECT_EQ(store->newest_t(), 500);
+  EXPECT_EQ(store->read_newest_t(), 500);
   commit(db, *store);
-  EXPECT_EQ(store->newest_t(), 500);
+  EXPECT_EQ(store->read_newest_t(), 500);
   begin(db, *store);
   store->erase(3);
-  EXPECT_EQ(store->newest_t(), 100);
+  EXPECT_EQ(store->read_newest_t(), 100);
   roll_back(db, *store);
-  EXPECT_EQ(store->newest_t(), 500);
+  EXPECT_EQ(store->read_newest_t(), 500);
 }
 
 TEST_F(Snapshot, AgreesWithAModelThroughRandomProgramsOfSavepoints) {
@@ -158,7 +158,7 @@ TEST_F(Snapshot, AgreesWithAModelThroughRandomProgramsOfSavepoints) {
           break;
         }
         case 3:
-          held.push_back({store->snapshot(), model});
+          held.push_back({store->take_snapshot(), model});
           break;
         case 4:
           if (!held.empty() && random() % 2) held.erase(held.begin());

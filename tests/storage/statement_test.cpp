@@ -21,7 +21,7 @@ TEST(Statement, ReadsVirtualTablesOnlyWhereItSaysSo) {
   Database db;
   const std::string sql = "SELECT seq FROM pragma_database_list";
   Statement only_tables(db, sql);
-  EXPECT_THROW(only_tables.prepared(), StoreError);
+  EXPECT_THROW(only_tables.prepare(), StoreError);
   Statement all(db, sql, Statement::Reads::virtual_tables_too);
   EXPECT_TRUE(Statement::Run(all).step());
 }
@@ -29,7 +29,7 @@ TEST(Statement, ReadsVirtualTablesOnlyWhereItSaysSo) {
 TEST(Statement, KnowsWhetherItWasCompiledAnew) {
   Database db;
   Statement select(db, "SELECT 1 FROM main.sqlite_master WHERE 0");
-  select.prepared();
+  select.prepare();
   EXPECT_FALSE(Statement::Run(select).step());
   EXPECT_FALSE(select.was_compiled_anew());
   db.run("CREATE TABLE t(x)");

@@ -49,7 +49,7 @@ TEST(Store, LoadsRowsWithAccelerationInPlaceOfForceAndMass) {
   NeverInterrupt never;
   std::vector<std::int64_t> ids;
   std::vector<double> rows;
-  store->load(ids, rows, never);
+  store->read_all(ids, rows, never);
   EXPECT_EQ(rows, (std::vector<double>{10, 1, 2, 0.25}));
   commit(db, *store);
 }
@@ -103,24 +103,24 @@ TEST(Store, DeletesLeavesThatBecomeEmpty) {
   commit(db, *store);
   EXPECT_EQ(db.number("SELECT count(*) FROM ships_node"), 0);
   EXPECT_EQ(db.number("SELECT count(*) FROM ships_map"), 0);
-  EXPECT_EQ(store->next_id(), 1);
+  EXPECT_EQ(store->find_next_id(), 1);
 }
 
 TEST(Store, NextIdIsOneMoreThanTheLargest) {
   Database db;
   auto store = make_store(db);
   begin(db, *store);
-  EXPECT_EQ(store->next_id(), 1);
+  EXPECT_EQ(store->find_next_id(), 1);
   store->insert(41, ship(1), {});
-  EXPECT_EQ(store->next_id(), 42);
+  EXPECT_EQ(store->find_next_id(), 42);
   store->insert(7, ship(1), {});
-  EXPECT_EQ(store->next_id(), 42);
+  EXPECT_EQ(store->find_next_id(), 42);
   store->erase(41);
-  EXPECT_EQ(store->next_id(), 8);
+  EXPECT_EQ(store->find_next_id(), 8);
   store->update(7, -3, ship(1), {});
-  EXPECT_EQ(store->next_id(), -2);
+  EXPECT_EQ(store->find_next_id(), -2);
   store->insert(std::numeric_limits<std::int64_t>::max(), ship(1), {});
-  const std::int64_t random = store->next_id();
+  const std::int64_t random = store->find_next_id();
   EXPECT_GT(random, 0);
   EXPECT_FALSE(store->contains(random));
   commit(db, *store);
@@ -198,13 +198,13 @@ TEST(Store, ABulkLoadCanBeInterruptedAndDoneAgain) {
   auto store = make_store(db);
   begin(db, *store);
   store->insert(1, ship(1), {});
-  store->newest_t();  // the tree is in memory: what follows runs no statement of its own
+  store->read_newest_t();  // the tree is in memory: what follows runs no statement of its own
   for (int id = 2; id <= 300; ++id) store->insert(id, ship(id), {});
   sqlite3_progress_handler(
       db, 1, [](void*) { return 1; }, nullptr);
-  EXPECT_THROW(store->snapshot(), Interrupted);
+  EXPECT_THROW(store->take_snapshot(), Interrupted);
   sqlite3_progress_handler(db, 0, nullptr, nullptr);
-  store->snapshot();
+  store->take_snapshot();
   commit(db, *store);
   EXPECT_EQ(count_of(*store), 300);
   EXPECT_EQ(faults(*store), std::vector<std::string>{});

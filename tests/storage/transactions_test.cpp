@@ -34,7 +34,7 @@ TEST(Transactions, SavepointsKeepExactlyWhatTheySaw) {
   store->update(1, 5, ship(5), {});
   roll_back_to(db, *store, 1);
   EXPECT_EQ(contents(*store), (Contents{{1, 1}, {2, 2}}));
-  EXPECT_EQ(store->next_id(), 3);
+  EXPECT_EQ(store->find_next_id(), 3);
   roll_back_to(db, *store, 0);
   EXPECT_EQ(contents(*store), (Contents{{1, 1}}));
   EXPECT_FALSE(store->contains(2));
@@ -71,24 +71,24 @@ TEST(Transactions, CreateIsAWriteTransactionWithoutBegin) {
 TEST(Transactions, VersionMovesWithEveryChangeAndReturnsWithRollback) {
   Database db;
   auto store = make_store(db);
-  const ContentVersion empty = store->version();
-  EXPECT_EQ(store->version(), empty);
+  const ContentVersion empty = store->read_version();
+  EXPECT_EQ(store->read_version(), empty);
   begin(db, *store);
-  EXPECT_EQ(store->version(), empty);
+  EXPECT_EQ(store->read_version(), empty);
   store->insert(1, ship(1), {});
-  const ContentVersion one = store->version();
+  const ContentVersion one = store->read_version();
   EXPECT_NE(one, empty);
   store->insert(2, ship(2), {});
-  const ContentVersion two = store->version();
+  const ContentVersion two = store->read_version();
   EXPECT_NE(two, one);
   open_savepoint(db, *store, 0);
-  EXPECT_EQ(store->version(), two);
+  EXPECT_EQ(store->read_version(), two);
   store->erase(1);
-  EXPECT_NE(store->version(), two);
+  EXPECT_NE(store->read_version(), two);
   roll_back_to(db, *store, 0);
-  EXPECT_NE(store->version(), one);
+  EXPECT_NE(store->read_version(), one);
   roll_back(db, *store);
-  EXPECT_EQ(store->version(), empty);
+  EXPECT_EQ(store->read_version(), empty);
 }
 
 TEST(Transactions, StampIsWrittenWithTheFirstChangeAndLastOfAllThatIsWritten) {
@@ -102,11 +102,11 @@ TEST(Transactions, StampIsWrittenWithTheFirstChangeAndLastOfAllThatIsWritten) {
   EXPECT_NE(first, created);
   store->insert(2, ship(2), {});
   EXPECT_EQ(db.number(stamp), first);
-  const ContentVersion version = store->version();
+  const ContentVersion version = store->read_version();
   commit(db, *store);
   const std::int64_t committed = db.number(stamp);
   EXPECT_NE(committed, first);
-  EXPECT_EQ(store->version(), version) << "the same contents";
+  EXPECT_EQ(store->read_version(), version) << "the same contents";
   begin(db, *store);
   commit(db, *store);
   EXPECT_EQ(db.number(stamp), committed) << "nothing was written";
@@ -155,15 +155,15 @@ TEST_F(TwoConnections, SeeEachOthersCommitsAndBelieveNothingOld) {
   auto theirs = Store::open(other, "main", "ships", ships());
   for (int id = 1; id <= 200; id += 2) {
     begin(writer, *mine);
-    EXPECT_EQ(mine->next_id(), id);
+    EXPECT_EQ(mine->find_next_id(), id);
     mine->insert(id, ship(id), {});
-    const ContentVersion before = theirs->version();
+    const ContentVersion before = theirs->read_version();
     EXPECT_EQ(count_of(*theirs), id - 1) << "uncommitted";
     commit(writer, *mine);
-    EXPECT_NE(theirs->version(), before);
+    EXPECT_NE(theirs->read_version(), before);
     begin(other, *theirs);
     EXPECT_TRUE(theirs->contains(id));
-    EXPECT_EQ(theirs->next_id(), id + 1);
+    EXPECT_EQ(theirs->find_next_id(), id + 1);
     theirs->insert(id + 1, ship(id + 1), {});
     commit(other, *theirs);
   }

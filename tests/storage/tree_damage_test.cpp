@@ -134,8 +134,8 @@ TEST_F(TreeDamage, NoRootDemandsAnEmptyMap) {
   store = nullptr;
   store = Store::open(db, "main", "ships", ships());
   expect_store_error(SQLITE_CORRUPT_VTAB, "ships: there is no root, but the map has objects",
-                     [&] { store->snapshot(); });
-  expect_store_error(SQLITE_CORRUPT_VTAB, "ships: there is no root", [&] { store->newest_t(); });
+                     [&] { store->take_snapshot(); });
+  expect_store_error(SQLITE_CORRUPT_VTAB, "ships: there is no root", [&] { store->read_newest_t(); });
   expect_found_and_mended("there is no root");
 }
 
@@ -148,7 +148,7 @@ TEST_F(TreeDamage, ReadersAndWritersGetAnErrorAndChangeNothing) {
     expect_store_error(SQLITE_CORRUPT_VTAB, "ships: ", [&] { store->update(id, id, ship(-9e9), {}); });
   EXPECT_EQ(contents(*store), before);
   store->insert(9000, ship(1), {});
-  expect_store_error(SQLITE_CORRUPT_VTAB, "ships: node 4444 is missing", [&] { store->snapshot(); });
+  expect_store_error(SQLITE_CORRUPT_VTAB, "ships: node 4444 is missing", [&] { store->take_snapshot(); });
   expect_store_error(SQLITE_CORRUPT_VTAB, "ships: node 4444 is missing", [&] { store->sync(); });
   roll_back(db, *store);
   EXPECT_EQ(contents(*store), before);

@@ -8,8 +8,8 @@ namespace {
 
 template <int D, class Added>
 NodeNumber choose_node(TreeState<D>& state, NodeNumber number, int level, const Added& added) {
-  auto node =
-      number == state.pages.root() ? read(state.pages, unread_root(state.pages)) : state.pages.read(number);
+  auto node = number == state.pages.find_root() ? read(state.pages, unread_root(state.pages))
+                                                : state.pages.read(number);
   if (node->level < level || (node->level > 0 && node->size() == 0))
     throw BrokenTree("a tree's root has no place for what it should take in");
   while (node->level > level) {
@@ -170,7 +170,7 @@ bool freshen(TreeState<D>& state, NodeNumber inner, std::size_t slot) {
 
 template <int D>
 void insert_object(TreeState<D>& state, const NewObject<D>& object, NodeNumber from, NodeNumber known_leaf) {
-  if (from == 0) from = state.pages.root();
+  if (from == 0) from = state.pages.find_root();
   if (from == 0) {
     from = state.pages.allocate();
     state.pages.set_root(from);
@@ -190,7 +190,7 @@ void settle_upward(TreeState<D>& state, NodeNumber leaf, const NewObject<D>& obj
 
 template <int D>
 void insert_branch(TreeState<D>& state, const Branch<D>& branch) {
-  const NodeNumber number = choose_node(state, state.pages.root(), branch.level, branch);
+  const NodeNumber number = choose_node(state, state.pages.find_root(), branch.level, branch);
   Node& node = state.pages.modify(number);
   add_entry(node, branch.number, branch.entry(node.epoch));
   hang_below(state, Unread{branch.number, branch.parent, branch.level - 1}, number);

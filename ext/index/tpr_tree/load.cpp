@@ -95,7 +95,7 @@ class TreeLoad {
 
 void free_all(Pages& pages, Interrupt& interrupt) {
   std::vector<Unread> all;
-  if (pages.root() != 0) all.push_back(unread_root(pages));
+  if (pages.find_root() != 0) all.push_back(unread_root(pages));
   for (std::size_t i = 0; i < all.size(); ++i) {
     interrupt.check();
     const auto node = read(pages, all[i]);

@@ -103,7 +103,7 @@ NearestWalk<D>::NearestWalk(NodeSource& source, const Vec<D>& point, const Vec<D
       reader_(source.layout()),
       horizon_(horizon),
       question_(moving_window<D>(point, point, velocity, horizon)) {
-  if (source.root() != 0) open_.push_back({0, unread_root(source)});
+  if (source.find_root() != 0) open_.push_back({0, unread_root(source)});
 }
 
 template <int D>

@@ -149,7 +149,7 @@ inline void expect_below(const Node& node, NodeNumber parent, int level) {
 }
 
 inline Unread unread_root(NodeSource& source) {
-  return {source.root(), 0, Unread::any_level};
+  return {source.find_root(), 0, Unread::any_level};
 }
 /// `number` is that of `node`.
 inline Unread unread_child(NodeNumber number, const Node& node, std::size_t slot) {
@@ -170,7 +170,7 @@ inline std::shared_ptr<const Node> read_below(NodeSource& source, NodeNumber num
 /// The node above, which may lack the child; null above the root.
 inline std::shared_ptr<const Node> read_above(NodeSource& source, NodeNumber number, const Node& node) {
   if (node.parent == 0) {
-    if (number != source.root()) throw BrokenTree("a tree node has no parent and is not the root");
+    if (number != source.find_root()) throw BrokenTree("a tree node has no parent and is not the root");
     return nullptr;
   }
   auto parent = source.read(node.parent);

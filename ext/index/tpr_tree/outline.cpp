@@ -15,11 +15,11 @@ class OutlineReader {
   }
 
   TreeScene read() {
-    if (source_.root() == 0) return std::move(scene_);
+    if (source_.find_root() == 0) return std::move(scene_);
     const auto root = foresee::read(source_, unread_root(source_));
     if (root->level < 0 || root->level > 64) throw BrokenTree("a tree's root has an impossible level");
     scene_.outline.starts.resize(static_cast<std::size_t>(root->level) + 1);
-    visit(source_.root(), *root);
+    visit(source_.find_root(), *root);
     for (std::size_t level = scene_.outline.starts.size();
          level-- > 0;)  // before the level below has its end
       scene_.outline.starts[level].push_back(next_below(level));

@@ -52,7 +52,7 @@ void dissolve(TreeState<D>& state, NodeNumber number, NodeNumber parent_number, 
 template <int D>
 void lower_root(TreeState<D>& state) {
   for (;;) {
-    const NodeNumber number = state.pages.root();
+    const NodeNumber number = state.pages.find_root();
     NodeNumber child = 0;
     {
       const auto root = state.pages.read(number);
@@ -112,7 +112,7 @@ bool take_out(TreeState<D>& state, NodeNumber leaf, std::size_t slot) {
   const bool leaf_stays = condense(state, leaf, orphans);
   lower_root(state);
   insert_again(state, orphans);
-  return leaf_stays && state.pages.root() != 0;
+  return leaf_stays && state.pages.find_root() != 0;
 }
 
 template <int D>

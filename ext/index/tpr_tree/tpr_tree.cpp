@@ -21,7 +21,7 @@ class Tree final : public TprTree {
   }
 
   bool update(std::int64_t id, std::span<const double> record) override {
-    const auto leaf = state_.pages.leaf_of(id);
+    const auto leaf = state_.pages.find_leaf(id);
     if (!leaf) return false;
     state_.clock.saw(state_.reader.t(record.data()));
     const NewObject<D> object{id, record, Mover<D>(state_.reader, record.data())};
@@ -34,12 +34,12 @@ class Tree final : public TprTree {
       insert_object(state_, object, leaf_stays ? ancestor_containing(*leaf, object) : 0,
                     leaf_stays ? *leaf : 0);
     }
-    if (++updates_ % 128 == 0) repack_around(state_, *state_.pages.leaf_of(id));
+    if (++updates_ % 128 == 0) repack_around(state_, *state_.pages.find_leaf(id));
     return true;
   }
 
   bool erase(std::int64_t id) override {
-    const auto leaf = state_.pages.leaf_of(id);
+    const auto leaf = state_.pages.find_leaf(id);
     if (!leaf) return false;
     const std::size_t slot = slot_in_leaf(*state_.pages.read(*leaf), id);
     take_out(state_, *leaf, slot);
@@ -140,15 +140,15 @@ std::unique_ptr<TprTree> make_tpr_tree(Pages& pages, double horizon) {
   });
 }
 
-double newest_t(NodeSource& source) {
-  if (source.root() == 0) return 0;
+double read_newest_t(NodeSource& source) {
+  if (source.find_root() == 0) return 0;
   const auto root = read(source, unread_root(source));
   return with_axes(source.layout().axes,
                    [&]<int D>(Axes<D>) { return newest_in(*root, LeafReader<D>(source.layout())); });
 }
 
-double objects_about(NodeSource& source) {
-  if (source.root() == 0) return 0;
+double estimate_objects(NodeSource& source) {
+  if (source.find_root() == 0) return 0;
   double objects = 1;
   for (Unread next = unread_root(source);;) {
     const auto node = read(source, next);
@@ -161,7 +161,7 @@ double objects_about(NodeSource& source) {
 void collect_objects(NodeSource& source, std::vector<std::int64_t>& ids, std::vector<double>& records,
                      Interrupt& interrupt) {
   std::vector<Unread> open;
-  if (source.root() != 0) open.push_back(unread_root(source));
+  if (source.find_root() != 0) open.push_back(unread_root(source));
   while (!open.empty()) {
     interrupt.check();
     const NodeNumber number = open.back().number;

@@ -59,16 +59,16 @@ class TprTree {
 std::unique_ptr<TprTree> make_tpr_tree(Pages& pages, double horizon);
 
 /// The greatest t stored, read off the root; 0 without objects or without t.
-double newest_t(NodeSource& source);
+double read_newest_t(NodeSource& source);
 
 /// How many objects there are, estimated from one way down.
-double objects_about(NodeSource& source);
+double estimate_objects(NodeSource& source);
 
 /// Every object's id and record, leaf by leaf, appended.
 void collect_objects(NodeSource& source, std::vector<std::int64_t>& ids, std::vector<double>& records,
                      Interrupt& interrupt);
 
-/// Proves the invariants: levels, parents, counts, every id once and where leaf_of() says, times, bounds.
+/// Proves the invariants: levels, parents, counts, every id once and where find_leaf() says, times, bounds.
 TreeReport check_tree(Pages& pages, Interrupt& interrupt);
 
 }  // namespace foresee

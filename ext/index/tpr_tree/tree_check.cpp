@@ -17,7 +17,7 @@ class TreeCheck {
       : pages_(pages), interrupt_(interrupt), reader_(pages.layout()) {}
 
   TreeReport run() {
-    if (pages_.root() != 0) visit(pages_.root(), 0, -1);
+    if (pages_.find_root() != 0) visit(pages_.find_root(), 0, -1);
     find_objects_held_twice();
     return std::move(report_);
   }
@@ -83,7 +83,7 @@ class TreeCheck {
     for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
       const std::int64_t id = leaf.keys[slot];
       places_.push_back({id, number});
-      if (pages_.leaf_of(id) != number)
+      if (pages_.find_leaf(id) != number)
         problem(number, "is not where the map has object " + std::to_string(id));
       check_bounds(number, id, Mover<D>(reader_, reader_.record(leaf, slot)));
     }

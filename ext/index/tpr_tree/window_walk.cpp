@@ -12,7 +12,7 @@ WindowWalk<D>::WindowWalk(NodeSource& source, const MovingBox<D>& question, cons
       question_(question) {
   question_.lower = lower_end<D>(question.lower - margin, (question.lower.abs() + margin) * rounding_pad);
   question_.upper = upper_end<D>(question.upper + margin, (question.upper.abs() + margin) * rounding_pad);
-  if (source.root() != 0) open_.push_back(unread_root(source));
+  if (source.find_root() != 0) open_.push_back(unread_root(source));
 }
 
 template <int D>

@@ -31,14 +31,14 @@ JoinedTables open_tables(Connection& connection, const JoinInputs& inputs) {
 }
 
 double newest_t_of(const JoinedTables& tables) {
-  const double newest = tables.a.store->newest_t();
-  return tables.b ? std::max(newest, tables.b->store->newest_t()) : newest;
+  const double newest = tables.a.store->read_newest_t();
+  return tables.b ? std::max(newest, tables.b->store->read_newest_t()) : newest;
 }
 
 void take_scenes(Connection& connection, const JoinedTables& tables, JoinQuestion& question) {
   const auto scene = [&](const OpenTable& table) {
-    return question.method == JoinMethod::tree ? connection.scene_with_outline(table)
-                                               : connection.scene(table);
+    return question.method == JoinMethod::tree ? connection.load_scene_with_outline(table)
+                                               : connection.load_scene(table);
   };
   question.a = scene(tables.a);
   if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b);
@@ -78,7 +78,7 @@ void take_object_and_near(Connection& connection, const JoinedTables& tables, co
     if (tables.are_one()) return other != id;
     return tables.b.has_value() || (by_a ? id < other : other < id);
   };
-  near = objects_near(*object, *others.store->snapshot(), others.table, {question.now, question.h},
+  near = objects_near(*object, *others.store->take_snapshot(), others.table, {question.now, question.h},
                       contact_of(question)->reach(), connection.interrupt(), keep);
   question.method = JoinMethod::scan;
   if (by_a) question.only_b = ids.b;

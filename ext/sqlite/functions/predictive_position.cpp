@@ -39,7 +39,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const double at = call.required_number(in_at);
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
-  return std::make_unique<PositionRows>(connection.scene(table), at, connection.interrupt());
+  return std::make_unique<PositionRows>(connection.load_scene(table), at, connection.interrupt());
 }
 
 }  // namespace

@@ -15,11 +15,11 @@ SearchedTable searched_table(const FunctionCall& call, const SearchInputs& input
   const auto table = open_table(connection, {call.text(inputs.tbl), call.text(inputs.schema)});
   SearchedTable searched{{table.table, nullptr, nullptr}, now.value_or(0)};
   if (method == "scan") {
-    if (!now) searched.now = table.store->newest_t();
-    searched.objects.scene = connection.scene(table);
+    if (!now) searched.now = table.store->read_newest_t();
+    searched.objects.scene = connection.load_scene(table);
   } else {
-    searched.objects.tree = table.store->snapshot();
-    if (!now) searched.now = newest_t(*searched.objects.tree);
+    searched.objects.tree = table.store->take_snapshot();
+    if (!now) searched.now = read_newest_t(*searched.objects.tree);
   }
   return searched;
 }

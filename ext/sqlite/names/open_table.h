@@ -1,7 +1,7 @@
 // Which table is meant?
 //
 //   const auto ships = open_table(connection, {.table = call.text(input_tbl), .schema = {}});
-//   connection.scene(ships);  ships.store->snapshot();         // all of it, or its tree
+//   connection.load_scene(ships);  ships.store->take_snapshot();         // all of it, or its tree
 //
 // A name resolves as SQLite resolves it (temp, main, attached) unless a schema is given; without a name the
 // connection must see exactly one moving_objects table. SQLite itself looks the name up, connects the table

@@ -45,7 +45,7 @@ void TableLookups::keep(const AskedTable& name, std::int64_t number, const std::
   if (!kept_.empty() && kept_.back().name == name) return;
   try {
     Statement witness(db_, "SELECT 1 FROM " + quoted_name(schema) + ".sqlite_master WHERE 0");
-    witness.prepared();
+    witness.prepare();
     if (kept_.size() == most_kept) kept_.erase(kept_.begin());
     kept_.push_back({name, number, std::move(witness)});
   } catch (const StoreError&) {

@@ -46,7 +46,7 @@ std::int64_t insert_row(MovingObjectsTable& table, const NewRow& row) {
   std::optional<std::int64_t> id = table.values.id(row.id);
   if (!id) id = table.values.id(row.rowid);
   const bool assigned = !id;
-  if (assigned) id = table.store().next_id();
+  if (assigned) id = table.store().find_next_id();
   const std::span<const double> record = table.values.record(*id, row.motion);
   if (!assigned && replaces(table, *id)) {
     table.store().update(*id, *id, record, row.auxiliaries);

@@ -23,9 +23,9 @@ const char* NodeCache::fault(NodeNumber number, std::span<const std::byte> blob)
   return leaf_fault(format_, blob, number);
 }
 
-NodeNumber NodeCache::root() {
+NodeNumber NodeCache::find_root() {
   if (head_.root == TreeHead::unknown) {
-    const std::optional<std::int64_t> stored = shadow_rows_->root();
+    const std::optional<std::int64_t> stored = shadow_rows_->read_root();
     if (!stored || *stored < 0) damaged("the root is no node");
     if (*stored == 0 && !shadow_rows_->map_is_empty()) damaged("there is no root, but the map has objects");
     head_.root = *stored;
@@ -82,7 +82,7 @@ void NodeCache::learn(NodeNumber number, Slot& slot) {
   slot.learned = true;
 }
 
-std::optional<NodeNumber> NodeCache::leaf_of(std::int64_t id) {
+std::optional<NodeNumber> NodeCache::find_leaf(std::int64_t id) {
   const std::int64_t leaf = map_.find(id);
   if (leaf == MapChanges::erased) return std::nullopt;
   if (leaf != MapChanges::unknown) return leaf;
@@ -95,7 +95,7 @@ std::optional<NodeNumber> NodeCache::leaf_of(std::int64_t id) {
         return hint;
       }
     }
-  const std::optional<std::int64_t> stored = shadow_rows_->leaf_of(id);
+  const std::optional<std::int64_t> stored = shadow_rows_->find_leaf(id);
   if (!stored) return stored;
   last_found_ = {id, *stored};
   hints_.make_room(1);
@@ -192,7 +192,8 @@ double* NodeCache::modify_record(NodeNumber leaf, std::size_t place) {
 }
 
 NodeNumber NodeCache::allocate() {
-  if (head_.last == TreeHead::unknown) head_.last = std::max<std::int64_t>(shadow_rows_->largest_node(), 0);
+  if (head_.last == TreeHead::unknown)
+    head_.last = std::max<std::int64_t>(shadow_rows_->read_largest_node(), 0);
   if (head_.last == std::numeric_limits<std::int64_t>::max()) damaged("there is no node number left");
   auto node = std::make_shared<Node>();
   const NodeNumber number = head_.last + 1;

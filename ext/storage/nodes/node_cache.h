@@ -35,7 +35,7 @@ class NodeCache final : public Pages {
 
   // --- Pages
   const Layout& layout() const override { return format_.layout; }
-  NodeNumber root() override;
+  NodeNumber find_root() override;
   std::shared_ptr<const Node> read(NodeNumber number) override { return fetch(number).state.node; }
   std::size_t leaf_capacity() const override { return format_.leaf_capacity; }
   std::size_t inner_capacity() const override { return format_.inner_capacity; }
@@ -45,7 +45,7 @@ class NodeCache final : public Pages {
   void put(NodeNumber number, Node node) override;
   void free(NodeNumber number) override;
   void set_root(NodeNumber number) override;
-  std::optional<NodeNumber> leaf_of(std::int64_t id) override;
+  std::optional<NodeNumber> find_leaf(std::int64_t id) override;
   void place(std::span<const std::int64_t> ids, NodeNumber leaf) override;
   void forget(std::int64_t id) override { map_.set(id, MapChanges::erased); }
 

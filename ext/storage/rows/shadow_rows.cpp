@@ -82,7 +82,7 @@ void ShadowRows::require_variables(std::size_t needed) const {
                          "; raise SQLITE_LIMIT_VARIABLE_NUMBER, or declare fewer columns");
 }
 
-std::int64_t ShadowRows::largest_node() {
+std::int64_t ShadowRows::read_largest_node() {
   Statement::Run run(largest_node_);
   return one_integer(run).value_or(0);
 }
@@ -100,19 +100,19 @@ void ShadowRows::erase_node(std::int64_t number) {
   run.step();
 }
 
-std::optional<std::int64_t> ShadowRows::leaf_of(std::int64_t id) {
+std::optional<std::int64_t> ShadowRows::find_leaf(std::int64_t id) {
   Statement::Run run(leaf_of_);
   run.bind(1, id);
   if (!run.step()) return std::nullopt;
   return run.integer(0);  // what is no integer becomes 0, which is no leaf
 }
 
-std::optional<std::int64_t> ShadowRows::largest_id() {
+std::optional<std::int64_t> ShadowRows::read_largest_id() {
   Statement::Run run(largest_id_);
   return one_integer(run);
 }
 
-std::int64_t ShadowRows::count() {
+std::int64_t ShadowRows::count_ids() {
   Statement::Run run(count_);
   return one_integer(run).value_or(0);
 }
@@ -201,12 +201,12 @@ void ShadowRows::match_auxiliaries_to_map() {
   Statement::Run(insert_missing_).step();
 }
 
-std::optional<std::int64_t> ShadowRows::stamp() {
+std::optional<std::int64_t> ShadowRows::read_stamp() {
   Statement::Run run(stamp_);
   return one_integer(run);
 }
 
-std::optional<std::int64_t> ShadowRows::root() {
+std::optional<std::int64_t> ShadowRows::read_root() {
   Statement::Run run(root_);
   return one_integer(run);
 }

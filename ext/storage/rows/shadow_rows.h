@@ -22,7 +22,7 @@ class ShadowRows {
   ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries);
 
   // --- _node
-  std::int64_t largest_node();  ///< 0: there is none
+  std::int64_t read_largest_node();  ///< 0: there is none
   /// Calls read(blob) if the node exists, and says whether it does.
   template <class Read>
   bool read_node(std::int64_t number, Read read) {
@@ -56,9 +56,9 @@ class ShadowRows {
   }
 
   // --- _map
-  std::optional<std::int64_t> leaf_of(std::int64_t id);
-  std::optional<std::int64_t> largest_id();
-  std::int64_t count();
+  std::optional<std::int64_t> find_leaf(std::int64_t id);
+  std::optional<std::int64_t> read_largest_id();
+  std::int64_t count_ids();
   bool map_is_empty();
   template <class Read>
   void read_map(Read read) {
@@ -84,10 +84,10 @@ class ShadowRows {
 
   // --- _meta
   /// Nothing if the stored stamp is missing or no integer.
-  std::optional<std::int64_t> stamp();
+  std::optional<std::int64_t> read_stamp();
   void write_stamp(std::int64_t stamp);
   /// The tree's root; nothing if it is missing or no integer.
-  std::optional<std::int64_t> root();
+  std::optional<std::int64_t> read_root();
   void write_root(std::int64_t root);
 
  private:

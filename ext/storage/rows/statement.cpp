@@ -57,7 +57,7 @@ Statement::~Statement() {
   sqlite3_finalize(statement_);
 }
 
-sqlite3_stmt* Statement::prepared() {
+sqlite3_stmt* Statement::prepare() {
   if (statement_) return statement_;
   const unsigned flags = SQLITE_PREPARE_PERSISTENT | (reads_ == Reads::tables ? SQLITE_PREPARE_NO_VTAB : 0u);
   const int code =
@@ -66,7 +66,7 @@ sqlite3_stmt* Statement::prepared() {
   return statement_;
 }
 
-Statement::Run::Run(Statement& statement) : owner_(statement), statement_(statement.prepared()) {
+Statement::Run::Run(Statement& statement) : owner_(statement), statement_(statement.prepare()) {
   // A trigger that somebody put on a shadow table might lead back here.
   if (owner_.running_) throw StoreError(SQLITE_LOCKED_VTAB, "the table is in use by its own shadow tables");
   owner_.running_ = true;

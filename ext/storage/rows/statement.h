@@ -48,7 +48,7 @@ class Statement {
   class Run;
 
   /// Compiles it if that has not been done.
-  sqlite3_stmt* prepared();
+  sqlite3_stmt* prepare();
   /// A schema that it reads, or all of them, changed between two of its runs or before the first.
   bool was_compiled_anew() const {
     return statement_ && sqlite3_stmt_status(statement_, SQLITE_STMTSTATUS_REPREPARE, 0) > 0;

@@ -96,7 +96,7 @@ class IntegrityCheck {
   }
 
   void meta() {
-    if (!shadow_rows_.stamp()) say("the stamp is missing");
+    if (!shadow_rows_.read_stamp()) say("the stamp is missing");
   }
 
   std::vector<std::string> faults() && { return std::move(faults_); }

@@ -1,7 +1,7 @@
 // Where do the bytes rest? The objects of one table in its shadow tables, behind plain calls.
 //
 //   store.insert(42, record, auxiliaries);                // record: record_offsets(layout).size doubles
-//   store.load(ids, rows, interrupt);                     // everything, for a query
+//   store.read_all(ids, rows, interrupt);                 // everything, for a query
 //
 // Between SQLite and the rows stand a TPR-tree, and before it what a write transaction has changed but not
 // written yet:
@@ -61,12 +61,12 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   const NodeFormat& format() const { return format_; }
 
   // --- reading
-  ContentVersion version();
+  ContentVersion read_version();
   bool contains(std::int64_t id);
   /// The record of `id`, or nothing.
   std::optional<std::vector<double>> read(std::int64_t id);
   /// All ids and rows (row_from_record of each record), leaf by leaf.
-  void load(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt);
+  void read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt);
   /// The leaf that follows leaf number `after` (0 to begin): its number, or 0 at the end; fills ids and
   /// records.
   std::int64_t next_leaf(std::int64_t after, std::vector<std::int64_t>& ids, std::vector<double>& records);
@@ -74,16 +74,16 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   void result_auxiliary(sqlite3_context* context, std::int64_t id, int column);
   /// The tree as it is at this moment. Reads stay as of this moment while it is held, whatever this
   /// connection then writes, commits or rolls back to. It must not outlive the statement that asks.
-  std::shared_ptr<NodeSource> snapshot();
+  std::shared_ptr<NodeSource> take_snapshot();
   /// The newest reference time stored; 0 without objects or without t. Reads one node.
-  double newest_t();
+  double read_newest_t();
   /// Whoever has read every leaf says how many objects there were: SQLITE_CORRUPT_VTAB if the map has others.
   /// While changed leaves wait to be written, nothing can be said.
   void expect_objects(std::size_t found);
 
   // --- writing: each is atomic, all or nothing
   /// The id that SQLite would give to a row without one: one more than the largest.
-  std::int64_t next_id();
+  std::int64_t find_next_id();
   /// Requires: no object has this id. `auxiliaries`: one value per auxiliary column.
   void insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries);
   /// Requires: `id` exists. Auxiliary values that are sqlite3_value_nochange stay as they are. Another object
@@ -161,7 +161,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   void believe_only_this_stamp();
 
   // reading (store_read.cpp)
-  std::optional<std::int64_t> leaf_of(std::int64_t id);
+  std::optional<std::int64_t> find_leaf(std::int64_t id);
   void read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
                    const std::function<void(const Node&)>& waiting);
   bool read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
@@ -174,7 +174,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   void about_to_change(std::int64_t id);
   void take_out(std::int64_t id);
   void add(std::int64_t id, std::span<const double> record);
-  const Largest& largest();
+  const Largest& read_largest();
 
   // from memory to the tables (store_flush.cpp)
   void insert_pending();
@@ -231,7 +231,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   std::optional<std::int64_t> believed_stamp_;  ///< the cache is as the tables were under this stamp
   std::optional<std::int64_t> stamp_before_;    ///< … before this transaction
   std::optional<std::int64_t> own_stamp_;       ///< what this transaction has written last and not taken back
-  /// … by a flush, which changes no object: version() goes on showing the stamp from before it.
+  /// … by a flush, which changes no object: read_version() goes on showing the stamp from before it.
   struct {
     std::optional<std::int64_t> stored;
     std::int64_t shown = 0;
@@ -240,7 +240,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
 
   Largest largest_;
 
-  bool changed_ = false;  ///< since version() was last asked
+  bool changed_ = false;  ///< since read_version() was last asked
   std::uint64_t changes_ = 0;
   std::uint64_t change_ = 0;  ///< moves with everything that a savepoint would have to take back
 };

@@ -25,7 +25,7 @@ void Store::insert_pending() {
   auto none = std::make_shared<PendingInserts>(static_cast<std::size_t>(format_.at.size));
   AtomicChange atomic_change(*this);
   with_sound_tree([&] {
-    const double pending = static_cast<double>(pending_->count()), stored = objects_about(cache_);
+    const double pending = static_cast<double>(pending_->count()), stored = estimate_objects(cache_);
     const bool fits = (pending + stored) * static_cast<double>(format_.record_size) < most_loaded;
     if (stored == 0 || (pending > stored * worth_loading && fits))
       load_all_anew(interrupt);

@@ -75,17 +75,17 @@ void Store::damaged(const std::string& what) const {
 // While this connection writes nobody else can. At any other time somebody may have written since.
 void Store::believe_only_this_stamp() {
   if (writing_) return;
-  const auto stamp = shadow_rows().stamp();
+  const auto stamp = shadow_rows().read_stamp();
   if (!stamp) damaged("the stamp is missing");
   if (believed_stamp_ != stamp) cache_.forget_all();
   believed_stamp_ = stamp;
 }
 
-ContentVersion Store::version() {
+ContentVersion Store::read_version() {
   static std::atomic<std::uint64_t> last_change{0};
   if (changed_) changes_ = ++last_change;
   changed_ = false;
-  const auto stamp = shadow_rows().stamp();
+  const auto stamp = shadow_rows().read_stamp();
   if (!stamp) damaged("the stamp is missing");
   return {static_cast<std::uint64_t>(shown(*stamp)), changes_};
 }
@@ -94,7 +94,7 @@ std::int64_t Store::shown(std::int64_t stored_stamp) const {
   return same_contents_.stored == stored_stamp ? same_contents_.shown : stored_stamp;
 }
 
-std::shared_ptr<NodeSource> Store::snapshot() {
+std::shared_ptr<NodeSource> Store::take_snapshot() {
   believe_only_this_stamp();
   insert_pending();
   return std::make_shared<TreeSnapshot>(shared_from_this());
@@ -130,7 +130,7 @@ void Store::end_transaction() noexcept {
 bool Store::is_taken_back() {
   if (!own_stamp_) return false;
   try {
-    return shadow_rows().stamp() != own_stamp_;
+    return shadow_rows().read_stamp() != own_stamp_;
   } catch (const StoreError& error) {
     if ((error.code & 0xff) != SQLITE_ERROR) throw;
     return true;

@@ -28,21 +28,21 @@ void append(const Node& leaf, std::size_t, std::vector<std::int64_t>& ids, std::
 }  // namespace
 
 // The stored leaf, or the one in memory: not for pending inserts.
-std::optional<std::int64_t> Store::leaf_of(std::int64_t id) {
-  return writing_ ? nodes().leaf_of(id) : shadow_rows().leaf_of(id);
+std::optional<std::int64_t> Store::find_leaf(std::int64_t id) {
+  return writing_ ? nodes().find_leaf(id) : shadow_rows().find_leaf(id);
 }
 
 bool Store::contains(std::int64_t id) {
   if (pending_->find(id)) return true;
   // Ascending new ids, the common case, are larger than any known one.
   if (largest_.known && (!largest_.id || *largest_.id < id)) return false;
-  return leaf_of(id).has_value();
+  return find_leaf(id).has_value();
 }
 
 std::optional<std::vector<double>> Store::read(std::int64_t id) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   if (const double* record = pending_->find(id)) return std::vector<double>(record, record + size);
-  const std::optional<std::int64_t> number = leaf_of(id);
+  const std::optional<std::int64_t> number = find_leaf(id);
   if (!number) return std::nullopt;
   const std::string where = "node " + std::to_string(*number);
   if (writing_) {
@@ -93,12 +93,12 @@ void Store::read_leaves(Interrupt& interrupt, const std::function<void(const Lea
   waiting_up_to(no_number);
 }
 
-void Store::load(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt) {
+void Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt) {
   insert_pending();
   ids.clear();
   rows.clear();
   const bool waits = cache_.waits();
-  const auto expected = waits ? 0 : static_cast<std::size_t>(this->shadow_rows().count());
+  const auto expected = waits ? 0 : static_cast<std::size_t>(this->shadow_rows().count_ids());
   const auto row_size = static_cast<std::size_t>(row_offsets(format_.layout).size);
   const auto record_size = static_cast<std::size_t>(format_.at.size);
   const bool rows_are_records = format_.layout.law != Law::forced;
@@ -123,7 +123,7 @@ void Store::load(std::vector<std::int64_t>& ids, std::vector<double>& rows, Inte
 
 void Store::expect_objects(std::size_t found) {
   if (cache_.waits()) return;
-  const auto mapped = static_cast<std::size_t>(shadow_rows().count());
+  const auto mapped = static_cast<std::size_t>(shadow_rows().count_ids());
   if (found != mapped)
     damaged("the leaves hold " + std::to_string(found) + " objects, the map " + std::to_string(mapped));
 }
@@ -158,10 +158,10 @@ void Store::result_auxiliary(sqlite3_context* context, std::int64_t id, int colu
   shadow_rows().result_auxiliary(context, id, column);
 }
 
-double Store::newest_t() {
+double Store::read_newest_t() {
   believe_only_this_stamp();
   insert_pending();
-  return with_sound_tree([&] { return foresee::newest_t(nodes()); });
+  return with_sound_tree([&] { return foresee::read_newest_t(nodes()); });
 }
 
 std::vector<std::string> Store::integrity_check(Interrupt& interrupt) {

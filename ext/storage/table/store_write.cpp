@@ -34,18 +34,18 @@ void Store::write_new_stamp() {
   writing_ = stamped_ = true;
 }
 
-const Store::Largest& Store::largest() {
+const Store::Largest& Store::read_largest() {
   // Unknown: no object was added in this transaction.
-  if (!largest_.known) largest_ = {true, !cache_.waits(), shadow_rows().largest_id()};
+  if (!largest_.known) largest_ = {true, !cache_.waits(), shadow_rows().read_largest_id()};
   return largest_;
 }
 
-std::int64_t Store::next_id() {
+std::int64_t Store::find_next_id() {
   if (!largest_.known || !largest_.exact) {
     flush();
     largest_ = {};
   }
-  const std::optional<std::int64_t> last = largest().id;
+  const std::optional<std::int64_t> last = read_largest().id;
   if (!last) return 1;
   if (*last < std::numeric_limits<std::int64_t>::max()) return *last + 1;
   for (int attempt = 0; attempt < 100; ++attempt) {  // as SQLite does
@@ -84,7 +84,7 @@ void Store::for_each_change(
 // --- changes
 
 void Store::add(std::int64_t id, std::span<const double> record) {
-  const std::optional<std::int64_t> last = largest().id;
+  const std::optional<std::int64_t> last = read_largest().id;
   pending_->add(id, record);
   if (!last || *last <= id) largest_ = {true, true, id};
 }

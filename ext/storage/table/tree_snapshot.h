@@ -11,13 +11,13 @@ namespace foresee {
 class TreeSnapshot final : public NodeSource {
  public:
   explicit TreeSnapshot(std::shared_ptr<Store> store)
-      : store_(std::move(store)), root_(store_->nodes().root()), mark_(store_->nodes().set_mark(true)) {}
+      : store_(std::move(store)), root_(store_->nodes().find_root()), mark_(store_->nodes().set_mark(true)) {}
   ~TreeSnapshot() override { store_->give_up(mark_); }
   TreeSnapshot(const TreeSnapshot&) = delete;
   TreeSnapshot& operator=(const TreeSnapshot&) = delete;
 
   const Layout& layout() const override { return store_->format().layout; }
-  NodeNumber root() override { return root_; }
+  NodeNumber find_root() override { return root_; }
   std::shared_ptr<const Node> read(NodeNumber number) override {
     return store_->nodes().read_at(mark_, number);
   }
