@@ -64,7 +64,7 @@ struct Objects {
     return {.a = scene, .h = workload.h, .method = method, .wants = {true, false, false}};
   }
   void load_tree() {
-    make_tpr_tree(pages, workload.h)->load(scene->ids, workload.rows, never);
+    make_tpr_tree(pages, workload.h)->bulk_load(scene->ids, workload.rows, never);
     tree = read_tree(pages, never);
   }
 

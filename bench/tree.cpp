@@ -231,7 +231,7 @@ void measure(const Workload& w, double horizon, bool quick) {
     Tree loaded(scene, horizon);
     std::vector<double> seconds;
     for (int i = 0; i < 3; ++i)
-      seconds.push_back(seconds_of([&] { loaded.tree->load(scene.ids, scene.records, never); }));
+      seconds.push_back(seconds_of([&] { loaded.tree->bulk_load(scene.ids, scene.records, never); }));
     print("load", median(seconds), scene.ids.size(), "an object");
     ask<D>("loaded", scene, loaded);
     update_in_place(scene, loaded);
@@ -244,7 +244,7 @@ void measure(const Workload& w, double horizon, bool quick) {
   }
   for (const bool from_load : {true, false}) {
     Tree drifted(scene, horizon);
-    from_load ? drifted.tree->load(scene.ids, scene.records, never) : insert_all(scene, drifted);
+    from_load ? drifted.tree->bulk_load(scene.ids, scene.records, never) : insert_all(scene, drifted);
     drift(scene, drifted, 30);
     ask<D>(from_load ? "loaded, drifted" : "grown, drifted", scene, drifted);
     if (from_load) continue;

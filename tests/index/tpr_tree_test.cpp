@@ -173,7 +173,7 @@ TEST(TprTree, StaysTightAndFullWhileObjectsDrift) {
          {0.0, random.in(0, side), random.in(0, side), random.in(-3, 3), random.in(-3, 3), 0.5})
       records.push_back(number);
   }
-  model.tree->load(ids, records, model.never);
+  model.tree->bulk_load(ids, records, model.never);
   for (std::size_t i = 0; i < count; ++i)
     model.objects[ids[i]].assign(records.begin() + static_cast<std::ptrdiff_t>(6 * i),
                                  records.begin() + static_cast<std::ptrdiff_t>(6 * i + 6));

@@ -35,7 +35,7 @@ struct TreeModel {
     for (std::size_t i = 0; i < scene.size(); ++i)
       objects[scene.ids[i]].assign(scene.records.begin() + static_cast<std::ptrdiff_t>(i * size),
                                    scene.records.begin() + static_cast<std::ptrdiff_t>((i + 1) * size));
-    tree->load(scene.ids, scene.records, never);
+    tree->bulk_load(scene.ids, scene.records, never);
   }
 
   /// Inserts, updates and erases at random with records of `scene`, whose t advance with `clock`.

@@ -2,8 +2,8 @@
 
 #include "base/axes.h"
 #include "base/steps.h"
+#include "index/tpr_tree/bulk_load.h"
 #include "index/tpr_tree/grow.h"
-#include "index/tpr_tree/load.h"
 #include "index/tpr_tree/repack.h"
 #include "index/tpr_tree/shrink.h"
 
@@ -47,8 +47,8 @@ class Tree final : public TprTree {
     return true;
   }
 
-  void load(std::span<const std::int64_t> ids, std::span<const double> records,
-            Interrupt& interrupt) override {
+  void bulk_load(std::span<const std::int64_t> ids, std::span<const double> records,
+                 Interrupt& interrupt) override {
     std::vector<std::int64_t> old_ids;
     std::vector<double> old_records;
     collect_objects(state_.pages, old_ids, old_records, interrupt);
@@ -56,7 +56,7 @@ class Tree final : public TprTree {
     for (const std::int64_t id : old_ids) step(), state_.pages.forget(id);
     free_all(state_.pages, interrupt);
     state_.clock = {};
-    load_tree(state_, ids, records, interrupt);
+    bulk_load_tree(state_, ids, records, interrupt);
   }
 
   void rebuild(Interrupt& interrupt) override {
@@ -64,7 +64,7 @@ class Tree final : public TprTree {
     std::vector<double> records;
     collect_objects(state_.pages, ids, records, interrupt);
     free_all(state_.pages, interrupt);
-    load_tree(state_, ids, records, interrupt);
+    bulk_load_tree(state_, ids, records, interrupt);
   }
 
  private:

@@ -49,9 +49,9 @@ class TprTree {
 
   /// Replaces everything by these objects, neighbours in space and velocity together, in full leaves with
   /// consecutive numbers. Ids are unique.
-  virtual void load(std::span<const std::int64_t> ids, std::span<const double> records,
-                    Interrupt& interrupt) = 0;
-  /// load() with the objects that the tree has.
+  virtual void bulk_load(std::span<const std::int64_t> ids, std::span<const double> records,
+                         Interrupt& interrupt) = 0;
+  /// bulk_load() with the objects that the tree has.
   virtual void rebuild(Interrupt& interrupt) = 0;
 };
 

@@ -179,7 +179,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   // from memory to the tables (store_flush.cpp)
   void insert_pending();
   void insert_one_by_one(Interrupt& interrupt);
-  void load_all_anew(Interrupt& interrupt);
+  void bulk_load_anew(Interrupt& interrupt);
   void flush();
   void collect_stored(std::vector<std::int64_t>& ids, std::vector<double>& records, Interrupt& interrupt);
   void pack(Interrupt& interrupt);

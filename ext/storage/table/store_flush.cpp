@@ -28,7 +28,7 @@ void Store::insert_pending() {
     const double pending = static_cast<double>(pending_->count()), stored = estimate_objects(cache_);
     const bool fits = (pending + stored) * static_cast<double>(format_.record_size) < most_loaded;
     if (stored == 0 || (pending > stored * worth_loading && fits))
-      load_all_anew(interrupt);
+      bulk_load_anew(interrupt);
     else
       insert_one_by_one(interrupt);
   });
@@ -48,13 +48,13 @@ void Store::insert_one_by_one(Interrupt& interrupt) {
   });
 }
 
-void Store::load_all_anew(Interrupt& interrupt) {
+void Store::bulk_load_anew(Interrupt& interrupt) {
   std::vector<std::int64_t> ids;
   std::vector<double> records;
   collect_objects(cache_, ids, records, interrupt);
   expect_objects(ids.size());
   if (ids.empty() && !pending_->has_holes()) {
-    tree_->load(pending_->all_ids(), pending_->all_records(), interrupt);
+    tree_->bulk_load(pending_->all_ids(), pending_->all_records(), interrupt);
     return;
   }
   ids.reserve(ids.size() + pending_->count());
@@ -63,7 +63,7 @@ void Store::load_all_anew(Interrupt& interrupt) {
     ids.push_back(id);
     records.insert(records.end(), record.begin(), record.end());
   });
-  tree_->load(ids, records, interrupt);
+  tree_->bulk_load(ids, records, interrupt);
 }
 
 // If it fails half-way what was not written waits on: writing the same again does no harm. The new stamp
@@ -146,7 +146,7 @@ void Store::pack(Interrupt& interrupt) {
   interrupt.check();
   AtomicChange atomic_change(*this);
   cache_.erase_everything();
-  with_sound_tree([&] { tree_->load(ids, records, interrupt); });
+  with_sound_tree([&] { tree_->bulk_load(ids, records, interrupt); });
   atomic_change.done();
 }
 

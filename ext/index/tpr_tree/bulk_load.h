@@ -12,7 +12,7 @@ void free_all(Pages& pages, Interrupt& interrupt);
 
 /// A clock that does not run yet is set by the objects. Requires: the tree is empty.
 template <int D>
-void load_tree(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
-               Interrupt& interrupt);
+void bulk_load_tree(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
+                    Interrupt& interrupt);
 
 }  // namespace foresee

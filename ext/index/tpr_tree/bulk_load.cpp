@@ -1,4 +1,4 @@
-#include "index/tpr_tree/load.h"
+#include "index/tpr_tree/bulk_load.h"
 
 #include "base/steps.h"
 #include "index/tpr_tree/order.h"
@@ -109,13 +109,16 @@ void free_all(Pages& pages, Interrupt& interrupt) {
 }
 
 template <int D>
-void load_tree(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
-               Interrupt& interrupt) {
+void bulk_load_tree(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
+                    Interrupt& interrupt) {
   if (!ids.empty()) TreeLoad<D>(state, ids, records, interrupt).run();
 }
 
-template void load_tree<1>(TreeState<1>&, std::span<const std::int64_t>, std::span<const double>, Interrupt&);
-template void load_tree<2>(TreeState<2>&, std::span<const std::int64_t>, std::span<const double>, Interrupt&);
-template void load_tree<3>(TreeState<3>&, std::span<const std::int64_t>, std::span<const double>, Interrupt&);
+template void bulk_load_tree<1>(TreeState<1>&, std::span<const std::int64_t>, std::span<const double>,
+                                Interrupt&);
+template void bulk_load_tree<2>(TreeState<2>&, std::span<const std::int64_t>, std::span<const double>,
+                                Interrupt&);
+template void bulk_load_tree<3>(TreeState<3>&, std::span<const std::int64_t>, std::span<const double>,
+                                Interrupt&);
 
 }  // namespace foresee
