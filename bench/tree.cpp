@@ -160,7 +160,7 @@ void join(const Scene& scene, Tree& tree) {
   std::size_t candidates = 0, pairs = 0;
   double deciding = 0;
   const double seconds = seconds_of([&] {
-    const auto walk = make_tree_join<D>(rows.bodies(), rows.outline, horizon, Vec<D>::Zero(), never);
+    const auto walk = make_tree_join<D>(rows.bodies(), rows.levels, horizon, Vec<D>::Zero(), never);
     std::vector<Pair> hits;
     std::vector<ContactTimes> times;
     for (std::vector<Pair> batch; walk->next(batch); batch.clear()) {

@@ -113,7 +113,7 @@ Figures measure_ours(const std::vector<Object>& objects) {
   });
   figures.join = seconds_of([&] {
     const TreeScene scene = read_tree(pages, never);
-    const auto join = make_tree_join<2>(scene.bodies(), scene.outline, asked, still, never);
+    const auto join = make_tree_join<2>(scene.bodies(), scene.levels, asked, still, never);
     for (std::vector<Pair> batch; join->next(batch); batch.clear()) figures.pairs += batch.size();
   });
   return figures;

@@ -19,8 +19,8 @@ struct Scene {
   std::string name;  ///< what messages call it
   Layout layout;
   std::vector<std::int64_t> ids;
-  std::vector<double> rows;                 ///< ids.size() rows of row_offsets(layout).size doubles
-  std::optional<TreeOutline> outline = {};  ///< where a join by the tree is asked: rows are in leaf order
+  std::vector<double> rows;               ///< ids.size() rows of row_offsets(layout).size doubles
+  std::optional<TreeLevels> levels = {};  ///< where a join by the tree is asked: rows are in leaf order
 
   std::size_t size() const { return ids.size(); }
   Bodies bodies() const { return {layout, rows.data(), ids.size()}; }

@@ -54,11 +54,11 @@ std::span<TableCursor* const> Connection::cursors(const Store* store) const noex
   return open->second;
 }
 
-std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, bool outlined) {
+std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, bool with_levels) {
   const ContentVersion version = table.store->read_version();
   const auto cached = scenes_.find(table.store.get());
   if (cached != scenes_.end() && cached->second.version == version &&
-      (!outlined || cached->second.scene->outline)) {
+      (!with_levels || cached->second.scene->levels)) {
     cached->second.used = ++last_use_;
     return cached->second.scene;
   }
@@ -67,10 +67,10 @@ std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, bool
   scene->name = table.table;
   scene->layout = table.store->declaration().layout;
   const FloatEnvironment environment;  // accelerations are computed on loading
-  if (outlined) {
+  if (with_levels) {
     TreeScene tree = read_tree(*table.store->take_snapshot(), interrupt_);
     scene->ids = std::move(tree.ids), scene->rows = std::move(tree.rows);
-    scene->outline = std::move(tree.outline);
+    scene->levels = std::move(tree.levels);
     table.store->expect_objects(scene->ids.size());
   } else {
     table.store->read_all(scene->ids, scene->rows, interrupt_);

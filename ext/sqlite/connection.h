@@ -66,8 +66,8 @@ class Connection {
 
   /// The table's contents as they are now, decoded at most once per version.
   std::shared_ptr<const Scene> load_scene(const OpenTable& table) { return load_scene(table, false); }
-  /// The same with the outline of its tree.
-  std::shared_ptr<const Scene> load_scene_with_outline(const OpenTable& table) {
+  /// The same with the levels of its tree.
+  std::shared_ptr<const Scene> load_scene_with_levels(const OpenTable& table) {
     return load_scene(table, true);
   }
 
@@ -88,7 +88,7 @@ class Connection {
     std::uint64_t used;  ///< the later, the larger
   };
 
-  std::shared_ptr<const Scene> load_scene(const OpenTable& table, bool outlined);
+  std::shared_ptr<const Scene> load_scene(const OpenTable& table, bool with_levels);
   void drop_scenes_used_long_ago() noexcept;
 
   sqlite3* db_;

@@ -55,10 +55,10 @@ template <int D>
 void expect_joins_complete(TreeModel& model, TreeModel& other, const Horizon& horizon, double margin) {
   const TreeScene a = read_tree(model.pages, model.never), b = read_tree(other.pages, other.never);
   const Vec<D> margins = Vec<D>::Constant(margin);
-  const auto within = make_tree_join<D>(a.bodies(), a.outline, horizon, margins, model.never);
+  const auto within = make_tree_join<D>(a.bodies(), a.levels, horizon, margins, model.never);
   const auto self = all_candidates(*within, true);
   const auto between =
-      make_tree_join<D>(a.bodies(), a.outline, b.bodies(), b.outline, horizon, margins, model.never);
+      make_tree_join<D>(a.bodies(), a.levels, b.bodies(), b.levels, horizon, margins, model.never);
   const auto both = all_candidates(*between, false);
   for (std::uint32_t i = 0; i < a.ids.size(); ++i) {
     EXPECT_FALSE(self.contains({i, i}));
@@ -105,7 +105,7 @@ TEST(TreeJoin, GivesNoMorePairsThanSweptBoxesWould) {
   model.load(scene);
   const TreeScene tree = read_tree(model.pages, model.never);
   const Horizon horizon{0, 3};
-  const auto join = make_tree_join<2>(tree.bodies(), tree.outline, horizon, Vec<2>::Zero(), model.never);
+  const auto join = make_tree_join<2>(tree.bodies(), tree.levels, horizon, Vec<2>::Zero(), model.never);
   const auto pairs = all_candidates(*join, true);
   const auto boxes = swept_boxes<2>(tree.bodies(), horizon, Vec<2>::Constant(1e-9), model.never);
   for (const auto& [i, j] : pairs) EXPECT_TRUE(boxes[i].meets(boxes[j]));
@@ -118,9 +118,9 @@ TEST(TreeJoin, OfEmptyTreesHasNoPairs) {
   model.insert(1, {0});
   const TreeScene a = read_tree(model.pages, model.never), none = read_tree(other.pages, other.never);
   std::vector<Pair> out;
-  EXPECT_FALSE(make_tree_join<1>(none.bodies(), none.outline, {}, Vec<1>::Zero(), model.never)->next(out));
+  EXPECT_FALSE(make_tree_join<1>(none.bodies(), none.levels, {}, Vec<1>::Zero(), model.never)->next(out));
   EXPECT_FALSE(
-      make_tree_join<1>(a.bodies(), a.outline, none.bodies(), none.outline, {}, Vec<1>::Zero(), model.never)
+      make_tree_join<1>(a.bodies(), a.levels, none.bodies(), none.levels, {}, Vec<1>::Zero(), model.never)
           ->next(out));
   EXPECT_TRUE(out.empty());
 }
@@ -136,7 +136,7 @@ TEST(TreeJoin, StopsWhenInterrupted) {
   TreeModel model(layout, 3);
   for (int i = 0; i < 2000; ++i) model.insert(i, {0});
   const TreeScene tree = read_tree(model.pages, model.never);
-  const auto join = make_tree_join<1>(tree.bodies(), tree.outline, {}, Vec<1>::Zero(), stop);
+  const auto join = make_tree_join<1>(tree.bodies(), tree.levels, {}, Vec<1>::Zero(), stop);
   std::vector<Pair> out;
   EXPECT_THROW(while (join->next(out)) out.clear(), Interrupted);
 }

@@ -26,16 +26,16 @@ using testing::tree_of;
 constexpr std::uint64_t scenes = 1500;
 
 /// The scene as its tree holds it.
-std::shared_ptr<const Scene> outlined(const RandomScene& scene) {
+std::shared_ptr<const Scene> with_levels(const RandomScene& scene) {
   NeverInterrupt never;
   TreeScene read = read_tree(*tree_of(scene), never);
   auto out = std::make_shared<Scene>();
-  *out = {"ships", read.layout, std::move(read.ids), std::move(read.rows), std::move(read.outline)};
+  *out = {"ships", read.layout, std::move(read.ids), std::move(read.rows), std::move(read.levels)};
   return out;
 }
 
 JoinQuestion question_about(const RandomScene& scene) {
-  return {.a = outlined(scene),
+  return {.a = with_levels(scene),
           .now = scene.now,
           .h = scene.h,
           .within = scene.within,

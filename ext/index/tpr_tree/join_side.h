@@ -12,9 +12,9 @@ namespace foresee {
 template <int D>
 class JoinSide {
  public:
-  JoinSide(const Bodies& bodies, const TreeOutline& outline, const Horizon& horizon, const Vec<D>& margin,
+  JoinSide(const Bodies& bodies, const TreeLevels& levels, const Horizon& horizon, const Vec<D>& margin,
            Interrupt& interrupt)
-      : starts_(outline.starts) {
+      : starts_(levels.starts) {
     boxes_.resize(starts_.size() + 1);
     boxes_[0].reserve(bodies.count);
     for (std::size_t i = 0; i < bodies.count; ++i) {

@@ -131,37 +131,37 @@ class TreeJoin final : public Candidates {
 }  // namespace
 
 template <int D>
-std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies, const TreeOutline& outline,
+std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies, const TreeLevels& levels,
                                            const Horizon& horizon, const Vec<D>& margin,
                                            Interrupt& interrupt) {
   return std::make_unique<TreeJoin<D>>(
-      std::make_unique<JoinSide<D>>(bodies, outline, horizon, margin, interrupt), nullptr, interrupt);
+      std::make_unique<JoinSide<D>>(bodies, levels, horizon, margin, interrupt), nullptr, interrupt);
 }
 
 template <int D>
-std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies_a, const TreeOutline& outline_a,
-                                           const Bodies& bodies_b, const TreeOutline& outline_b,
+std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies_a, const TreeLevels& levels_a,
+                                           const Bodies& bodies_b, const TreeLevels& levels_b,
                                            const Horizon& horizon, const Vec<D>& margin,
                                            Interrupt& interrupt) {
   return std::make_unique<TreeJoin<D>>(
-      std::make_unique<JoinSide<D>>(bodies_a, outline_a, horizon, margin, interrupt),
-      std::make_unique<JoinSide<D>>(bodies_b, outline_b, horizon, margin, interrupt), interrupt);
+      std::make_unique<JoinSide<D>>(bodies_a, levels_a, horizon, margin, interrupt),
+      std::make_unique<JoinSide<D>>(bodies_b, levels_b, horizon, margin, interrupt), interrupt);
 }
 
-template std::unique_ptr<Candidates> make_tree_join<1>(const Bodies&, const TreeOutline&, const Horizon&,
+template std::unique_ptr<Candidates> make_tree_join<1>(const Bodies&, const TreeLevels&, const Horizon&,
                                                        const Vec<1>&, Interrupt&);
-template std::unique_ptr<Candidates> make_tree_join<2>(const Bodies&, const TreeOutline&, const Horizon&,
+template std::unique_ptr<Candidates> make_tree_join<2>(const Bodies&, const TreeLevels&, const Horizon&,
                                                        const Vec<2>&, Interrupt&);
-template std::unique_ptr<Candidates> make_tree_join<3>(const Bodies&, const TreeOutline&, const Horizon&,
+template std::unique_ptr<Candidates> make_tree_join<3>(const Bodies&, const TreeLevels&, const Horizon&,
                                                        const Vec<3>&, Interrupt&);
-template std::unique_ptr<Candidates> make_tree_join<1>(const Bodies&, const TreeOutline&, const Bodies&,
-                                                       const TreeOutline&, const Horizon&, const Vec<1>&,
+template std::unique_ptr<Candidates> make_tree_join<1>(const Bodies&, const TreeLevels&, const Bodies&,
+                                                       const TreeLevels&, const Horizon&, const Vec<1>&,
                                                        Interrupt&);
-template std::unique_ptr<Candidates> make_tree_join<2>(const Bodies&, const TreeOutline&, const Bodies&,
-                                                       const TreeOutline&, const Horizon&, const Vec<2>&,
+template std::unique_ptr<Candidates> make_tree_join<2>(const Bodies&, const TreeLevels&, const Bodies&,
+                                                       const TreeLevels&, const Horizon&, const Vec<2>&,
                                                        Interrupt&);
-template std::unique_ptr<Candidates> make_tree_join<3>(const Bodies&, const TreeOutline&, const Bodies&,
-                                                       const TreeOutline&, const Horizon&, const Vec<3>&,
+template std::unique_ptr<Candidates> make_tree_join<3>(const Bodies&, const TreeLevels&, const Bodies&,
+                                                       const TreeLevels&, const Horizon&, const Vec<3>&,
                                                        Interrupt&);
 
 }  // namespace foresee

@@ -1,7 +1,7 @@
 // Which pairs may touch, by synchronous traversal of two trees, or of one tree with itself (SIJ-TPR)?
 //
 //   TreeScene ships = read_tree(source, interrupt);           // rows in leaf order, and which leaf is where
-//   auto candidates = make_tree_join<2>(ships.bodies(), ships.outline, horizon, margin, interrupt);
+//   auto candidates = make_tree_join<2>(ships.bodies(), ships.levels, horizon, margin, interrupt);
 //
 // Two nodes are opened together while their moving boxes can meet, and only for the moments at which they
 // can: the time interval narrows on the way down. Boxes are those of the objects during this horizon, grown
@@ -20,7 +20,7 @@ namespace foresee {
 
 /// The tree without its numbers. starts[0][i] is the first row of leaf i, starts[k][i] the first child, one
 /// level down, of node i on level k; each level ends with the size of the one below.
-struct TreeOutline {
+struct TreeLevels {
   std::vector<std::vector<std::uint32_t>> starts;
 };
 
@@ -28,7 +28,7 @@ struct TreeScene {
   Layout layout;
   std::vector<std::int64_t> ids;
   std::vector<double> rows;  ///< row_offsets(layout).size doubles each
-  TreeOutline outline;
+  TreeLevels levels;
 
   Bodies bodies() const { return {layout, rows.data(), ids.size()}; }
 };
@@ -37,14 +37,14 @@ TreeScene read_tree(NodeSource& source, Interrupt& interrupt);
 
 /// Pairs within one tree. `interrupt` must outlive the join; nothing else is kept.
 template <int D>
-std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies, const TreeOutline& outline,
+std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies, const TreeLevels& levels,
                                            const Horizon& horizon, const Vec<D>& margin,
                                            Interrupt& interrupt);
 
 /// Pairs between two trees.
 template <int D>
-std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies_a, const TreeOutline& outline_a,
-                                           const Bodies& bodies_b, const TreeOutline& outline_b,
+std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies_a, const TreeLevels& levels_a,
+                                           const Bodies& bodies_b, const TreeLevels& levels_b,
                                            const Horizon& horizon, const Vec<D>& margin,
                                            Interrupt& interrupt);
 

@@ -34,9 +34,9 @@ template <int D>
 std::unique_ptr<Candidates> tree(const JoinQuestion& question, const Horizon& horizon, const Vec<D>& margin,
                                  Interrupt& interrupt) {
   const Scene& a = *question.a;
-  if (!question.b) return make_tree_join<D>(a.bodies(), a.outline.value(), horizon, margin, interrupt);
+  if (!question.b) return make_tree_join<D>(a.bodies(), a.levels.value(), horizon, margin, interrupt);
   const Scene& b = *question.b;
-  return make_tree_join<D>(a.bodies(), a.outline.value(), b.bodies(), b.outline.value(), horizon, margin,
+  return make_tree_join<D>(a.bodies(), a.levels.value(), b.bodies(), b.levels.value(), horizon, margin,
                            interrupt);
 }
 

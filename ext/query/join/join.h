@@ -71,7 +71,7 @@ struct JoinQuestion {
   double h = 0;
   double within = 0;
   std::optional<double> within_z = {};
-  JoinMethod method = JoinMethod::automatic;  ///< tree: both scenes have an outline
+  JoinMethod method = JoinMethod::automatic;  ///< tree: both scenes have levels
   std::optional<std::int64_t> only_a = {};  ///< only pairs whose column a has this id: linear in the objects
   std::optional<std::int64_t> only_b = {};
   AskedTimes asked_t = {}, asked_dt = {};

@@ -6,9 +6,9 @@
 namespace foresee {
 namespace {
 
-class OutlineReader {
+class TreeReader {
  public:
-  OutlineReader(NodeSource& source, Interrupt& interrupt) : source_(source), interrupt_(interrupt) {
+  TreeReader(NodeSource& source, Interrupt& interrupt) : source_(source), interrupt_(interrupt) {
     scene_.layout = source.layout();
     record_size_ = static_cast<std::size_t>(record_offsets(scene_.layout).size);
     row_size_ = static_cast<std::size_t>(row_offsets(scene_.layout).size);
@@ -18,11 +18,10 @@ class OutlineReader {
     if (source_.find_root() == 0) return std::move(scene_);
     const auto root = foresee::read(source_, unread_root(source_));
     if (root->level < 0 || root->level > 64) throw BrokenTree("a tree's root has an impossible level");
-    scene_.outline.starts.resize(static_cast<std::size_t>(root->level) + 1);
+    scene_.levels.starts.resize(static_cast<std::size_t>(root->level) + 1);
     visit(source_.find_root(), *root);
-    for (std::size_t level = scene_.outline.starts.size();
-         level-- > 0;)  // before the level below has its end
-      scene_.outline.starts[level].push_back(next_below(level));
+    for (std::size_t level = scene_.levels.starts.size(); level-- > 0;)  // before the level below has its end
+      scene_.levels.starts[level].push_back(next_below(level));
     return std::move(scene_);
   }
 
@@ -30,12 +29,12 @@ class OutlineReader {
   /// How many rows, or nodes one level down, there are so far.
   std::uint32_t next_below(std::size_t level) const {
     return static_cast<std::uint32_t>(level == 0 ? scene_.ids.size()
-                                                 : scene_.outline.starts[level - 1].size());
+                                                 : scene_.levels.starts[level - 1].size());
   }
 
   void visit(NodeNumber number, const Node& node) {
     const auto level = static_cast<std::size_t>(node.level);
-    scene_.outline.starts[level].push_back(next_below(level));
+    scene_.levels.starts[level].push_back(next_below(level));
     if (node.is_leaf()) return add_rows(node);
     interrupt_.check();
     for (std::size_t slot = 0; slot < node.size(); ++slot)
@@ -64,7 +63,7 @@ class OutlineReader {
 }  // namespace
 
 TreeScene read_tree(NodeSource& source, Interrupt& interrupt) {
-  return OutlineReader(source, interrupt).read();
+  return TreeReader(source, interrupt).read();
 }
 
 }  // namespace foresee
