@@ -20,14 +20,14 @@
 #include <cstring>
 #include <string>
 
-#include "contact/pairs.h"
+#include "contact/pair_by_hand.h"
 #include "measure.h"
 #include "scenes.h"
 
 namespace foresee::bench {
 namespace {
 
-using testing_pairs::Object;
+using testing_by_hand::Object;
 
 enum class Fuzz { wide, few, ends, grid };
 constexpr const char* fuzz_names[] = {"wide", "few", "ends", "grid"};
@@ -67,7 +67,7 @@ class Numbers {
 };
 
 Object object(Numbers& numbers, int axes, Shape shape, Law law) {
-  Object o = testing_pairs::object(axes, shape);
+  Object o = testing_by_hand::object(axes, shape);
   o.layout.law = law;
   for (int j = 0; j < axes; ++j) {
     o.x[j] = numbers.number(), o.v[j] = numbers.number(), o.a[j] = numbers.number();

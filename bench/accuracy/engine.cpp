@@ -7,7 +7,7 @@
 #include "contact/certain/crossing.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/oracle.h"
-#include "contact/set/kinds.h"
+#include "contact/set/shape_pairs.h"
 
 namespace foresee::bench {
 namespace {
@@ -78,8 +78,8 @@ Answer answer_of(const std::optional<ContactTimes>& times) {
   return times ? Answer{true, times->dt} : Answer{};
 }
 
-testing_pairs::Object object_of(const Bodies& bodies, std::size_t i) {
-  testing_pairs::Object object;
+testing_by_hand::Object object_of(const Bodies& bodies, std::size_t i) {
+  testing_by_hand::Object object;
   object.layout = bodies.layout;
   const double* row = bodies.row(i);
   const Offsets& at = bodies.at;
@@ -93,7 +93,7 @@ testing_pairs::Object object_of(const Bodies& bodies, std::size_t i) {
 }
 
 bool objects_to(const Family& family, std::size_t i, const std::optional<ContactTimes>& answer) {
-  const testing_pairs::Object a = object_of(family.a(), i), b = object_of(family.b(), i);
+  const testing_by_hand::Object a = object_of(family.a(), i), b = object_of(family.b(), i);
   oracle::Rule rule;
   for (int j = 0; j < 3; ++j) {
     rule.axes.push_back(oracle::relative_axis(a, b, j, family.horizon.now));

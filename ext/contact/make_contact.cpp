@@ -1,7 +1,7 @@
 // The table of docs/semantics.md#contact, which distance a pair of shapes has, as one decision per statement.
 #include "base/error.h"
 #include "contact/contact.h"
-#include "contact/set/kinds.h"
+#include "contact/set/shape_pairs.h"
 
 namespace foresee {
 namespace {

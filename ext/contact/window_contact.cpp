@@ -1,6 +1,6 @@
 #include "contact/window_contact.h"
 
-#include "contact/set/kinds.h"
+#include "contact/set/shape_pairs.h"
 
 namespace foresee {
 

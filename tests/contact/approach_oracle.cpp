@@ -5,7 +5,8 @@
 namespace foresee::oracle {
 namespace {
 
-Coefficients squared_distance(const testing_pairs::Object& a, const testing_pairs::Object& b, double now) {
+Coefficients squared_distance(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
+                              double now) {
   Coefficients sum(5);
   for (int j = 0; j < a.layout.axes; ++j) {
     const Coefficients p = relative_axis(a, b, j, now);
@@ -71,7 +72,7 @@ class Distances {
 
 }  // namespace
 
-std::string judge_approach(const testing_pairs::Object& a, const testing_pairs::Object& b,
+std::string judge_approach(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
                            const Horizon& horizon, const ClosestApproach& answer) {
   const Asked asked = asked_about(a, b, horizon);
   const Coefficients square = squared_distance(a, b, horizon.now);

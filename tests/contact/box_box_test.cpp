@@ -2,12 +2,12 @@
 
 #include <cmath>
 
-#include "contact/pairs.h"
+#include "contact/pair_by_hand.h"
 
 namespace foresee {
 namespace {
 
-using namespace testing_pairs;
+using namespace testing_by_hand;
 
 Object box(double x, double y, double vx, double vy, double half = 1) {
   Object o = object(2, Shape::box);

@@ -12,7 +12,7 @@
 namespace foresee {
 namespace {
 
-using namespace testing_pairs;
+using namespace testing_by_hand;
 
 struct Certain {
   int misses = 0, now = 0, meets = 0, first = 0, leaves = 0, stays = 0;

@@ -14,7 +14,7 @@
 namespace foresee {
 namespace {
 
-using namespace testing_pairs;
+using namespace testing_by_hand;
 
 void expect_exact(const Object& a, const Object& b, const Horizon& horizon, const char* family, int number) {
   const oracle::Asked asked = oracle::asked_about(a, b, horizon);

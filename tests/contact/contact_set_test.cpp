@@ -9,13 +9,13 @@
 
 #include "contact/exact/exact_contact.h"
 #include "contact/oracle.h"
-#include "contact/pairs.h"
-#include "contact/set/kinds.h"
+#include "contact/pair_by_hand.h"
+#include "contact/set/shape_pairs.h"
 
 namespace foresee {
 namespace {
 
-using namespace testing_pairs;
+using namespace testing_by_hand;
 
 /// A point that moves past a set which stays around the origin.
 class Passage {

@@ -9,7 +9,7 @@
 
 #include "contact/oracle.h"
 
-namespace foresee::testing_pairs {
+namespace foresee::testing_by_hand {
 
 /// How the numbers of a family look.
 struct Family {
@@ -62,7 +62,7 @@ class Generator {
   bool chance(int in) { return random_() % in == 0; }
 
   Object object(int axes, Shape shape) {
-    Object o = testing_pairs::object(axes, shape);
+    Object o = testing_by_hand::object(axes, shape);
     o.layout.law = static_cast<Law>(std::min<int>(2, static_cast<int>(random_() % 4)));
     for (int j = 0; j < axes; ++j) {
       o.x[j] = length(family_.places) + family_.offset;
@@ -117,4 +117,4 @@ Case make_case(Generator& generate, const Family& family, Shapes shapes, int axe
 /// Both objects and the question, to the last digit.
 std::ostream& operator<<(std::ostream& out, const Case& c);
 
-}  // namespace foresee::testing_pairs
+}  // namespace foresee::testing_by_hand

@@ -12,7 +12,7 @@
 namespace foresee {
 namespace {
 
-using namespace testing_pairs;
+using namespace testing_by_hand;
 
 /// Everything that contact says about a pair.
 struct Said {

@@ -202,9 +202,9 @@ class Walk {
 
 }  // namespace
 
-Coefficients relative_axis(const testing_pairs::Object& a, const testing_pairs::Object& b, int axis,
+Coefficients relative_axis(const testing_by_hand::Object& a, const testing_by_hand::Object& b, int axis,
                            double now) {
-  auto absolute = [axis, now](const testing_pairs::Object& o) -> Coefficients {
+  auto absolute = [axis, now](const testing_by_hand::Object& o) -> Coefficients {
     const Exact s = Exact(now) - Exact(o.layout.has_t ? o.t : 0), x(o.x[axis]);
     const Exact v(o.layout.law == Law::rest ? 0 : o.v[axis]);
     const Exact acceleration(o.layout.law < Law::accelerated ? 0 : o.a[axis]);
@@ -215,7 +215,8 @@ Coefficients relative_axis(const testing_pairs::Object& a, const testing_pairs::
   return pb;
 }
 
-Asked asked_about(const testing_pairs::Object& a, const testing_pairs::Object& b, const Horizon& horizon) {
+Asked asked_about(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
+                  const Horizon& horizon) {
   const Exact now(horizon.now);
   Asked asked{0.0, horizon.h};
   for (const auto* o : {&a, &b}) {
@@ -226,7 +227,7 @@ Asked asked_about(const testing_pairs::Object& a, const testing_pairs::Object& b
   return asked;
 }
 
-std::string judge(const Rule& rule, const testing_pairs::Object& a, const testing_pairs::Object& b,
+std::string judge(const Rule& rule, const testing_by_hand::Object& a, const testing_by_hand::Object& b,
                   const Horizon& horizon, const std::optional<ContactTimes>& answer) {
   const Asked asked = asked_about(a, b, horizon);
   if (asked.begin > asked.end) return answer ? "a contact of objects that never exist together" : "";

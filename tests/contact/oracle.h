@@ -10,13 +10,13 @@
 #include <string>
 #include <vector>
 
-#include "contact/pairs.h"
+#include "contact/pair_by_hand.h"
 #include "contact/sturm.h"
 
 namespace foresee::oracle {
 
 /// Centre of b minus centre of a on one axis, as a polynomial in the time since `now`.
-Coefficients relative_axis(const testing_pairs::Object& a, const testing_pairs::Object& b, int axis,
+Coefficients relative_axis(const testing_by_hand::Object& a, const testing_by_hand::Object& b, int axis,
                            double now);
 
 /// What counts as contact: |x_j| <= half_j on the axes that are not round, and over the round ones a
@@ -32,10 +32,10 @@ struct Rule {
 struct Asked {
   Exact begin, end;
 };
-Asked asked_about(const testing_pairs::Object& a, const testing_pairs::Object& b, const Horizon& horizon);
+Asked asked_about(const testing_by_hand::Object& a, const testing_by_hand::Object& b, const Horizon& horizon);
 
 /// Compares the engine's answer with the exact one; empty if they agree, else what is wrong.
-std::string judge(const Rule& rule, const testing_pairs::Object& a, const testing_pairs::Object& b,
+std::string judge(const Rule& rule, const testing_by_hand::Object& a, const testing_by_hand::Object& b,
                   const Horizon& horizon, const std::optional<ContactTimes>& answer);
 
 }  // namespace foresee::oracle

@@ -13,7 +13,7 @@
 namespace foresee {
 namespace {
 
-using namespace testing_pairs;
+using namespace testing_by_hand;
 
 void check(const Family& family, Shapes shapes, int axes, int cases, std::uint64_t seed) {
   Generator generate(family, seed);

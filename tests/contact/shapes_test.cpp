@@ -6,12 +6,12 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "contact/pairs.h"
+#include "contact/pair_by_hand.h"
 
 namespace foresee {
 namespace {
 
-using namespace testing_pairs;
+using namespace testing_by_hand;
 
 Object at(Shape shape, std::initializer_list<double> x, std::initializer_list<double> v, double r = 0,
           double hz = 0) {

@@ -12,12 +12,12 @@
 #include "contact/certain/track.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/hard_pairs.h"
-#include "contact/set/kinds.h"
+#include "contact/set/shape_pairs.h"
 
 namespace foresee {
 namespace {
 
-using namespace testing_pairs;
+using namespace testing_by_hand;
 
 /// How often each stage was certain.
 struct Certain {

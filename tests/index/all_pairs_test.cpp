@@ -1,6 +1,6 @@
 #include "index/all_pairs.h"
 
-#include "pairs.h"
+#include "candidate_pairs.h"
 
 namespace foresee::testing {
 namespace {

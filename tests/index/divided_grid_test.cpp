@@ -4,10 +4,10 @@
 #include <thread>
 
 #include "base/parallel.h"
+#include "index/candidate_pairs.h"
 #include "index/gpcd_grid/beam_sources.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "index/gpcd_grid/grid.h"
-#include "index/pairs.h"
 
 namespace foresee::testing {
 namespace {

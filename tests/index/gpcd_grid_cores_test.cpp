@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "base/simd.h"
+#include "candidate_pairs.h"
 #include "contact/contact.h"
 #include "index/gpcd_grid/gpcd_grid.h"
-#include "pairs.h"
 #include "shape/swept_boxes.h"
 
 namespace foresee::testing {

@@ -1,7 +1,7 @@
 // What the grid costs, in counts that are the same on every machine: entries, steps of the kernel, checks.
+#include "candidate_pairs.h"
 #include "index/gpcd_grid/beam_sources.h"
 #include "index/gpcd_grid/grid.h"
-#include "pairs.h"
 
 namespace foresee::testing {
 namespace {

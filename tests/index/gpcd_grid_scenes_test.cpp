@@ -4,8 +4,8 @@
 #include <boost/geometry/index/rtree.hpp>
 #include <iterator>
 
+#include "candidate_pairs.h"
 #include "index/gpcd_grid/gpcd_grid.h"
-#include "pairs.h"
 
 namespace foresee::testing {
 namespace {

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "base/simd.h"
+#include "candidate_pairs.h"
 #include "contact/contact.h"
 #include "index/gpcd_grid/gpcd_grid.h"
-#include "pairs.h"
 
 namespace foresee::testing {
 namespace {

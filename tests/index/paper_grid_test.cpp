@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "index/pairs.h"
+#include "index/candidate_pairs.h"
 
 namespace foresee {
 namespace {

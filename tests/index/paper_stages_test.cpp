@@ -2,7 +2,7 @@
 #include "index/paper_grid/paper_stages.h"
 
 #include "contact/contact.h"
-#include "index/pairs.h"
+#include "index/candidate_pairs.h"
 #include "index/paper_grid/time_interval.h"
 #include "index/paper_grid/trajectory_intersection.h"
 

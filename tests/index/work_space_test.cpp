@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "index/candidate_pairs.h"
 #include "index/gpcd_grid/gpcd_grid.h"
-#include "index/pairs.h"
 
 namespace foresee::testing {
 namespace {

@@ -1,7 +1,7 @@
 // Helper threads change no row and not their order; interrupts and failures reach the caller.
 #include <gtest/gtest.h>
 
-#include "query/join/plan.h"
+#include "query/join/join_plan.h"
 #include "query/join_cases.h"
 
 namespace foresee {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "query/join/plan.h"
+#include "query/join/join_plan.h"
 #include "query/join_cases.h"
 
 namespace foresee {

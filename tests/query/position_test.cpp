@@ -1,8 +1,7 @@
-#include "query/position/position.h"
-
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "query/position/positions.h"
 
 namespace foresee {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "contact/boxes/box_lanes.h"
-#include "contact/set/kinds.h"
+#include "contact/set/shape_pairs.h"
 #include "contact/set_contact.h"
 
 namespace foresee {

@@ -1,5 +1,5 @@
-#include "contact/set/kinds.h"
 #include "contact/set/rounded_box.h"
+#include "contact/set/shape_pairs.h"
 
 namespace foresee {
 

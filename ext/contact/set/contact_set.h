@@ -6,11 +6,11 @@
 //   const AxisPart centre[] = {{.axis = 0}, {.axis = 1}};
 //   set.add_piece({.all = {set.ball(centre, {radius})}});
 //
-// A set is made once a statement, by the pair of shapes (kinds.h). It names where a pair's lengths come from
-// and which primitives and pieces there are, and holds no number of any pair: each stage of contact computes
-// the lengths in its own number type (AllLengths, PairLengths) and asks the primitives for their polynomials
-// (primitive.h). So primitive number i is the same in all of them. There may be any number of primitives and
-// pieces.
+// A set is made once a statement, by the pair of shapes (shape_pairs.h). It names where a pair's lengths come
+// from and which primitives and pieces there are, and holds no number of any pair: each stage of contact
+// computes the lengths in its own number type (AllLengths, PairLengths) and asks the primitives for their
+// polynomials (primitive.h). So primitive number i is the same in all of them. There may be any number of
+// primitives and pieces.
 #pragma once
 
 #include <cstdint>

@@ -7,8 +7,8 @@
 #include "index/paper_grid/paper_grid.h"
 #include "index/paper_grid/paper_stages.h"
 #include "index/paper_grid/thread_clock.h"
-#include "query/join/candidates.h"
-#include "query/join/plan.h"
+#include "query/join/join_candidates.h"
+#include "query/join/join_plan.h"
 #include "query/join/question.h"
 
 namespace foresee {

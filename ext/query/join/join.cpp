@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/float_environment.h"
-#include "query/join/candidates.h"
-#include "query/join/plan.h"
+#include "query/join/join_candidates.h"
+#include "query/join/join_plan.h"
 #include "query/join/question.h"
 #include "query/join/slab_helpers.h"
 #include "query/join/sorted_hits.h"

@@ -10,7 +10,7 @@
 
 #include "base/float_environment.h"
 #include "base/parallel.h"
-#include "query/join/candidates.h"
+#include "query/join/join_candidates.h"
 
 namespace foresee {
 namespace {

@@ -37,7 +37,7 @@ int op_of(char letter) {
 }
 
 /// What one xBestIndex call finds out, constraint by constraint.
-struct Plan {
+struct FunctionPlan {
   std::string arguments;
   std::uint32_t inputs_given = 0, inputs_unusable = 0;
   std::uint32_t inputs_unknown = 0;      ///< not written out in the statement: bound, or computed
@@ -47,7 +47,7 @@ struct Plan {
   int equalities = 0, inequalities = 0;  ///< hints: ids, and other
 };
 
-void take(Plan& plan, const TableFunction& function, sqlite3_index_info& info, int i) {
+void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info& info, int i) {
   const auto& constraint = info.aConstraint[i];
   const char letter = letter_of(constraint.op);
   const int input = constraint.iColumn - output_count(function);
@@ -89,7 +89,8 @@ void take(Plan& plan, const TableFunction& function, sqlite3_index_info& info, i
 /// such plan. It is known by what comes before it: a call as a whole that says nothing of ids. (A question
 /// about one id that follows such a call may be planned worse than need be.) What is bound later is taken for
 /// no NULL where SQLite lets us refuse one (host.h); elsewhere it may be NULL.
-void estimate(const TableFunction& function, PlansBefore& before, Plan& plan, sqlite3_index_info& info) {
+void estimate(const TableFunction& function, PlansBefore& before, FunctionPlan& plan,
+              sqlite3_index_info& info) {
   const bool whole = (plan.inputs_given & 1) != 0;
   if (whole && !plan.about_ids) {
     before.or_loses_rows = plan.null_inputs;
@@ -107,7 +108,7 @@ void estimate(const TableFunction& function, PlansBefore& before, Plan& plan, sq
 }
 
 /// The arguments as idxStr has them.
-std::string described(const Plan& plan, int output_count) {
+std::string described(const FunctionPlan& plan, int output_count) {
   std::string text = plan.arguments;
   for (std::size_t at = 0; at < text.size(); at += 2) {
     const int input = text[at] - 'A' - output_count;
@@ -138,7 +139,7 @@ int take_order(const TableFunction& function, sqlite3_index_info& info) {
 }  // namespace
 
 int plan_call(const TableFunction& function, PlansBefore& before, sqlite3_index_info& info) {
-  Plan plan;
+  FunctionPlan plan;
   for (int i = 0; i < info.nConstraint; ++i) take(plan, function, info, i);
   if (const std::uint32_t missing = plan.inputs_unusable & ~plan.inputs_given) {
     before.or_loses_rows |= (missing & ~1u) != 0;  // they come from another table

@@ -1,5 +1,5 @@
 // predictive_position(at, …) in SQL.
-#include "query/position/position.h"
+#include "query/position/positions.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
 

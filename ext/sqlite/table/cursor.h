@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sqlite/table/moving_objects_table.h"
-#include "sqlite/table/plan.h"
+#include "sqlite/table/table_plan.h"
 
 namespace foresee {
 

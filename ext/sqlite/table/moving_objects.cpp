@@ -1,6 +1,6 @@
 // The virtual table moving_objects: SQLite's callbacks, each of which hands its work to the file that knows.
 //
-//   CREATE  declare.h      plan  plan.h      scan  cursor.h      write  write.h, values.h
+//   CREATE  declare.h      plan  table_plan.h  scan  cursor.h      write  write.h, values.h
 //   transactions, savepoints, rename and drop: Store, whose methods are named as the callbacks
 #include "sqlite/callback.h"
 #include "sqlite/modules.h"
@@ -8,7 +8,7 @@
 #include "sqlite/table/cursor.h"
 #include "sqlite/table/declare.h"
 #include "sqlite/table/moving_objects_table.h"
-#include "sqlite/table/plan.h"
+#include "sqlite/table/table_plan.h"
 #include "sqlite/table/write.h"
 #include "storage/rows/shadow_schema.h"
 

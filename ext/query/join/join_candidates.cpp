@@ -1,4 +1,4 @@
-#include "query/join/candidates.h"
+#include "query/join/join_candidates.h"
 
 #include <algorithm>
 

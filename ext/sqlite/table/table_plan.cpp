@@ -1,4 +1,4 @@
-#include "sqlite/table/plan.h"
+#include "sqlite/table/table_plan.h"
 
 #include <span>
 

@@ -1,4 +1,4 @@
-#include "query/join/plan.h"
+#include "query/join/join_plan.h"
 
 #include <algorithm>
 #include <type_traits>

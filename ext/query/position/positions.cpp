@@ -1,4 +1,4 @@
-#include "query/position/position.h"
+#include "query/position/positions.h"
 
 #include "base/axes.h"
 #include "base/float_environment.h"
