@@ -31,16 +31,16 @@ class Stages {
 
   void count(std::size_t i, StageShares& shares) {
     const Moments moments = moments_of(setup_, a(i), b(i));
-    Track<3, 2> track(set_, setup_, a(i), b(i), moments, {0, for_ever}, certain_scratch_);
-    const Chord<3> chord(track.certain().relative(), moments.dt_end);
+    Advancement<3, 2> advancement(set_, setup_, a(i), b(i), moments, {0, for_ever}, certain_scratch_);
+    const Chord<3> chord(advancement.certain().relative(), moments.dt_end);
     const Period<double> near = chord.between(set_.hull().data(), static_cast<int>(set_.hull().size()),
                                               certain_scratch_.lengths, {moments.dt_begin, moments.dt_end});
     const bool missed = near.begin > near.end;
-    const Verdict verdict = track.touches();
+    const Verdict verdict = advancement.touches();
     ++(missed ? shares.chord : verdict != Verdict::uncertain ? shares.certified : shares.exact);
     const bool hit =
         verdict == Verdict::uncertain ? exactly<bool>(i, exact_touches) : verdict == Verdict::yes;
-    if (hit) ++shares.hits, ++time_stage(i, track, moments, shares);
+    if (hit) ++shares.hits, ++time_stage(i, advancement, moments, shares);
   }
 
  private:
@@ -51,13 +51,14 @@ class Stages {
   }
 
   /// As SetContact times a begin.
-  std::size_t& time_stage(std::size_t i, Track<3, 2>& track, const Moments& moments, StageShares& shares) {
+  std::size_t& time_stage(std::size_t i, Advancement<3, 2>& advancement, const Moments& moments,
+                          StageShares& shares) {
     Bracket first;
-    if (track.first_contact(first) != Verdict::yes) return shares.exact_time;
+    if (advancement.first_contact(first) != Verdict::yes) return shares.exact_time;
     if (!(first.after > moments.dt_begin)) return shares.at_once;
     const auto relative = relative_motion_of<DoubleDouble, 3>(setup_, a(i), b(i));
-    Crossing<Way::in, 3, 2> crossing(track.certain(), relative, {set_, a(i), b(i)}, first, setup_.horizon.now,
-                                     crossing_scratch_);
+    Crossing<Way::in, 3, 2> crossing(advancement.certain(), relative, {set_, a(i), b(i)}, first,
+                                     setup_.horizon.now, crossing_scratch_);
     return crossing.instant().known() ? shares.double_double : shares.exact_time;
   }
 

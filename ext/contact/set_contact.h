@@ -75,7 +75,7 @@ class SetContact : public Contact {
                                  const Period<double>& near = any_time) {
     const Moments moments = moments_of(setup_, row_a, row_b);
     if (moments.none) return false;
-    const Verdict verdict = track(row_a, row_b, moments, near).touches();
+    const Verdict verdict = advancement(row_a, row_b, moments, near).touches();
     if (verdict != Verdict::uncertain) return verdict == Verdict::yes;
     return exactly<bool>(row_a, row_b, exact_touches);
   }
@@ -97,26 +97,26 @@ class SetContact : public Contact {
   /// The end of the contact that the pair certainly has at `from`, or unknown.
   [[gnu::noinline]] Instant end_of_contact(const double* row_a, const double* row_b, double from) {
     const Moments moments = moments_of(setup_, row_a, row_b);
-    auto track = this->track(row_a, row_b, moments, any_time);
-    return end_of_contact(track, from, moments, row_a, row_b);
+    auto advancement = this->advancement(row_a, row_b, moments, any_time);
+    return end_of_contact(advancement, from, moments, row_a, row_b);
   }
 
   /// The end of the contact that certainly is at `from`, or unknown.
-  Instant end_of_contact(Track<D, Degree>& track, double from, const Moments& moments, const double* row_a,
-                         const double* row_b) {
+  Instant end_of_contact(Advancement<D, Degree>& advancement, double from, const Moments& moments,
+                         const double* row_a, const double* row_b) {
     Bracket last;
-    const Verdict leaves = track.end_of_contact(from, last);
+    const Verdict leaves = advancement.end_of_contact(from, last);
     if (leaves == Verdict::uncertain) return unknown_instant();
     const Instant end{moments.dt_end, moments.t_end};
-    return leaves == Verdict::no ? end : earlier(crossing<Way::out>(track, last, row_a, row_b), end);
+    return leaves == Verdict::no ? end : earlier(crossing<Way::out>(advancement, last, row_a, row_b), end);
   }
 
   static constexpr Period<double> any_time{0, for_ever};
   const Setup setup_;
 
  private:
-  Track<D, Degree> track(const double* row_a, const double* row_b, const Moments& moments,
-                         const Period<double>& near) {
+  Advancement<D, Degree> advancement(const double* row_a, const double* row_b, const Moments& moments,
+                                     const Period<double>& near) {
     return {set_, setup_, row_a, row_b, moments, near, certain_scratch_};
   }
 
@@ -144,21 +144,23 @@ class SetContact : public Contact {
   /// when.
   Verdict filtered_contact(const double* row_a, const double* row_b, const Moments& moments,
                            const Period<double>& near, TimesWanted wanted, Instant& begin, Instant& end) {
-    auto track = this->track(row_a, row_b, moments, near);
+    auto advancement = this->advancement(row_a, row_b, moments, near);
     Bracket first;
-    const Verdict meets = track.first_contact(first);
+    const Verdict meets = advancement.first_contact(first);
     if (meets != Verdict::yes) return meets;
     begin = {moments.dt_begin, moments.t_begin};
-    if (first.after > moments.dt_begin) begin = later(crossing<Way::in>(track, first, row_a, row_b), begin);
-    end = wanted == TimesWanted::both ? end_of_contact(track, first.after, moments, row_a, row_b) : begin;
+    if (first.after > moments.dt_begin)
+      begin = later(crossing<Way::in>(advancement, first, row_a, row_b), begin);
+    end =
+        wanted == TimesWanted::both ? end_of_contact(advancement, first.after, moments, row_a, row_b) : begin;
     return meets;
   }
 
   template <Way way>
-  Instant crossing(Track<D, Degree>& track, const Bracket& bracket, const double* row_a,
+  Instant crossing(Advancement<D, Degree>& advancement, const Bracket& bracket, const double* row_a,
                    const double* row_b) {
     const auto relative = relative_motion_of<DoubleDouble, D>(setup_, row_a, row_b);
-    return Crossing<way, D, Degree>(track.certain(), relative, {set_, row_a, row_b}, bracket,
+    return Crossing<way, D, Degree>(advancement.certain(), relative, {set_, row_a, row_b}, bracket,
                                     setup_.horizon.now, crossing_scratch_)
         .instant();
   }

@@ -7,9 +7,9 @@
 
 #include <cstring>
 
+#include "contact/certain/advancement.h"
 #include "contact/certain/chord.h"
 #include "contact/certain/set_lanes.h"
-#include "contact/certain/track.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/hard_pairs.h"
 #include "contact/set/shape_pairs.h"
@@ -21,7 +21,7 @@ using namespace testing_by_hand;
 
 /// How often each stage was certain.
 struct Certain {
-  int chord = 0, lanes_miss = 0, lanes_touch = 0, track = 0, in_128_bits = 0, times = 0;
+  int chord = 0, lanes_miss = 0, lanes_touch = 0, advancement = 0, in_128_bits = 0, times = 0;
 };
 
 using MakeSet = ContactSet (*)(const Setup&);
@@ -56,8 +56,9 @@ class StagesOfPair {
  private:
   void check_doubles(bool touches) {
     CertainScratch scratch(set_);
-    Track<D, Degree> track(set_, setup_, row_a_.data(), row_b_.data(), moments_, {0, for_ever}, scratch);
-    const Chord<D> chord(track.certain().relative(), moments_.dt_end);
+    Advancement<D, Degree> advancement(set_, setup_, row_a_.data(), row_b_.data(), moments_, {0, for_ever},
+                                       scratch);
+    const Chord<D> chord(advancement.certain().relative(), moments_.dt_end);
     const auto hull = set_.hull();
     const Period<double> near = chord.between(hull.data(), static_cast<int>(hull.size()), scratch.lengths,
                                               {moments_.dt_begin, moments_.dt_end});
@@ -66,9 +67,9 @@ class StagesOfPair {
       EXPECT_FALSE(touches) << "chord: " << case_;
     }
     Bracket first;
-    for (const Verdict verdict : {track.touches(), track.first_contact(first)}) {
+    for (const Verdict verdict : {advancement.touches(), advancement.first_contact(first)}) {
       if (verdict == Verdict::uncertain) continue;
-      ++certain_.track;
+      ++certain_.advancement;
       EXPECT_EQ(verdict == Verdict::yes, touches) << "certified double: " << case_;
     }
   }
@@ -164,7 +165,7 @@ void check_kind(MakeSet make_set, Shapes shapes, std::uint64_t seed) {
   EXPECT_GT(certain.chord, 20);
   EXPECT_GT(certain.lanes_miss, 40);
   EXPECT_GT(certain.lanes_touch, 40);
-  EXPECT_GT(certain.track, 100);
+  EXPECT_GT(certain.advancement, 100);
   EXPECT_GT(certain.in_128_bits, 1000);
   EXPECT_GT(certain.times, 50);
 }

@@ -10,8 +10,8 @@
 // latest of those moments is when they meet. What makes it certain are signs with error bounds, away from the
 // guess by a relative 2^-34: apart until shortly before it, inside on every axis shortly after it. A stretch
 // without a root is certified by its three Bernstein coefficients being positive, or by its lowest point.
-// Where that fails (grazes, several axes at one moment, extreme numbers) no answer is given, and a Track must
-// find it.
+// Where that fails (grazes, several axes at one moment, extreme numbers) no answer is given, and an
+// Advancement must find it.
 //
 // One loop over the lanes, without branches, which compilers turn into the vector instructions of the CPU;
 // all give the same bits. Cost: some ten nanoseconds a pair. Source for the coefficients: Farouki, "The

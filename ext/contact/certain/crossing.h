@@ -1,4 +1,4 @@
-// The instant of a crossing that a Track has bracketed, rounded once.
+// The instant of a crossing that an Advancement has bracketed, rounded once.
 //
 // Within the bracket a primitive is on one side all the time, or its polynomial is monotone there and has at
 // most one root. That root is found by one Newton step from the bracket's begin, with the value of the
@@ -7,7 +7,7 @@
 // compared: rounding keeps order. What this cannot tell is NaN.
 #pragma once
 
-#include "contact/certain/track.h"
+#include "contact/certain/advancement.h"
 #include "numbers/crossed_root.h"
 
 namespace foresee {

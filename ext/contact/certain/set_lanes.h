@@ -8,9 +8,9 @@
 //   lanes.touches[l] > 0;                                       // certainly they do
 //
 // The chord (chord.h) says when each pair could touch; in the middle of that time the set's primitives are
-// asked for their values, with error bounds. What neither settles is for a Track, within that time. The set
-// is read once for a register of pairs, so that its being data costs next to nothing here: some twenty
-// nanoseconds a pair.
+// asked for their values, with error bounds. What neither settles is for an Advancement, within that time.
+// The set is read once for a register of pairs, so that its being data costs next to nothing here: some
+// twenty nanoseconds a pair.
 #pragma once
 
 #include "base/simd.h"

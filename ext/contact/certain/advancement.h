@@ -1,9 +1,10 @@
 // One pair on its way through the horizon, in double arithmetic with certified signs.
 //
-// The track leaps forward: while the pair is certainly apart, by the longest stretch for which that is
-// certain; then, from a moment at which it certainly touches, by the longest stretches of contact. What stays
-// in doubt is a sliver around each crossing, or everything where the crossing is a graze: then the answer is
-// `uncertain`, and other means must decide.
+// Conservative advancement (B. Mirtich, "Impulse-based Dynamic Simulation of Rigid Body Systems", 1996):
+// while the pair is certainly apart, time leaps by the longest stretch for which that is certain; then, from
+// a moment at which it certainly touches, by the longest stretches of contact. What stays in doubt is a
+// sliver around each crossing, or everything where the crossing is a graze: then the answer is `uncertain`,
+// and other means must decide.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +22,12 @@ struct Bracket {
 };
 
 template <int D, int Degree>
-class Track {
+class Advancement {
  public:
   /// `near`: only then can they touch, if at all.
-  [[gnu::flatten]] Track(const ContactSet& set, const Setup& setup, const double* row_a, const double* row_b,
-                         const Moments& moments, const Period<double>& near, CertainScratch& scratch)
+  [[gnu::flatten]] Advancement(const ContactSet& set, const Setup& setup, const double* row_a,
+                               const double* row_b, const Moments& moments, const Period<double>& near,
+                               CertainScratch& scratch)
       : certain_(set, setup, row_a, row_b, scratch) {
     constexpr double u = unit_roundoff;
     const double begin = moments.dt_begin, end = moments.dt_end;
