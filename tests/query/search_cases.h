@@ -3,7 +3,7 @@
 
 #include "query/join_cases.h"
 #include "query/searched.h"
-#include "tests/index/tree_model.h"
+#include "tests/index/tpr_tree/tree_model.h"
 
 namespace foresee::testing {
 

@@ -1,5 +1,5 @@
 // What the grid costs, in counts that are the same on every machine: entries, steps of the kernel, checks.
-#include "candidate_pairs.h"
+#include "index/candidate_pairs.h"
 #include "index/gpcd_grid/beam_sources.h"
 #include "index/gpcd_grid/grid.h"
 

@@ -3,7 +3,7 @@
 #include <set>
 
 #include "index/tpr_tree/tree_join.h"
-#include "tests/index/tree_model.h"
+#include "tests/index/tpr_tree/tree_model.h"
 
 namespace foresee {
 namespace {

@@ -1,7 +1,7 @@
 // The grid against the plain answer, on raw boxes: every pair that meets comes exactly once.
 #include "index/gpcd_grid/gpcd_grid.h"
 
-#include "candidate_pairs.h"
+#include "index/candidate_pairs.h"
 
 namespace foresee::testing {
 namespace {

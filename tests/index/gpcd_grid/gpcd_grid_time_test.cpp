@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "base/simd.h"
-#include "candidate_pairs.h"
 #include "contact/contact.h"
+#include "index/candidate_pairs.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 
 namespace foresee::testing {

@@ -4,7 +4,7 @@
 
 #include "index/tpr_tree/nearest_walk.h"
 #include "index/tpr_tree/window_walk.h"
-#include "tests/index/tree_model.h"
+#include "tests/index/tpr_tree/tree_model.h"
 
 namespace foresee {
 namespace {

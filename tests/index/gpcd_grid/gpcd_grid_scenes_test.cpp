@@ -4,7 +4,7 @@
 #include <boost/geometry/index/rtree.hpp>
 #include <iterator>
 
-#include "candidate_pairs.h"
+#include "index/candidate_pairs.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 
 namespace foresee::testing {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/simd.h"
-#include "candidate_pairs.h"
 #include "contact/contact.h"
+#include "index/candidate_pairs.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "shape/swept_boxes.h"
 
