@@ -1,5 +1,5 @@
 // Transactions and savepoints, rollback in the middle of anything, two connections.
-#include "database.h"
+#include "sqlite/database.h"
 
 namespace foresee::testing {
 namespace {

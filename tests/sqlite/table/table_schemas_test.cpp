@@ -1,6 +1,6 @@
 // Where a moving_objects table may live and what SQLite does to whole databases: ATTACH, temp, VACUUM, dump,
 // views.
-#include "database.h"
+#include "sqlite/database.h"
 
 namespace foresee::testing {
 namespace {

@@ -1,7 +1,7 @@
 // Which values does a moving_objects table store, and what are the others told?
 #include <cmath>
 
-#include "database.h"
+#include "sqlite/database.h"
 
 namespace foresee::testing {
 namespace {

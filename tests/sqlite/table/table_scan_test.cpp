@@ -1,7 +1,7 @@
 // Reading a moving_objects table: look-ups, scans, writes beneath a scan, and the handle for functions.
 #include <functional>
 
-#include "database.h"
+#include "sqlite/database.h"
 
 namespace foresee::testing {
 namespace {

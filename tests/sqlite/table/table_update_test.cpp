@@ -1,5 +1,5 @@
 // UPDATE and DELETE on moving_objects: which columns change, which ids, which stay bit for bit.
-#include "database.h"
+#include "sqlite/database.h"
 
 namespace foresee::testing {
 namespace {

@@ -1,7 +1,7 @@
 // INSERT INTO ships(ships) VALUES('rebuild' | 'optimize' | 'integrity-check').
 #include <memory>
 
-#include "database.h"
+#include "sqlite/database.h"
 
 namespace foresee::testing {
 namespace {

@@ -1,5 +1,5 @@
 // INSERT into moving_objects: ids, conflict clauses, RETURNING.
-#include "database.h"
+#include "sqlite/database.h"
 
 namespace foresee::testing {
 namespace {

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include "database.h"
+#include "sqlite/database.h"
 
 namespace foresee::testing {
 namespace {

@@ -1,6 +1,6 @@
 // Which table does a question find under a name that it has asked before, when the tables have changed since?
 // The same as one that asks for the first time.
-#include "database.h"
+#include "sqlite/database.h"
 
 namespace foresee::testing {
 namespace {
