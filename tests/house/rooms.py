@@ -1,12 +1,12 @@
 """Does every room keep to its place? Reads the #include lines under ext/ and says which break the order of docs/architecture.md.
 
-    python3 rooms.py ext        # prints one line a violation; status 1 if there is any
+    python3 rooms.py ext tests        # prints one line a violation; status 1 if there is any
 
 The order: sqlite -> query -> index -> contact -> shape -> motion -> numbers -> base. A room may include rooms to its
 right and no others, with two doors of their own: storage may include shape, motion, base and the page and tree interface
 of index, and only sqlite may include storage. SQLite's headers are for storage and sqlite alone. Rooms inside a room
 have an order too; what lies beside them, at the room's door, may include them and be included. No headers include each
-other in a circle.
+other in a circle. tests/ has no folder that is no room of ext/, but for those that are of no one room.
 """
 import re
 import sys
@@ -27,6 +27,8 @@ INSIDE = {
     "storage": ["table", "nodes", "rows", "format"],
     "sqlite": ["functions", "names", "table"],
 }
+# Folders of tests/ that are of no one room, and files that tests read.
+TESTS_OF_NO_ROOM = {"house", "fuzz", "portability", "storage/files"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
@@ -114,8 +116,20 @@ def violations(ext):
     return found, files
 
 
+def strange_folders(ext, tests):
+    """A sentence for each folder under `tests` that has no room under `ext`."""
+    found = []
+    for folder in sorted(path for path in Path(tests).rglob("*") if path.is_dir() and any(p.is_file() for p in path.iterdir())):
+        name = folder.relative_to(tests).as_posix()
+        of_no_room = any(f"{name}/".startswith(f"{other}/") for other in TESTS_OF_NO_ROOM)
+        if not of_no_room and folder.name != "__pycache__" and not (Path(ext) / name).is_dir():
+            found.append(f"tests/{name}: there is no ext/{name}")
+    return found
+
+
 if __name__ == "__main__":
     sentences, read = violations(sys.argv[1])
+    sentences += strange_folders(sys.argv[1], sys.argv[2])
     print("\n".join(sentences))
     print(f"{read} files read, {len(sentences)} violations")
     sys.exit(1 if sentences or read == 0 else 0)

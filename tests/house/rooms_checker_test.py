@@ -3,7 +3,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from rooms import violations
+from rooms import strange_folders, violations
 
 
 def tree(files):
@@ -75,6 +75,15 @@ class RoomGuard(unittest.TestCase):
 
     def test_a_comment_is_no_include(self):
         self.passes("motion/vec.h", '// #include "query/join/join.h"')
+
+    def test_a_folder_of_tests_has_its_room(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("ext/query/join", "tests/query/join", "tests/query/flight", "tests/annex", "tests/fuzz/found",
+                         "tests/storage/files"):
+                (Path(folder) / name).mkdir(parents=True)
+                (Path(folder) / name / "file").touch()
+            self.assertEqual(strange_folders(f"{folder}/ext", f"{folder}/tests"),
+                             ["tests/annex: there is no ext/annex", "tests/query/flight: there is no ext/query/flight"])
 
 
 if __name__ == "__main__":
