@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <string>
 
+#include "all_rooms.h"
+
 namespace foresee::bench {
 
 class TwoFiles {

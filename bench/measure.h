@@ -11,6 +11,8 @@
 #include <ctime>
 #include <vector>
 
+#include "all_rooms.h"
+
 namespace foresee::bench {
 
 /// User and system time of all threads so far.

@@ -8,6 +8,7 @@
 
 #include <cmath>
 
+#include "all_rooms.h"
 #include "shape/bodies.h"
 
 namespace foresee::bench {

@@ -13,6 +13,8 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "all_rooms.h"
+
 namespace foresee::bench {
 
 template <int Degree>

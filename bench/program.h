@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "all_rooms.h"
+
 namespace foresee::bench {
 
 /// --flags, names, and values that follow a flag.

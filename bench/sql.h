@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string>
 
+#include "all_rooms.h"
 #include "base/error.h"
 
 namespace foresee::bench {

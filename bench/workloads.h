@@ -33,6 +33,7 @@
 #include <string>
 #include <vector>
 
+#include "all_rooms.h"
 #include "shape/bodies.h"
 
 namespace foresee::bench {

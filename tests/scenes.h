@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "all_rooms.h"
 #include "shape/bodies.h"
 
 namespace foresee::testing {

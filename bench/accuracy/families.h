@@ -28,6 +28,7 @@
 #include <string>
 #include <vector>
 
+#include "all_rooms.h"
 #include "shape/bodies.h"
 
 namespace foresee::bench {

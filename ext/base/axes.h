@@ -6,7 +6,9 @@
 #include <type_traits>
 #include <utility>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::base {
 
 template <int D>
 using Axes = std::integral_constant<int, D>;
@@ -24,4 +26,4 @@ decltype(auto) with_axes(int axes, Use&& use) {
   }
 }
 
-}  // namespace foresee
+}  // namespace foresee::base

@@ -6,7 +6,7 @@
 #include "base/registers.h"
 #include "base/select.h"
 
-namespace foresee {
+namespace foresee::base {
 namespace {
 
 struct DoublesMask {
@@ -66,4 +66,4 @@ inline bool any(const DoublesMask& mask) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::base

@@ -5,7 +5,9 @@
 
 #include <stdexcept>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::base {
 
 /// A wrong question or wrong data; what() is shown to the person who asked, as it is.
 struct Error : std::runtime_error {
@@ -31,4 +33,4 @@ class NeverInterrupt final : public Interrupt {
   void check() override {}
 };
 
-}  // namespace foresee
+}  // namespace foresee::base

@@ -13,13 +13,15 @@
 #include <atomic>
 #else
 #include <cfenv>
+
+#include "base/rooms.h"
 #endif
 
 #ifdef __FAST_MATH__
 #error "foresee needs IEEE arithmetic: build without -ffast-math (and -Ofast)"
 #endif
 
-namespace foresee {
+namespace foresee::base {
 
 class FloatEnvironment {
  public:
@@ -59,4 +61,4 @@ class FloatEnvironment {
 #endif
 };
 
-}  // namespace foresee
+}  // namespace foresee::base

@@ -2,7 +2,9 @@
 // functions, and local to the file that includes it.
 #pragma once
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::base {
 namespace {
 
 inline double size_of(double x) {
@@ -24,4 +26,4 @@ inline float greatest(float a, float b) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::base

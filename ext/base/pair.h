@@ -4,7 +4,9 @@
 #include <compare>
 #include <cstdint>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::base {
 
 /// Row numbers of two objects, the first among the bodies a, the second among the bodies b (or a again).
 struct Pair {
@@ -15,4 +17,4 @@ struct Pair {
   friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 
-}  // namespace foresee
+}  // namespace foresee::base

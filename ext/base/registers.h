@@ -3,7 +3,9 @@
 // the file that includes it.
 #pragma once
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::base {
 namespace {
 
 /// As many numbers as a register holds.
@@ -38,4 +40,4 @@ inline Some column(const double* const* row, long place) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::base

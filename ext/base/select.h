@@ -2,7 +2,9 @@
 // (base/doubles.h).
 #pragma once
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::base {
 
 inline double select(bool chosen, double a, double b) {
   return chosen ? a : b;
@@ -18,4 +20,4 @@ Real greater(const Real& a, const Real& b) {
   return select(a > b, a, b);
 }
 
-}  // namespace foresee
+}  // namespace foresee::base

@@ -5,8 +5,10 @@
 
 #include <string>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::base {
 
 std::string shown(double number);
 
-}  // namespace foresee
+}  // namespace foresee::base

@@ -22,7 +22,9 @@
 #include <span>
 #include <type_traits>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::base {
 
 enum class Simd : std::uint8_t { baseline, avx2, avx512 };
 
@@ -52,4 +54,4 @@ decltype(auto) with_simd_in_use(Use&& use) {
 /// threads.
 void use_simd(Simd simd);
 
-}  // namespace foresee
+}  // namespace foresee::base

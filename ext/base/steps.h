@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 
-namespace foresee {
+namespace foresee::base {
 
 class Steps {
  public:
@@ -25,4 +25,4 @@ class Steps {
   unsigned steps_ = 0;
 };
 
-}  // namespace foresee
+}  // namespace foresee::base

@@ -22,7 +22,7 @@
 
 #include "shape/bodies.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 struct ContactQuestion {
   Horizon horizon;
@@ -77,4 +77,4 @@ class Contact {
 std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const ContactQuestion& question,
                                       const std::string& name_a, const std::string& name_b);
 
-}  // namespace foresee
+}  // namespace foresee::contact

@@ -3,7 +3,7 @@
 #include "contact/contact.h"
 #include "contact/set/shape_pairs.h"
 
-namespace foresee {
+namespace foresee::contact {
 namespace {
 
 /// A ball-shaped table whose radii are all 0 holds points: where nothing is round and nothing is within a
@@ -65,4 +65,4 @@ std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const Co
   return make_set_contact(setup, box ? box_ball_set(setup) : ball_ball_set(setup), degree);
 }
 
-}  // namespace foresee
+}  // namespace foresee::contact

@@ -2,7 +2,7 @@
 
 #include "contact/set/shape_pairs.h"
 
-namespace foresee {
+namespace foresee::contact {
 namespace {
 
 template <int D>
@@ -24,4 +24,4 @@ std::unique_ptr<Contact> make_set_contact(const Setup& setup, ContactSet set, in
   }
 }
 
-}  // namespace foresee
+}  // namespace foresee::contact

@@ -2,7 +2,7 @@
 
 #include "contact/set/shape_pairs.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 MovingWindow::MovingWindow(const WindowFaces& faces, int axes, double now) : faces_(faces) {
   const Layout layout{.axes = axes, .law = Law::uniform, .shape = Shape::point, .has_t = true};
@@ -24,4 +24,4 @@ std::unique_ptr<Contact> make_window_contact(const MovingWindow& window, const B
   return make_set_contact(setup, round ? window_ball_set(setup) : window_box_set(setup), degree);
 }
 
-}  // namespace foresee
+}  // namespace foresee::contact

@@ -18,7 +18,7 @@
 
 #include "contact/set/relative_motion.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 /// Where the faces are at `now`, as many as there are axes. Requires: lower < +infinity, upper > -infinity,
 /// lower <= upper; velocity finite.
@@ -56,4 +56,4 @@ class MovingWindow {
 std::unique_ptr<Contact> make_window_contact(const MovingWindow& window, const Bodies& objects,
                                              const Horizon& horizon);
 
-}  // namespace foresee
+}  // namespace foresee::contact

@@ -10,7 +10,7 @@
 
 #include "index/pages.h"
 
-namespace foresee {
+namespace foresee::index {
 
 class MemoryPages final : public Pages {
  public:
@@ -47,4 +47,4 @@ class MemoryPages final : public Pages {
   std::unordered_map<std::int64_t, NodeNumber> leaves_;
 };
 
-}  // namespace foresee
+}  // namespace foresee::index

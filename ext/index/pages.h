@@ -33,7 +33,7 @@
 #include "base/error.h"
 #include "shape/layout.h"
 
-namespace foresee {
+namespace foresee::index {
 
 /// Nodes contradict one another: a parent without its child, levels that do not count down. Thrown instead of
 /// going astray, so hostile nodes cost no more than an error.
@@ -95,4 +95,4 @@ class Pages : public NodeSource {
   virtual void forget(std::int64_t id) = 0;
 };
 
-}  // namespace foresee
+}  // namespace foresee::index

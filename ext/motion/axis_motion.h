@@ -1,7 +1,9 @@
 // Motion on one axis.
 #pragma once
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::motion {
 
 /// As of a reference time. Real: double, or several objects at once (base/doubles.h).
 template <class Real>
@@ -9,4 +11,4 @@ struct AxisMotion {
   Real x, v, a;
 };
 
-}  // namespace foresee
+}  // namespace foresee::motion

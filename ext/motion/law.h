@@ -3,7 +3,9 @@
 
 #include <cstdint>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::motion {
 
 /// How an object moves; each law adds columns to the one before.
 enum class Law : std::uint8_t {
@@ -19,4 +21,4 @@ constexpr int degree_of(Law law) {
   return law == Law::rest ? 0 : law == Law::uniform ? 1 : 2;
 }
 
-}  // namespace foresee
+}  // namespace foresee::motion

@@ -3,10 +3,12 @@
 
 #include <Eigen/Core>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::motion {
 
 /// An array, not a vector in Eigen's sense: `*`, `<` and `max` go axis by axis, as boxes need.
 template <int D>
 using Vec = Eigen::Array<double, D, 1>;
 
-}  // namespace foresee
+}  // namespace foresee::motion

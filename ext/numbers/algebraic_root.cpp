@@ -8,7 +8,7 @@
 #include "numbers/quadratic_formula.h"
 #include "numbers/quadratic_root.h"
 
-namespace foresee {
+namespace foresee::numbers {
 namespace {
 
 /// The sign of x - r from the signs at x of the polynomial and its slope; r is the polynomial's root `which`.
@@ -235,7 +235,7 @@ AlgebraicRoot& LazyPolynomial::add_root(const Dyadic& low, const Dyadic& high, i
 }
 
 Midrad128 LazyPolynomial::value_at(const Midrad128& tau) const {
-  return foresee::value_at(rough_, degree_ <= most ? degree_ : most, tau);
+  return numbers::value_at(rough_, degree_ <= most ? degree_ : most, tau);
 }
 
 namespace {
@@ -265,8 +265,8 @@ int LazyPolynomial::sign_at(AlgebraicRoot& root) {
 int LazyPolynomial::sign_at(const Dyadic& tau) {
   int sign = value_at(Midrad128(tau)).sign();
   for (int bits = first_length; sign == unknown_sign; bits *= 2)
-    sign = foresee::value_at(enclosure(bits), exact().degree, Midrad(tau, bits)).sign();
+    sign = numbers::value_at(enclosure(bits), exact().degree, Midrad(tau, bits)).sign();
   return sign;
 }
 
-}  // namespace foresee
+}  // namespace foresee::numbers

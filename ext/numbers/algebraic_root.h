@@ -14,7 +14,7 @@
 #include "numbers/midrad.h"
 #include "numbers/polynomial.h"
 
-namespace foresee {
+namespace foresee::numbers {
 
 /// Makes the exact polynomials of a pair, by number, when one is needed.
 class PolynomialSource {
@@ -103,4 +103,4 @@ class LazyPolynomial {
   std::unique_ptr<LazyPolynomial> slope_;
 };
 
-}  // namespace foresee
+}  // namespace foresee::numbers

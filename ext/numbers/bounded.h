@@ -12,7 +12,7 @@
 
 #include "numbers/double_double.h"
 
-namespace foresee {
+namespace foresee::numbers {
 
 template <class Real>
 struct BoundedOf {
@@ -48,4 +48,4 @@ BoundedOf<Real> operator*(const BoundedOf<Real>& a, const BoundedOf<Real>& b) {
   return {value, abs(a.value) * b.error + a.error * (abs(b.value) + b.error) + unit_roundoff * abs(value)};
 }
 
-}  // namespace foresee
+}  // namespace foresee::numbers

@@ -9,7 +9,7 @@
 
 #include "numbers/double_double.h"
 
-namespace foresee {
+namespace foresee::numbers {
 
 /// A moment from `now` and absolute, each rounded once.
 struct Instant {
@@ -54,4 +54,4 @@ template <Way way>
   return rounded_instant(now, base, step, alone ? radius : __builtin_nan(""));
 }
 
-}  // namespace foresee
+}  // namespace foresee::numbers

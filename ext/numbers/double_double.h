@@ -8,7 +8,9 @@
 // ends in NaN.
 #pragma once
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::numbers {
 
 constexpr double unit_roundoff = 0x1p-53;
 
@@ -77,4 +79,4 @@ struct DoubleDouble {
   return ordered_sum(first, second) + DoubleDouble{more.high / b.high, 0};
 }
 
-}  // namespace foresee
+}  // namespace foresee::numbers

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foresee {
+namespace foresee::numbers {
 
 namespace {
 constexpr int limb_bits = std::numeric_limits<boost::multiprecision::limb_type>::digits;
@@ -82,4 +82,4 @@ double rounded(const Dyadic& value) {
   return side * std::ldexp(static_cast<double>(nearest), value.exponent() + dropped);
 }
 
-}  // namespace foresee
+}  // namespace foresee::numbers

@@ -10,7 +10,9 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <compare>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::numbers {
 
 using Integer = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<1024, 0, boost::multiprecision::signed_magnitude,
@@ -63,4 +65,4 @@ inline Dyadic half_of(const Dyadic& a) {
 /// The nearest double, ties to even; infinite beyond the largest.
 double rounded(const Dyadic& value);
 
-}  // namespace foresee
+}  // namespace foresee::numbers

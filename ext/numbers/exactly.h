@@ -4,7 +4,7 @@
 
 #include "numbers/double_double.h"
 
-namespace foresee {
+namespace foresee::numbers {
 
 template <class T>
 struct Exactly {
@@ -17,4 +17,4 @@ struct Exactly<DoubleDouble> {
   static DoubleDouble difference_of(double a, double b) { return difference(a, b); }
 };
 
-}  // namespace foresee
+}  // namespace foresee::numbers

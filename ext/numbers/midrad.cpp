@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foresee {
+namespace foresee::numbers {
 namespace {
 
 Integer shifted(const Integer& value, int left) {
@@ -126,4 +126,4 @@ Midrad sqrt(const Midrad& a) {
   return Midrad::of(rough_root(shifted(a.mantissa_, shift)), exponent, error, a.bits_);
 }
 
-}  // namespace foresee
+}  // namespace foresee::numbers

@@ -14,7 +14,7 @@
 
 #include "numbers/midrad_128.h"
 
-namespace foresee {
+namespace foresee::numbers {
 
 /// The length to begin with; then twice as many, and so on.
 constexpr int first_length = 512;
@@ -70,4 +70,4 @@ inline Midrad half_of(const Midrad& a) {
   return a.scaled(-1);
 }
 
-}  // namespace foresee
+}  // namespace foresee::numbers

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foresee {
+namespace foresee::numbers {
 namespace {
 
 constexpr Uint128 top_bit = Uint128{1} << 127;
@@ -237,4 +237,4 @@ Midrad128 sqrt(const Midrad128& a) {
                                root.exponent_);
 }
 
-}  // namespace foresee
+}  // namespace foresee::numbers

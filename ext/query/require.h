@@ -5,7 +5,7 @@
 
 #include "query/searched.h"
 
-namespace foresee {
+namespace foresee::query {
 
 /// "h must be a finite number >= 0, not -3"
 void require_not_negative(const char* name, double value);
@@ -27,4 +27,4 @@ void require_order(const char* lower_name, double lower, const char* upper_name,
 /// "ships has 2 axes (x, y): y is missing"
 [[noreturn]] void reject_missing(const Searched& objects, const std::string& coordinate);
 
-}  // namespace foresee
+}  // namespace foresee::query

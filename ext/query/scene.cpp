@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee {
+namespace foresee::query {
 
 double newest_t(const Scene& scene) {
   const Bodies bodies = scene.bodies();
@@ -12,4 +12,4 @@ double newest_t(const Scene& scene) {
   return newest;
 }
 
-}  // namespace foresee
+}  // namespace foresee::query

@@ -13,7 +13,7 @@
 #include "index/tpr_tree/tree_join.h"
 #include "shape/bodies.h"
 
-namespace foresee {
+namespace foresee::query {
 
 struct Scene {
   std::string name;  ///< what messages call it
@@ -29,4 +29,4 @@ struct Scene {
 /// The newest reference time stored: what `now` is when nobody says. 0 without objects or without t.
 double newest_t(const Scene& scene);
 
-}  // namespace foresee
+}  // namespace foresee::query

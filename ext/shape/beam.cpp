@@ -7,7 +7,7 @@
 #include "motion/life.h"
 #include "shape/shapes.h"
 
-namespace foresee {
+namespace foresee::shape {
 namespace {
 
 constexpr std::size_t objects_per_check = 8192;
@@ -113,4 +113,4 @@ FORESEE_BEAMS_OF_AXES(2);
 FORESEE_BEAMS_OF_AXES(3);
 #undef FORESEE_BEAMS_OF_AXES
 
-}  // namespace foresee
+}  // namespace foresee::shape

@@ -25,7 +25,7 @@
 #include "motion/box.h"
 #include "shape/bodies.h"
 
-namespace foresee {
+namespace foresee::shape {
 
 template <int D>
 struct Beam {
@@ -67,4 +67,4 @@ bool all_exist_at_begin(const Bodies& bodies, const Horizon& horizon, Interrupt&
 /// Whether every body that exists during the horizon does so at each of its moments.
 bool all_exist_throughout(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt);
 
-}  // namespace foresee
+}  // namespace foresee::shape

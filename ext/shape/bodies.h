@@ -15,7 +15,7 @@
 #include "motion/motion.h"
 #include "shape/layout.h"
 
-namespace foresee {
+namespace foresee::shape {
 
 struct Bodies {
   Bodies() = default;
@@ -41,4 +41,4 @@ Motion<D> motion_of(const Bodies& bodies, std::size_t i) {
           at.until == Offsets::absent ? std::numeric_limits<double>::infinity() : row[at.until]};
 }
 
-}  // namespace foresee
+}  // namespace foresee::shape

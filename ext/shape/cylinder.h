@@ -3,7 +3,7 @@
 
 #include "shape/ball.h"
 
-namespace foresee {
+namespace foresee::shape {
 
 struct CylinderShape {
   static constexpr Shape shape = Shape::cylinder;
@@ -27,4 +27,4 @@ struct CylinderShape {
   }
 };
 
-}  // namespace foresee
+}  // namespace foresee::shape

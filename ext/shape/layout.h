@@ -12,7 +12,7 @@
 
 #include "motion/law.h"
 
-namespace foresee {
+namespace foresee::shape {
 
 /// What an object is around its centre.
 enum class Shape : std::uint8_t {
@@ -65,4 +65,4 @@ Offsets row_offsets(const Layout& layout);
 /// Turns one stored record into the row that queries read. The two differ for Law::forced only.
 void row_from_record(const Layout& layout, const double* record, double* row);
 
-}  // namespace foresee
+}  // namespace foresee::shape

@@ -14,7 +14,7 @@
 #include "shape/cylinder.h"
 #include "shape/point.h"
 
-namespace foresee {
+namespace foresee::shape {
 
 /// use(the shape of this name).
 template <class Use>
@@ -44,4 +44,4 @@ Extents<D> core_of(Shape shape, const double* numbers, const Offsets& at) {
   return with_shape(shape, [&](auto known) { return known.template core<D>(numbers, at); });
 }
 
-}  // namespace foresee
+}  // namespace foresee::shape

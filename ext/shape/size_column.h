@@ -3,7 +3,7 @@
 
 #include "shape/layout.h"
 
-namespace foresee {
+namespace foresee::shape {
 
 /// One quantity of a shape's size: "r", or "h" on every axis for hx, hy, hz.
 struct SizeColumn {
@@ -17,4 +17,4 @@ constexpr SizeColumn half_extent_columns{"h", true, &Offsets::half, "a half exte
 constexpr SizeColumn half_height_column{"hz", false, &Offsets::hz, "a half extent is negative"};
 constexpr SizeColumn radius_column{"r", false, &Offsets::r, "a radius is negative"};
 
-}  // namespace foresee
+}  // namespace foresee::shape

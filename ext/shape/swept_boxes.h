@@ -9,7 +9,7 @@
 #include "shape/bodies.h"
 #include "shape/shapes.h"
 
-namespace foresee {
+namespace foresee::shape {
 
 /// The box around object i, seen from its position.
 template <int D>
@@ -35,4 +35,4 @@ template <int D>
 std::vector<Box<D>> swept_boxes(const Bodies& bodies, const Horizon& horizon, const Vec<D>& margin,
                                 Interrupt& interrupt);
 
-}  // namespace foresee
+}  // namespace foresee::shape

@@ -2,7 +2,7 @@
 
 #include "base/float_environment.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 std::size_t memory_of(const Scene& scene) {
@@ -92,4 +92,4 @@ void Connection::drop_scenes_used_long_ago() noexcept {
   }
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -21,7 +21,7 @@
 #include "storage/rows/statement_interrupt.h"
 #include "storage/table/store.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 class TableCursor;
 
@@ -103,4 +103,4 @@ class Connection {
   std::shared_ptr<GridSpace> space_ = std::make_shared<GridSpace>();
 };
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -5,12 +5,13 @@
 #include "sqlite/modules.h"
 #include "storage/rows/statement.h"
 
+namespace foresee::sqlite {
 namespace {
 
 /// This PRAGMA reads no schema: a file may still wait for its key.
 bool is_registered(sqlite3* db) {
-  foresee::Statement modules(db, "PRAGMA module_list");
-  for (foresee::Statement::Run run(modules); run.step();)
+  Statement modules(db, "PRAGMA module_list");
+  for (Statement::Run run(modules); run.step();)
     if (run.text(0) == "predictive_join") return true;
   return false;
 }
@@ -20,14 +21,16 @@ bool is_registered(sqlite3* db) {
 extern "C" __attribute__((visibility("default"))) int sqlite3_foresee_init(sqlite3* db, char** message,
                                                                            const sqlite3_api_routines* api) {
   if (api != nullptr) sqlite3_api = api;
-  return foresee::guarded(message, [db] {
-    foresee::require_version(sqlite3_libversion_number(), sqlite3_libversion());
+  return guarded(message, [db] {
+    require_version(sqlite3_libversion_number(), sqlite3_libversion());
     // Loaded again, functions would know nothing of the tables that are connected by then.
     if (is_registered(db)) return SQLITE_OK;
-    const auto connection = std::make_shared<foresee::Connection>(db);
-    int rc = foresee::register_scalars(db);
-    if (rc == SQLITE_OK) rc = foresee::register_moving_objects(db, connection);
-    if (rc == SQLITE_OK) rc = foresee::register_table_functions(db, connection);
+    const auto connection = std::make_shared<Connection>(db);
+    int rc = register_scalars(db);
+    if (rc == SQLITE_OK) rc = register_moving_objects(db, connection);
+    if (rc == SQLITE_OK) rc = register_table_functions(db, connection);
     return rc;
   });
 }
+
+}  // namespace foresee::sqlite

@@ -7,7 +7,7 @@
 #include "sqlite/version.h"
 #include "storage/rows/statement.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 // As sqlite3_libversion_number() counts.
@@ -24,7 +24,7 @@ bool host_has(int since) {
 
 void require_version(int number, const char* version) {
   if (number >= oldest) return;
-  throw Error(std::string("foresee ") + foresee::version() +
+  throw Error(std::string("foresee ") + sqlite::version() +
               " needs SQLite 3.31 or newer, and this program has " + version);
 }
 
@@ -57,4 +57,4 @@ std::vector<std::string> schema_names(sqlite3* db) {
   return names;
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

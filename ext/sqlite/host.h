@@ -12,9 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "base/rooms.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 /// Throws Error, which names foresee's version and this one, if this one is too old.
 void require_version(int number, const char* version);
@@ -34,4 +35,4 @@ sqlite3_value* written_value(sqlite3_index_info& info, int i);
 /// ones. (Before 3.39 an authorizer may forbid the question: StoreError.)
 std::vector<std::string> schema_names(sqlite3* db);
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -1,6 +1,6 @@
 #include "sqlite/modules.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 using Holder = std::shared_ptr<Connection>;
@@ -21,4 +21,4 @@ const std::shared_ptr<Connection>& connection_of(void* aux) {
   return *static_cast<Holder*>(aux);
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -5,7 +5,7 @@
 
 #include "sqlite/connection.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 // Each returns an SQLite result code.
 int register_scalars(sqlite3* db);  // scalars.cpp
@@ -22,4 +22,4 @@ int register_module(sqlite3* db, const char* name, const sqlite3_module* module,
 /// The state behind a module's pAux.
 const std::shared_ptr<Connection>& connection_of(void* aux);
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

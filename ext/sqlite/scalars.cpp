@@ -4,7 +4,7 @@
 #include "sqlite/modules.h"
 #include "sqlite/version.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 void foresee_version(sqlite3_context* context, int, sqlite3_value**) {
@@ -30,4 +30,4 @@ int register_scalars(sqlite3* db) {
   return sqlite3_create_function(db, "foresee_debug", 0, flags, nullptr, foresee_debug, nullptr, nullptr);
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

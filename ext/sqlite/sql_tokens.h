@@ -14,7 +14,9 @@
 #include <string>
 #include <string_view>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::sqlite {
 
 struct SqlToken {
   enum class Kind : std::uint8_t { word, quoted, number, sign };
@@ -47,4 +49,4 @@ class SqlTokens {
 /// Equal as SQLite compares names: ASCII letters in any case.
 bool same_name(std::string_view a, std::string_view b);
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

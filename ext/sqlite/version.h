@@ -3,7 +3,9 @@
 
 #include <string>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::sqlite {
 
 /// The version as SQL reports it, e.g. "0.1.0".
 const char* version();
@@ -11,4 +13,4 @@ const char* version();
 /// Version, commit, compiler, SIMD in use and SQLite, one a line.
 std::string debug_report();
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace foresee {
+namespace foresee::base {
 namespace {
 
 TEST(Shown, HasAsFewDigitsAsTellANumberFromItsNeighbours) {
@@ -18,4 +18,4 @@ TEST(Shown, HasAsFewDigitsAsTellANumberFromItsNeighbours) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::base

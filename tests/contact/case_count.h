@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-namespace foresee::testing_by_hand {
+namespace foresee::contact::testing_by_hand {
 
 #if defined(__SANITIZE_ADDRESS__)
 constexpr bool sanitized = true;
@@ -18,4 +18,4 @@ inline int scaled_count(int cases) {
   return std::getenv("FORESEE_LONG") ? cases * 50 : sanitized ? (cases + 19) / 20 : cases;
 }
 
-}  // namespace foresee::testing_by_hand
+}  // namespace foresee::contact::testing_by_hand

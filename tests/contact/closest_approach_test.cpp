@@ -11,7 +11,7 @@
 #include "contact/case_count.h"
 #include "contact/hard_pairs.h"
 
-namespace foresee {
+namespace foresee::contact {
 namespace {
 
 using namespace testing_by_hand;
@@ -38,7 +38,7 @@ void check_families(std::span<const Family> families, int axes, int cases) {
     for (int i = 0; i < scaled_count(cases); ++i) {
       const Case c = make_case(generate, family, Shapes::points_within, axes);
       expect_exact(c.a, c.b, c.question.horizon, family.name, i);
-      if (testing::Test::HasFatalFailure()) return;
+      if (::testing::Test::HasFatalFailure()) return;
     }
   }
 }
@@ -96,4 +96,4 @@ TEST(ClosestApproachOracle, ObjectsToAnyOtherAnswer) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::contact

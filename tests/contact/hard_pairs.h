@@ -9,7 +9,7 @@
 
 #include "contact/oracle.h"
 
-namespace foresee::testing_by_hand {
+namespace foresee::contact::testing_by_hand {
 
 /// How the numbers of a family look.
 struct Family {
@@ -117,4 +117,4 @@ Case make_case(Generator& generate, const Family& family, Shapes shapes, int axe
 /// Both objects and the question, to the last digit.
 std::ostream& operator<<(std::ostream& out, const Case& c);
 
-}  // namespace foresee::testing_by_hand
+}  // namespace foresee::contact::testing_by_hand

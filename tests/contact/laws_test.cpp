@@ -9,7 +9,7 @@
 #include "contact/case_count.h"
 #include "contact/hard_pairs.h"
 
-namespace foresee {
+namespace foresee::contact {
 namespace {
 
 using namespace testing_by_hand;
@@ -83,7 +83,7 @@ void check_law(const Change& change, const Compare& compare) {
         if (!change(changed)) continue;
         ++applied;
         compare(c, changed);
-        if (testing::Test::HasFailure()) return;
+        if (::testing::Test::HasFailure()) return;
       }
     }
   EXPECT_GT(applied, sanitized ? 5 : 100);
@@ -282,4 +282,4 @@ TEST(Laws, GrowingIsNeverLater) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::contact

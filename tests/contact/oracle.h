@@ -13,7 +13,7 @@
 #include "contact/pair_by_hand.h"
 #include "contact/sturm.h"
 
-namespace foresee::oracle {
+namespace foresee::contact::oracle {
 
 /// Centre of b minus centre of a on one axis, as a polynomial in the time since `now`.
 Coefficients relative_axis(const testing_by_hand::Object& a, const testing_by_hand::Object& b, int axis,
@@ -38,4 +38,4 @@ Asked asked_about(const testing_by_hand::Object& a, const testing_by_hand::Objec
 std::string judge(const Rule& rule, const testing_by_hand::Object& a, const testing_by_hand::Object& b,
                   const Horizon& horizon, const std::optional<ContactTimes>& answer);
 
-}  // namespace foresee::oracle
+}  // namespace foresee::contact::oracle

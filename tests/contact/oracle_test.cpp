@@ -10,7 +10,7 @@
 #include "contact/case_count.h"
 #include "contact/hard_pairs.h"
 
-namespace foresee {
+namespace foresee::contact {
 namespace {
 
 using namespace testing_by_hand;
@@ -130,4 +130,4 @@ TEST(Oracle, ObjectsToAnyOtherAnswer) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::contact

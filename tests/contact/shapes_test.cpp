@@ -8,7 +8,7 @@
 #include "base/error.h"
 #include "contact/pair_by_hand.h"
 
-namespace foresee {
+namespace foresee::contact {
 namespace {
 
 using namespace testing_by_hand;
@@ -228,4 +228,4 @@ TEST(ClosestApproach, OfAcceleratedCoursesAgainstDenseStepping) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::contact

@@ -14,7 +14,7 @@
 #include "contact/hard_pairs.h"
 #include "contact/set/shape_pairs.h"
 
-namespace foresee {
+namespace foresee::contact {
 namespace {
 
 using namespace testing_by_hand;
@@ -235,4 +235,4 @@ TEST(Midrad128, FewDigitsStayExact) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::contact

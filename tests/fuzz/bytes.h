@@ -12,6 +12,8 @@
 #include <span>
 #include <type_traits>
 
+#include "all_rooms.h"
+
 namespace foresee::testing {
 
 class FuzzBytes {

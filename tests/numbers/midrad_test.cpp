@@ -9,7 +9,7 @@
 
 #include "numbers/polynomial.h"
 
-namespace foresee {
+namespace foresee::numbers {
 namespace {
 
 class Numbers {
@@ -110,4 +110,4 @@ TEST(Polynomial, CommonRootsAreFound) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::numbers

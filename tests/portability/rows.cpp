@@ -9,9 +9,10 @@
 #include <cstdio>
 
 #include "accuracy/families.h"
+#include "all_rooms.h"
 #include "query/join_cases.h"
 
-namespace foresee {
+namespace foresee::testing {
 namespace {
 
 std::uint64_t mixed(const std::vector<double>& numbers) {
@@ -24,14 +25,14 @@ void print_bits(double value) {
   std::printf(" %016" PRIx64, std::bit_cast<std::uint64_t>(value));
 }
 
-void print_scene(const testing::SceneSpec& spec) {
-  const testing::RandomScene random = testing::random_scene(spec);
-  std::printf("%s, %s, inputs %016" PRIx64 "\n", testing::name_of(spec.layout).c_str(),
-              testing::name_of(spec.kind).c_str(), mixed(random.records));
+void print_scene(const SceneSpec& spec) {
+  const RandomScene random = random_scene(spec);
+  std::printf("%s, %s, inputs %016" PRIx64 "\n", name_of(spec.layout).c_str(), name_of(spec.kind).c_str(),
+              mixed(random.records));
   JoinQuestion question{.a = scene_of(random), .now = random.now, .h = random.h, .within = random.within};
   for (JoinMethod method : {JoinMethod::scan, JoinMethod::grid}) {
     question.method = method;
-    for (const JoinRow& row : testing::rows_of(question)) {
+    for (const JoinRow& row : rows_of(question)) {
       std::printf("%" PRId64 " %" PRId64, row.a, row.b);
       const ContactTimes& c = row.contact;
       for (double value : {c.t, c.t_end, c.dt, c.dt_end, row.approach.t, row.approach.dt, row.approach.d})
@@ -62,13 +63,13 @@ void print_family(const std::string& name, std::size_t count) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::testing
 
 int main() {
-  using namespace foresee;
+  using namespace foresee::testing;
   std::uint64_t seed = 1;
-  for (const Layout& layout : testing::all_layouts())
-    for (testing::SceneKind kind : testing::all_scene_kinds)
+  for (const Layout& layout : all_layouts())
+    for (SceneKind kind : all_scene_kinds)
       print_scene({.layout = layout, .kind = kind, .count = 14, .seed = seed++});
-  for (const std::string& name : bench::family_names()) print_family(name, 100);
+  for (const std::string& name : foresee::bench::family_names()) print_family(name, 100);
 }

@@ -11,7 +11,7 @@
 #include "base/simd.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee {
+namespace foresee::shape {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -181,4 +181,4 @@ TEST(Beam, KnowsWhenTheObjectExists) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::shape

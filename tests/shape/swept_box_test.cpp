@@ -6,7 +6,7 @@
 
 #include "shape/swept_boxes.h"
 
-namespace foresee {
+namespace foresee::shape {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -122,7 +122,7 @@ void fuzz(std::uint64_t seed, int low, int high, int rounds) {
     const double until = random() % 3 ? inf : t + std::abs(any());
     expect_outward({t, any(), any(), any(), std::abs(any()), until}, {any(), std::abs(any())},
                    std::abs(any()));
-    if (testing::Test::HasFatalFailure()) return;
+    if (::testing::Test::HasFatalFailure()) return;
   }
 }
 
@@ -172,4 +172,4 @@ TEST(SweptBoxes, AnswerInRowOrderAndCanBeInterrupted) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::shape

@@ -17,6 +17,7 @@
 #include <filesystem>
 #include <string>
 
+#include "all_rooms.h"
 #include "sqlite/foresee.h"
 
 namespace foresee::testing {

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "all_rooms.h"
+
 namespace foresee::testing {
 
 struct ExtremeScene {

@@ -8,6 +8,8 @@
 
 #include <cstdlib>
 
+#include "all_rooms.h"
+
 namespace foresee::testing {
 
 #if defined(__has_feature)

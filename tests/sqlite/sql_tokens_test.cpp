@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 using Kind = SqlToken::Kind;
@@ -57,4 +57,4 @@ TEST(SqlTokens, AreTheSameNameInAnyCaseOfAscii) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -11,7 +11,7 @@
 #include "storage/rows/statement.h"
 #include "storage/table/store.h"
 
-namespace foresee {
+namespace foresee::storage {
 
 inline Declaration ships() {
   return {.layout = {.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true}};  // t x y vx vy r
@@ -148,4 +148,4 @@ void expect_store_error(int code, const std::string& words, Call call) {
   }
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -3,7 +3,7 @@
 #include "storage/rows/shadow_schema.h"
 #include "storage/table/store.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 class Faults : public ::testing::Test {
@@ -220,4 +220,4 @@ TEST_F(Faults, LoadStopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::storage

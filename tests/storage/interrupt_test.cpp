@@ -4,7 +4,7 @@
 
 #include "storage/database.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 class LongestPause final : public Interrupt {
@@ -51,4 +51,4 @@ TEST(LongCommands, LookForAnInterruptWhileTheySort) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -4,7 +4,7 @@
 #include "sqlite/foresee.h"
 #include "storage/database.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 class ThroughSql : public ::testing::Test {
@@ -230,4 +230,4 @@ TEST_F(ThroughSql, AReaderInWalModeKeepsItsSnapshotWhileAnotherWrites) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -7,7 +7,7 @@
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 class TreeDamage : public ::testing::Test {
@@ -155,4 +155,4 @@ TEST_F(TreeDamage, ReadersAndWritersGetAnErrorAndChangeNothing) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::storage

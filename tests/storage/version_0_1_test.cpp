@@ -7,7 +7,7 @@
 #include "storage/database.h"
 #include "storage/format/crc32c.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 const std::string files = FORESEE_SOURCE_DIR "/tests/storage/files/";
@@ -106,4 +106,4 @@ TEST_F(VersionZeroOne, MadeAnewHasTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::storage

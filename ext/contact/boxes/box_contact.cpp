@@ -1,6 +1,6 @@
 #include "contact/boxes/box_contact.h"
 
-namespace foresee {
+namespace foresee::contact {
 namespace {
 
 template <int D>
@@ -16,4 +16,4 @@ std::unique_ptr<Contact> make_box_contact(const Setup& setup, int degree) {
   return setup.a.layout.axes == 2 ? make_for_degree<2>(setup, degree) : make_for_degree<3>(setup, degree);
 }
 
-}  // namespace foresee
+}  // namespace foresee::contact

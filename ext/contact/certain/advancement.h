@@ -11,7 +11,7 @@
 
 #include "contact/certain/certain_set.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 enum class Verdict : std::uint8_t { no, yes, uncertain };
 
@@ -123,4 +123,4 @@ class Advancement {
   double near_end_;  ///< they do not touch later
 };
 
-}  // namespace foresee
+}  // namespace foresee::contact

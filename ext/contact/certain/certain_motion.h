@@ -5,7 +5,7 @@
 #include "contact/certain/certain_axis_motion.h"
 #include "contact/set/relative_motion.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 /// With the same reference time.
 template <int Degree>
@@ -39,4 +39,4 @@ CertainMotion<D> certain_motion_of(const Setup& setup, const double* row_a, cons
   return r;
 }
 
-}  // namespace foresee
+}  // namespace foresee::contact

@@ -15,7 +15,7 @@
 #include "contact/certain/certified.h"
 #include "contact/set/contact_set.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 template <int D, class Real = double>
 class Chord {
@@ -67,4 +67,4 @@ class Chord {
   Real at_[D], steep_[D], room_[D];
 };
 
-}  // namespace foresee
+}  // namespace foresee::contact

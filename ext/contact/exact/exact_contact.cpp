@@ -7,7 +7,7 @@
 #include "contact/certain/crossing.h"
 #include "numbers/time_intervals.h"
 
-namespace foresee {
+namespace foresee::contact {
 namespace {
 
 class ExactPair {
@@ -74,7 +74,7 @@ class ExactPair {
     AlgebraicRoot *from = &begin_, *to = &end_;
     if (&first != &begin_) from = known_moment(first.at.low().dyadic(), begin_);
     if (&last != &end_) to = known_moment(last.at.high().dyadic(), end_);
-    return foresee::inside(polynomial, {*from, *to});
+    return numbers::inside(polynomial, {*from, *to});
   }
 
   /// The moment as an end, unless it is beyond what is asked.
@@ -89,7 +89,7 @@ class ExactPair {
     const std::size_t number = polynomials_.number_of(primitive);
     if (inside_.size() <= number) inside_.resize(number + 1);
     std::optional<TimeIntervals>& known = inside_[number];
-    if (!known) known = foresee::inside(polynomials_.polynomial(number), {begin_, end_});
+    if (!known) known = numbers::inside(polynomials_.polynomial(number), {begin_, end_});
     return *known;
   }
 
@@ -162,4 +162,4 @@ std::optional<ContactTimes> exact_times(PairPolynomials& polynomials, const Exac
   return ExactPair(polynomials, moments).times();
 }
 
-}  // namespace foresee
+}  // namespace foresee::contact

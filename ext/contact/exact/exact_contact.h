@@ -10,7 +10,7 @@
 
 #include "contact/exact/pair_polynomials.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 /// The exact ends of the moments asked about, measured from now.
 struct ExactMoments {
@@ -26,4 +26,4 @@ bool exact_touches(PairPolynomials& polynomials, const ExactMoments& moments);
 /// Begin and end of the first contact, if there is one.
 std::optional<ContactTimes> exact_times(PairPolynomials& polynomials, const ExactMoments& moments);
 
-}  // namespace foresee
+}  // namespace foresee::contact

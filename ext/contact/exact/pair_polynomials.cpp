@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee {
+namespace foresee::contact {
 
 template <class T>
 PairPolynomials::Motion<T> PairPolynomials::motion() const {
@@ -60,4 +60,4 @@ bool PairPolynomials::same_length(int a, int b) const {
   return a == b || identical(length_at<Midrad128>(lengths, a), length_at<Midrad128>(lengths, b));
 }
 
-}  // namespace foresee
+}  // namespace foresee::contact

@@ -9,7 +9,7 @@
 #include "contact/set/relative_motion.h"
 #include "numbers/algebraic_root.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 class PairPolynomials final : public PolynomialSource {
  public:
@@ -45,4 +45,4 @@ class PairPolynomials final : public PolynomialSource {
   std::vector<int> bounds_;     ///< the primitives among them that are bounds
 };
 
-}  // namespace foresee
+}  // namespace foresee::contact

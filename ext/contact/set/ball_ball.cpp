@@ -1,7 +1,7 @@
 #include "contact/set/round_ball.h"
 #include "contact/set/shape_pairs.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 ContactSet ball_ball_set(const Setup& setup) {
   ContactSet set;
@@ -10,4 +10,4 @@ ContactSet ball_ball_set(const Setup& setup) {
   return set;
 }
 
-}  // namespace foresee
+}  // namespace foresee::contact

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee {
+namespace foresee::contact {
 namespace {
 
 /// Its number.
@@ -72,4 +72,4 @@ ContactSet::Arrays ContactSet::arrays() const {
           count(pieces_),  members_.data(), hull_.data(),       count(hull_)};
 }
 
-}  // namespace foresee
+}  // namespace foresee::contact

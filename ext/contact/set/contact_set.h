@@ -20,7 +20,7 @@
 #include "contact/set/primitive.h"
 #include "shape/layout.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 /// A length of a pair: one addition.
 struct Length {
@@ -200,4 +200,4 @@ class AllLengths {
   std::vector<T> lengths_;
 };
 
-}  // namespace foresee
+}  // namespace foresee::contact

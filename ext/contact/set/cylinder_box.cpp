@@ -1,7 +1,7 @@
 #include "contact/set/rounded_box.h"
 #include "contact/set/shape_pairs.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 ContactSet cylinder_box_set(const Setup& setup) {
   ContactSet set;
@@ -14,4 +14,4 @@ ContactSet cylinder_box_set(const Setup& setup) {
   return set;
 }
 
-}  // namespace foresee
+}  // namespace foresee::contact

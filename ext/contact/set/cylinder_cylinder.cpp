@@ -1,7 +1,7 @@
 #include "contact/set/round_ball.h"
 #include "contact/set/shape_pairs.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 ContactSet cylinder_cylinder_set(const Setup& setup) {
   ContactSet set;
@@ -12,4 +12,4 @@ ContactSet cylinder_cylinder_set(const Setup& setup) {
   return set;
 }
 
-}  // namespace foresee
+}  // namespace foresee::contact

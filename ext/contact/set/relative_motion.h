@@ -12,7 +12,7 @@
 #include "motion/axis_motion.h"
 #include "numbers/exactly.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 struct WindowFaces;
 
@@ -103,4 +103,4 @@ RelativeMotion<T, D> relative_motion_of(const Setup& setup, const double* row_a,
   return relative;
 }
 
-}  // namespace foresee
+}  // namespace foresee::contact

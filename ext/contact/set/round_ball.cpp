@@ -2,7 +2,7 @@
 
 #include "contact/set/rounded_box.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 void add_ball(ContactSet& set, int axes, int radius, const Faces* along_z) {
   Conditions piece;
@@ -21,4 +21,4 @@ void add_ball(ContactSet& set, int axes, int radius, const Faces* along_z) {
   set.add_piece(piece);
 }
 
-}  // namespace foresee
+}  // namespace foresee::contact

@@ -3,9 +3,9 @@
 
 #include "contact/set/contact_set.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 /// |x| <= radius over the first `axes` axes, as the one piece of a set; also between `along_z`, if given.
 void add_ball(ContactSet& set, int axes, int radius, const Faces* along_z = nullptr);
 
-}  // namespace foresee
+}  // namespace foresee::contact

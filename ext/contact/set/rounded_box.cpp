@@ -4,7 +4,7 @@
 
 #include "contact/window_contact.h"
 
-namespace foresee {
+namespace foresee::contact {
 namespace {
 
 /// One face of a box: where it is, and its bound as it is and moved outward by the radius; none: no such
@@ -144,4 +144,4 @@ void add_rounded_box(ContactSet& set, std::span<const Faces> faces, int radius, 
   RoundedBox(set, faces, radius, std::move(also)).add_pieces();
 }
 
-}  // namespace foresee
+}  // namespace foresee::contact

@@ -11,7 +11,7 @@
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 /// Of every axis of the two tables: the box of both around the centre, `within` not added.
 std::vector<Faces> faces_of_boxes(ContactSet& set, const Setup& setup);
@@ -31,4 +31,4 @@ std::vector<int> between(ContactSet& set, std::span<const Faces> faces);
 void add_rounded_box(ContactSet& set, std::span<const Faces> faces, int radius,
                      const Faces* along_z = nullptr);
 
-}  // namespace foresee
+}  // namespace foresee::contact

@@ -7,7 +7,7 @@
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 /// Boxes, points that coincide, and everything in one dimension: on every axis |x| <= H.
 ContactSet box_box_set(const Setup& setup);
@@ -35,4 +35,4 @@ std::unique_ptr<Contact> make_set_contact(const Setup& setup, ContactSet set, in
 /// Answers by box_box_set(), sixteen pairs at once.
 std::unique_ptr<Contact> make_box_contact(const Setup& setup, int degree);
 
-}  // namespace foresee
+}  // namespace foresee::contact

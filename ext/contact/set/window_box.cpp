@@ -1,7 +1,7 @@
 #include "contact/set/rounded_box.h"
 #include "contact/set/shape_pairs.h"
 
-namespace foresee {
+namespace foresee::contact {
 
 ContactSet window_box_set(const Setup& setup) {
   ContactSet set;
@@ -17,4 +17,4 @@ ContactSet window_box_set(const Setup& setup) {
   return set;
 }
 
-}  // namespace foresee
+}  // namespace foresee::contact

@@ -8,7 +8,7 @@
 #include "index/gpcd_grid/object_rows.h"
 #include "shape/beam.h"
 
-namespace foresee::gpcd {
+namespace foresee::index::gpcd {
 
 template <int D>
 class BeamSource {
@@ -90,4 +90,4 @@ class RestingSource final : public BeamSource<D> {
   std::span<const Box<D>> boxes_;
 };
 
-}  // namespace foresee::gpcd
+}  // namespace foresee::index::gpcd

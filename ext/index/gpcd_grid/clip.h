@@ -15,9 +15,9 @@
 
 #include "index/gpcd_grid/scan.h"
 
-namespace foresee::gpcd {
+namespace foresee::index::gpcd {
 
 template <int D>
 void clip(const LaneView<D>& giants, const LaneView<D>& inside, float* from, float* to);
 
-}  // namespace foresee::gpcd
+}  // namespace foresee::index::gpcd

@@ -14,12 +14,14 @@
 #include <limits>
 #include <span>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::shape {
 template <int D>
 struct Beam;
 }
 
-namespace foresee::gpcd {
+namespace foresee::index::gpcd {
 
 template <int D>
 struct FloatBox {
@@ -61,4 +63,4 @@ struct Frame {
 template <int D>
 Frame<D> frame_of(std::span<const Beam<D>> sample);
 
-}  // namespace foresee::gpcd
+}  // namespace foresee::index::gpcd

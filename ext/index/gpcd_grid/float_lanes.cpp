@@ -6,7 +6,7 @@
 #include "base/simd.h"
 #include "shape/beam.h"
 
-namespace foresee::gpcd {
+namespace foresee::index::gpcd {
 namespace {
 
 template <int D>
@@ -65,4 +65,4 @@ FORESEE_FLOATS_OF_AXES(2);
 FORESEE_FLOATS_OF_AXES(3);
 #undef FORESEE_FLOATS_OF_AXES
 
-}  // namespace foresee::gpcd
+}  // namespace foresee::index::gpcd

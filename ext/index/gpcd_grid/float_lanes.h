@@ -15,12 +15,12 @@
 #include "index/gpcd_grid/cell_size.h"
 #include "motion/beam_lanes.h"
 
-namespace foresee {
+namespace foresee::motion {
 template <int D>
 struct Box;
 }
 
-namespace foresee::gpcd {
+namespace foresee::index::gpcd {
 
 constexpr double too_large = 0x1p59;  ///< for the test of time
 
@@ -78,4 +78,4 @@ struct FloatKernels {
 template <int D, Simd simd>
 const FloatKernels<D>& float_kernels();
 
-}  // namespace foresee::gpcd
+}  // namespace foresee::index::gpcd

@@ -15,7 +15,7 @@
 
 #include "index/gpcd_grid/stripes.h"
 
-namespace foresee::gpcd {
+namespace foresee::index::gpcd {
 
 /// Boxes as columns.
 template <int D>
@@ -58,4 +58,4 @@ class Giants {
   int row_ = -1;
 };
 
-}  // namespace foresee::gpcd
+}  // namespace foresee::index::gpcd

@@ -5,7 +5,7 @@
 #include "index/gpcd_grid/beam_sources.h"
 #include "index/gpcd_grid/grid.h"
 
-namespace foresee {
+namespace foresee::index {
 namespace {
 
 template <int D>
@@ -114,4 +114,4 @@ FORESEE_GRID_OF_AXES(2);
 FORESEE_GRID_OF_AXES(3);
 #undef FORESEE_GRID_OF_AXES
 
-}  // namespace foresee
+}  // namespace foresee::index

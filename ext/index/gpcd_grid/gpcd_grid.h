@@ -15,7 +15,7 @@
 #include "index/candidates.h"
 #include "index/gpcd_grid/work_space.h"
 
-namespace foresee {
+namespace foresee::index {
 
 /// Boxes in motion: what bodies sweep during the horizon, grown by `margin` on both sides of every axis.
 template <int D>
@@ -47,4 +47,4 @@ template <int D>
 std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>> boxes_a, std::span<const Box<D>> boxes_b,
                                            Interrupt& interrupt);
 
-}  // namespace foresee
+}  // namespace foresee::index

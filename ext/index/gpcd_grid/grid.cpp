@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace foresee::gpcd {
+namespace foresee::index::gpcd {
 namespace {
 
 constexpr std::size_t sample_max = 512;
@@ -211,4 +211,4 @@ template class GridVisit<1>;
 template class GridVisit<2>;
 template class GridVisit<3>;
 
-}  // namespace foresee::gpcd
+}  // namespace foresee::index::gpcd

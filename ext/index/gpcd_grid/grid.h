@@ -19,7 +19,7 @@
 #include "index/gpcd_grid/scan.h"
 #include "index/gpcd_grid/stripes.h"
 
-namespace foresee::gpcd {
+namespace foresee::index::gpcd {
 
 template <int D>
 class Grid {
@@ -100,4 +100,4 @@ class GridVisit final : public Candidates {
   std::size_t steps_taken_ = 0;
 };
 
-}  // namespace foresee::gpcd
+}  // namespace foresee::index::gpcd

@@ -14,7 +14,7 @@
 #include "index/gpcd_grid/scan.h"
 #include "index/gpcd_grid/stripes.h"
 
-namespace foresee::gpcd {
+namespace foresee::index::gpcd {
 
 template <int D>
 class Lanes {
@@ -55,4 +55,4 @@ class Lanes {
   std::size_t room_ = 0;  // lanes in a column
 };
 
-}  // namespace foresee::gpcd
+}  // namespace foresee::index::gpcd

@@ -4,11 +4,13 @@
 
 #include <cstddef>
 
-namespace foresee::gpcd {
+#include "base/rooms.h"
+
+namespace foresee::index::gpcd {
 
 struct ObjectRows {
   const char* first = nullptr;  ///< null: nobody will ask
   std::size_t bytes = 0;        ///< from one to the next
 };
 
-}  // namespace foresee::gpcd
+}  // namespace foresee::index::gpcd

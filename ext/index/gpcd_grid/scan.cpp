@@ -1,6 +1,6 @@
 #include "index/gpcd_grid/scan.h"
 
-namespace foresee::gpcd {
+namespace foresee::index::gpcd {
 
 template <int D>
 std::size_t run(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
@@ -12,4 +12,4 @@ template std::size_t run(Scan<1>&, Pair*, std::size_t, std::size_t&);
 template std::size_t run(Scan<2>&, Pair*, std::size_t, std::size_t&);
 template std::size_t run(Scan<3>&, Pair*, std::size_t, std::size_t&);
 
-}  // namespace foresee::gpcd
+}  // namespace foresee::index::gpcd

@@ -15,7 +15,7 @@
 #include "base/simd.h"
 #include "index/gpcd_grid/object_rows.h"
 
-namespace foresee::gpcd {
+namespace foresee::index::gpcd {
 
 /// The most lanes that one step looks at; behind the last lane stand so many sentinels that begin at
 /// infinity.
@@ -81,4 +81,4 @@ using ScanKernel = std::size_t (*)(Scan<D>& scan, Pair* out, std::size_t room, s
 template <int D, Simd simd>
 ScanKernel<D> scan_kernel();
 
-}  // namespace foresee::gpcd
+}  // namespace foresee::index::gpcd

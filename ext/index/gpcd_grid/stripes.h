@@ -17,7 +17,7 @@
 #include "index/gpcd_grid/float_rows.h"
 #include "index/gpcd_grid/sort_keys.h"
 
-namespace foresee::gpcd {
+namespace foresee::index::gpcd {
 
 /// Stripe numbers of a box on one axis, both ends included.
 struct StripeRange {
@@ -70,4 +70,4 @@ class Stripes {
   std::size_t entry_count_ = 0;
 };
 
-}  // namespace foresee::gpcd
+}  // namespace foresee::index::gpcd

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <numeric>
 
-namespace foresee {
+namespace foresee::index {
 namespace {
 
 constexpr double entries_per_object = 64;
@@ -240,4 +240,4 @@ template std::unique_ptr<PaperGrid<2>> make_paper_grid(const Bodies&, const Bodi
 template std::unique_ptr<PaperGrid<3>> make_paper_grid(const Bodies&, const Bodies&, bool, const Horizon&,
                                                        const Vec<3>&, Interrupt&);
 
-}  // namespace foresee
+}  // namespace foresee::index

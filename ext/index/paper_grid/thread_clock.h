@@ -4,7 +4,9 @@
 
 #include <ctime>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::index {
 
 inline double thread_seconds() {
   timespec now{};
@@ -12,4 +14,4 @@ inline double thread_seconds() {
   return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-}  // namespace foresee
+}  // namespace foresee::index

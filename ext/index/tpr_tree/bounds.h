@@ -22,7 +22,7 @@
 #include "motion/box.h"
 #include "motion/motion.h"
 
-namespace foresee {
+namespace foresee::index {
 
 /// Relative and absolute padding, and the largest finite bound.
 inline constexpr double rounding_pad = 0x1p-48;
@@ -124,4 +124,4 @@ Bounds<D> carried(const Bounds<D>& bounds, double from, double to) {
   return {lower.x, -upper.x, lower.v, -upper.v, bounds.a_lower, bounds.a_upper};
 }
 
-}  // namespace foresee
+}  // namespace foresee::index

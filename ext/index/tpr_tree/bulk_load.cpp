@@ -3,7 +3,7 @@
 #include "base/steps.h"
 #include "index/tpr_tree/order.h"
 
-namespace foresee {
+namespace foresee::index {
 namespace {
 
 /// The time that most objects have reached: the upper quartile of a sample of their t.
@@ -121,4 +121,4 @@ template void bulk_load_tree<2>(TreeState<2>&, std::span<const std::int64_t>, st
 template void bulk_load_tree<3>(TreeState<3>&, std::span<const std::int64_t>, std::span<const double>,
                                 Interrupt&);
 
-}  // namespace foresee
+}  // namespace foresee::index

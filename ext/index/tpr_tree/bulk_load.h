@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "index/tpr_tree/state.h"
 
-namespace foresee {
+namespace foresee::index {
 
 /// Frees every node of the tree.
 void free_all(Pages& pages, Interrupt& interrupt);
@@ -15,4 +15,4 @@ template <int D>
 void bulk_load_tree(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
                     Interrupt& interrupt);
 
-}  // namespace foresee
+}  // namespace foresee::index

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace foresee {
+namespace foresee::index {
 namespace {
 
 /// The side of a typical question: half the mean width of some of the children.
@@ -40,4 +40,4 @@ template std::size_t choose_child<1>(const Node&, const Bounds<1>&, const VisitC
 template std::size_t choose_child<2>(const Node&, const Bounds<2>&, const VisitCost<2>&);
 template std::size_t choose_child<3>(const Node&, const Bounds<3>&, const VisitCost<3>&);
 
-}  // namespace foresee
+}  // namespace foresee::index

@@ -8,7 +8,9 @@
 #include <array>
 #include <cstddef>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::index {
 
 class WriteClock {
  public:
@@ -34,4 +36,4 @@ class WriteClock {
   double now_ = 0;
 };
 
-}  // namespace foresee
+}  // namespace foresee::index

@@ -13,7 +13,7 @@
 
 #include "index/tpr_tree/bounds.h"
 
-namespace foresee {
+namespace foresee::index {
 
 template <int D>
 class VisitCost {
@@ -54,4 +54,4 @@ class VisitCost {
   std::array<double, 3> elapsed_;
 };
 
-}  // namespace foresee
+}  // namespace foresee::index

@@ -3,7 +3,7 @@
 #include "index/tpr_tree/choose.h"
 #include "index/tpr_tree/split.h"
 
-namespace foresee {
+namespace foresee::index {
 namespace {
 
 template <int D, class Added>
@@ -213,4 +213,4 @@ template bool freshen<1>(TreeState<1>&, NodeNumber, std::size_t);
 template bool freshen<2>(TreeState<2>&, NodeNumber, std::size_t);
 template bool freshen<3>(TreeState<3>&, NodeNumber, std::size_t);
 
-}  // namespace foresee
+}  // namespace foresee::index

@@ -4,7 +4,7 @@
 
 #include "index/tpr_tree/state.h"
 
-namespace foresee {
+namespace foresee::index {
 
 /// Adds an object beneath `from` (0: the root). `known_leaf` is where the page map has it already, or 0.
 template <int D>
@@ -29,4 +29,4 @@ void renew_entries(TreeState<D>& state, NodeNumber inner);
 template <int D>
 bool freshen(TreeState<D>& state, NodeNumber inner, std::size_t slot);
 
-}  // namespace foresee
+}  // namespace foresee::index

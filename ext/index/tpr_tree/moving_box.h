@@ -22,7 +22,7 @@
 
 #include "index/tpr_tree/bounds.h"
 
-namespace foresee {
+namespace foresee::index {
 
 /// What spans of time are longer by where they stand for rounding.
 inline constexpr double shortest_reach = 0x1p-1000;
@@ -161,4 +161,4 @@ bool narrow_to_contact(const MovingBox<D>& a, const MovingBox<D>& b, TimeSpan& s
   return !span.is_empty();
 }
 
-}  // namespace foresee
+}  // namespace foresee::index

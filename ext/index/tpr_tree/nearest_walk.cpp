@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foresee {
+namespace foresee::index {
 namespace {
 
 /// The gap between two boxes along each axis at one moment, and how fast it grows; 0 where they overlap.
@@ -165,4 +165,4 @@ template class NearestWalk<1>;
 template class NearestWalk<2>;
 template class NearestWalk<3>;
 
-}  // namespace foresee
+}  // namespace foresee::index

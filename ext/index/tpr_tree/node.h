@@ -10,7 +10,7 @@
 #include "index/tpr_tree/bounds.h"
 #include "shape/shapes.h"
 
-namespace foresee {
+namespace foresee::index {
 
 /// Reads objects out of leaves.
 template <int D>
@@ -201,4 +201,4 @@ Entry<D> summary(const Node& node, const LeafReader<D>& reader, double epoch) {
   return all;
 }
 
-}  // namespace foresee
+}  // namespace foresee::index

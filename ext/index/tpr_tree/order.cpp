@@ -4,7 +4,7 @@
 
 #include "base/steps.h"
 
-namespace foresee {
+namespace foresee::index {
 namespace {
 
 /// An object while it is being sorted: where it is now and how it moves, in comparable units.
@@ -163,4 +163,4 @@ template std::vector<std::uint32_t> leaf_order<2>(const TreeState<2>&, std::span
 template std::vector<std::uint32_t> leaf_order<3>(const TreeState<3>&, std::span<const double>,
                                                   const std::vector<std::size_t>&, Interrupt&);
 
-}  // namespace foresee
+}  // namespace foresee::index

@@ -14,7 +14,7 @@
 #include "base/error.h"
 #include "index/tpr_tree/state.h"
 
-namespace foresee {
+namespace foresee::index {
 
 /// How many nodes of each level a full tree of `objects` has, leaves first, up to the root; none for none.
 std::vector<std::size_t> level_sizes(std::size_t objects, std::size_t leaf_capacity,
@@ -31,4 +31,4 @@ template <int D>
 std::vector<std::uint32_t> leaf_order(const TreeState<D>& state, std::span<const double> records,
                                       const std::vector<std::size_t>& levels, Interrupt& interrupt);
 
-}  // namespace foresee
+}  // namespace foresee::index

@@ -6,7 +6,7 @@
 #include "index/tpr_tree/order.h"
 #include "index/tpr_tree/shrink.h"
 
-namespace foresee {
+namespace foresee::index {
 namespace {
 
 /// Room that is left in a leaf, so that the next writes do not split it.
@@ -172,4 +172,4 @@ template void repack_around<1>(TreeState<1>&, NodeNumber);
 template void repack_around<2>(TreeState<2>&, NodeNumber);
 template void repack_around<3>(TreeState<3>&, NodeNumber);
 
-}  // namespace foresee
+}  // namespace foresee::index

@@ -5,7 +5,7 @@
 
 #include "index/tpr_tree/state.h"
 
-namespace foresee {
+namespace foresee::index {
 
 /// Packs the leaves beneath the parent of `leaf` and the sibling closest to it anew if that makes them far
 /// cheaper to visit. Cost: a look at both, and if they look loose that of loading their leaves: worth asking
@@ -13,4 +13,4 @@ namespace foresee {
 template <int D>
 void repack_around(TreeState<D>& state, NodeNumber leaf);
 
-}  // namespace foresee
+}  // namespace foresee::index

@@ -2,7 +2,7 @@
 
 #include "index/tpr_tree/grow.h"
 
-namespace foresee {
+namespace foresee::index {
 namespace {
 
 /// What dissolved nodes held.
@@ -165,4 +165,4 @@ template double newest_in<1>(const Node&, const LeafReader<1>&);
 template double newest_in<2>(const Node&, const LeafReader<2>&);
 template double newest_in<3>(const Node&, const LeafReader<3>&);
 
-}  // namespace foresee
+}  // namespace foresee::index

@@ -7,7 +7,7 @@
 #include "index/tpr_tree/repack.h"
 #include "index/tpr_tree/shrink.h"
 
-namespace foresee {
+namespace foresee::index {
 namespace {
 
 template <int D>
@@ -176,4 +176,4 @@ void collect_objects(NodeSource& source, std::vector<std::int64_t>& ids, std::ve
   }
 }
 
-}  // namespace foresee
+}  // namespace foresee::index

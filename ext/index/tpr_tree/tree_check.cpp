@@ -6,7 +6,7 @@
 #include "index/tpr_tree/node.h"
 #include "index/tpr_tree/tpr_tree.h"
 
-namespace foresee {
+namespace foresee::index {
 namespace {
 
 /// Walks the whole tree, with the entries above a node in hand.
@@ -137,4 +137,4 @@ TreeReport check_tree(Pages& pages, Interrupt& interrupt) {
   return with_axes(pages.layout().axes, [&]<int D>(Axes<D>) { return TreeCheck<D>(pages, interrupt).run(); });
 }
 
-}  // namespace foresee
+}  // namespace foresee::index

@@ -3,7 +3,7 @@
 #include "index/tpr_tree/join_side.h"
 #include "index/tpr_tree/near_objects.h"
 
-namespace foresee {
+namespace foresee::index {
 namespace {
 
 constexpr std::size_t batch_size = 4096;
@@ -164,4 +164,4 @@ template std::unique_ptr<Candidates> make_tree_join<3>(const Bodies&, const Tree
                                                        const TreeLevels&, const Horizon&, const Vec<3>&,
                                                        Interrupt&);
 
-}  // namespace foresee
+}  // namespace foresee::index

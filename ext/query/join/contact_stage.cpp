@@ -4,7 +4,7 @@
 
 #include "query/join/question.h"
 
-namespace foresee {
+namespace foresee::query {
 
 ContactStage::ContactStage(const JoinQuestion& question, Interrupt& interrupt)
     : question_(question), interrupt_(interrupt), contact_(contact_of(question)) {}
@@ -175,4 +175,4 @@ void ContactStage::write_touching(std::span<const Pair> pairs, std::vector<JoinR
     write_rows<true>(pairs, ids, ids, times, rows.data() + before);
 }
 
-}  // namespace foresee
+}  // namespace foresee::query

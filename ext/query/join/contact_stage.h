@@ -12,7 +12,7 @@
 
 #include "query/join/time_slabs.h"
 
-namespace foresee {
+namespace foresee::query {
 
 /// Pairs that touch, in the question's columns, and when.
 struct Hits {
@@ -65,4 +65,4 @@ class ContactStage {
   std::vector<ClosestApproach> approaches_;
 };
 
-}  // namespace foresee
+}  // namespace foresee::query

@@ -11,7 +11,7 @@
 #include "query/join/join_plan.h"
 #include "query/join/question.h"
 
-namespace foresee {
+namespace foresee::query {
 namespace {
 
 constexpr const char* test_names[paper_stage_count] = {"projection overlap", "centre point", "time interval",
@@ -156,4 +156,4 @@ std::vector<ExplainRow> explain_join(const JoinQuestion& asked, Interrupt& inter
   return explanation.rows();
 }
 
-}  // namespace foresee
+}  // namespace foresee::query

@@ -24,7 +24,7 @@
 
 #include "query/join/join.h"
 
-namespace foresee {
+namespace foresee::query {
 
 struct ExplainRow {
   const char* stage;
@@ -42,4 +42,4 @@ struct ExplainRow {
 /// Throws Error as Join does. Of the question's wishes (only_a, asked_t, order, wants) none is regarded.
 std::vector<ExplainRow> explain_join(const JoinQuestion& question, Interrupt& interrupt);
 
-}  // namespace foresee
+}  // namespace foresee::query

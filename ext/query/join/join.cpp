@@ -11,7 +11,7 @@
 #include "query/join/slab_helpers.h"
 #include "query/join/sorted_hits.h"
 
-namespace foresee {
+namespace foresee::query {
 
 JoinMethod join_method(std::string_view name) {
   if (name == "auto") return JoinMethod::automatic;
@@ -146,4 +146,4 @@ std::span<const JoinRow> Join::next() {
   return p.given;
 }
 
-}  // namespace foresee
+}  // namespace foresee::query

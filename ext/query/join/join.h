@@ -29,7 +29,7 @@
 #include "index/gpcd_grid/work_space.h"
 #include "query/scene.h"
 
-namespace foresee {
+namespace foresee::query {
 
 enum class JoinMethod : std::uint8_t { automatic, grid, tree, scan, gpcd };
 
@@ -109,4 +109,4 @@ class Join {
   std::unique_ptr<Progress> progress_;
 };
 
-}  // namespace foresee
+}  // namespace foresee::query

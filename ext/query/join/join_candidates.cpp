@@ -11,7 +11,7 @@
 #include "index/tpr_tree/tree_join.h"
 #include "query/join/question.h"
 
-namespace foresee {
+namespace foresee::query {
 namespace {
 
 /// A question about one id: that row with all rows of the other side; an unknown id has no pairs.
@@ -88,4 +88,4 @@ std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMe
                    [&]<int D>(Axes<D>) { return by_index<D>(question, method, horizon, reach, interrupt); });
 }
 
-}  // namespace foresee
+}  // namespace foresee::query

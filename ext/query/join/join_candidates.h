@@ -3,7 +3,7 @@
 
 #include "query/join/join.h"
 
-namespace foresee {
+namespace foresee::query {
 
 /// Every pair of `question` that can touch during `horizon`, and others, by `method` (not automatic). `reach`
 /// says how far swept boxes must grow together. `question` must outlive what is answered.
@@ -15,4 +15,4 @@ std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMe
 std::unique_ptr<DividedCandidates> divided_candidates(const JoinQuestion& question, const Horizon& horizon,
                                                       const Contact::Reach& reach, Interrupt& interrupt);
 
-}  // namespace foresee
+}  // namespace foresee::query

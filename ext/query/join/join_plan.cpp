@@ -7,7 +7,7 @@
 #include "base/float_environment.h"
 #include "query/join/question.h"
 
-namespace foresee {
+namespace foresee::query {
 namespace {
 
 // Nanoseconds, on the machine of docs/benchmarks.md; only their ratios matter.
@@ -165,4 +165,4 @@ TimeSlabs slabs_of(const JoinPlan& plan, const JoinQuestion& question) {
   return {question, {step, std::min(step, length * first_share), question.asked_dt.least <= 0}};
 }
 
-}  // namespace foresee
+}  // namespace foresee::query

@@ -4,7 +4,7 @@
 
 #include "query/require.h"
 
-namespace foresee {
+namespace foresee::query {
 namespace {
 
 std::string axes_of(const Scene& scene) {
@@ -31,4 +31,4 @@ std::unique_ptr<Contact> contact_of(const JoinQuestion& question) {
   return make_contact(a.bodies(), b.bodies(), asked, a.name, b.name);
 }
 
-}  // namespace foresee
+}  // namespace foresee::query

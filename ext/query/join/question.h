@@ -6,7 +6,7 @@
 
 #include "query/join/join.h"
 
-namespace foresee {
+namespace foresee::query {
 
 /// Throws Error as Join's constructor says.
 void require_valid(const JoinQuestion& question);
@@ -26,4 +26,4 @@ Vec<D> margin_of(const Contact::Reach& reach) {
   return margin;
 }
 
-}  // namespace foresee
+}  // namespace foresee::query

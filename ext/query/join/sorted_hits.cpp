@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee {
+namespace foresee::query {
 
 void SortedHits::add(const Hits& hits, Interrupt& interrupt) {
   for (std::size_t i = 0; i < hits.pairs.size(); ++i) {
@@ -66,4 +66,4 @@ void SortedHits::take(Hits& hits) {
   found_.clear(), sorted_ = given_ = 0;
 }
 
-}  // namespace foresee
+}  // namespace foresee::query

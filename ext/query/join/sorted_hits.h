@@ -19,7 +19,7 @@
 
 #include "query/join/contact_stage.h"
 
-namespace foresee {
+namespace foresee::query {
 
 class SortedHits {
  public:
@@ -59,4 +59,4 @@ class SortedHits {
   std::optional<Found> after_;  ///< the last one that was taken, where a slab is answered again
 };
 
-}  // namespace foresee
+}  // namespace foresee::query

@@ -18,7 +18,7 @@
 
 #include "query/join/join.h"
 
-namespace foresee {
+namespace foresee::query {
 
 struct TimeSlab {
   double from, before;  ///< of t; infinite at the ends of the question
@@ -56,4 +56,4 @@ class TimeSlabs {
   bool done_;
 };
 
-}  // namespace foresee
+}  // namespace foresee::query

@@ -19,7 +19,7 @@
 #include "contact/contact.h"
 #include "query/searched.h"
 
-namespace foresee {
+namespace foresee::query {
 
 struct NearestQuestion {
   Searched objects;
@@ -40,4 +40,4 @@ struct NearestRow {
 /// finite; k < 1; a coordinate missing, or given for an axis that the objects do not have.
 std::vector<NearestRow> nearest(const NearestQuestion& question, Interrupt& interrupt);
 
-}  // namespace foresee
+}  // namespace foresee::query

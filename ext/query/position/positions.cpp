@@ -5,7 +5,7 @@
 #include "motion/position.h"
 #include "query/require.h"
 
-namespace foresee {
+namespace foresee::query {
 namespace {
 
 template <int D>
@@ -42,4 +42,4 @@ std::optional<PositionRow> Positions::next() {
   return std::nullopt;
 }
 
-}  // namespace foresee
+}  // namespace foresee::query

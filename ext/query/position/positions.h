@@ -14,7 +14,7 @@
 
 #include "query/scene.h"
 
-namespace foresee {
+namespace foresee::query {
 
 struct PositionRow {
   std::int64_t id;
@@ -36,4 +36,4 @@ class Positions {
   std::size_t next_ = 0;
 };
 
-}  // namespace foresee
+}  // namespace foresee::query

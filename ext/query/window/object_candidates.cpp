@@ -7,7 +7,7 @@
 #include "base/float_environment.h"
 #include "index/tpr_tree/window_walk.h"
 
-namespace foresee {
+namespace foresee::query {
 namespace {
 
 constexpr std::uint32_t batch_size = 256;
@@ -114,4 +114,4 @@ std::unique_ptr<ObjectCandidates> window_candidates(const Searched& objects, con
   });
 }
 
-}  // namespace foresee
+}  // namespace foresee::query

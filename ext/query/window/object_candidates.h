@@ -9,7 +9,7 @@
 #include "contact/window_contact.h"
 #include "query/searched.h"
 
-namespace foresee {
+namespace foresee::query {
 
 /// Row numbers, some hundreds at most.
 struct CandidateBatch {
@@ -38,4 +38,4 @@ class ObjectCandidates {
 std::unique_ptr<ObjectCandidates> window_candidates(const Searched& objects, const WindowFaces& faces,
                                                     const Horizon& horizon, Interrupt& interrupt);
 
-}  // namespace foresee
+}  // namespace foresee::query

@@ -6,7 +6,7 @@
 #include "base/float_environment.h"
 #include "query/require.h"
 
-namespace foresee {
+namespace foresee::query {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -83,4 +83,4 @@ void Window::take_inside() {
       rows_.push_back({candidates_->id(row), {.t = now, .t_end = nan, .dt = 0, .dt_end = nan}});
 }
 
-}  // namespace foresee
+}  // namespace foresee::query

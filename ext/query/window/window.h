@@ -18,7 +18,7 @@
 #include "contact/window_contact.h"
 #include "query/window/object_candidates.h"
 
-namespace foresee {
+namespace foresee::query {
 
 struct WindowWants {
   bool begins = true;  ///< t, dt
@@ -62,4 +62,4 @@ class Window {
   std::vector<WindowRow> rows_;
 };
 
-}  // namespace foresee
+}  // namespace foresee::query

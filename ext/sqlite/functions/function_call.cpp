@@ -7,7 +7,7 @@
 #include "sqlite/functions/table_function.h"
 #include "storage/rows/text.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 constexpr double two_to_63 = 0x1p63;
@@ -87,4 +87,4 @@ FunctionCall::Bounds FunctionCall::bounds(int output) const {
   return bounds;
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

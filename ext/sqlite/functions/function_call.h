@@ -18,7 +18,7 @@
 #include "sqlite/functions/row_limit.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 struct TableFunction;
 
@@ -79,4 +79,4 @@ class FunctionCall {
   RowLimit limit_;
 };
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

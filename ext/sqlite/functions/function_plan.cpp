@@ -5,7 +5,7 @@
 
 #include "sqlite/host.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 int output_count(const TableFunction& function) {
@@ -171,4 +171,4 @@ std::span<const int> planned_order(const TableFunction& function, int plan) {
       .first(static_cast<std::size_t>(length));
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

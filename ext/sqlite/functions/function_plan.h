@@ -16,7 +16,7 @@
 
 #include "sqlite/functions/table_function.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 /// What SQLite was told before, in planning the same statement.
 struct PlansBefore {
@@ -39,4 +39,4 @@ PlannedArgument planned_argument(const char* plan, std::size_t argument);
 std::uint32_t planned_outputs(const TableFunction& function, int plan);
 std::span<const int> planned_order(const TableFunction& function, int plan);
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -8,7 +8,7 @@
 #include "sqlite/names/open_table.h"
 #include "storage/rows/text.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 /// In the order of join_input_names().
@@ -122,4 +122,4 @@ JoinQuestion join_question(Connection& connection, const JoinInputs& inputs, con
   return question;
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -15,7 +15,7 @@
 #include "query/join/join.h"
 #include "sqlite/functions/function_call.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 struct JoinInputs {
   double h = 0;
@@ -42,4 +42,4 @@ struct AskedIds {
 /// unless another method was asked for.
 JoinQuestion join_question(Connection& connection, const JoinInputs& inputs, const AskedIds& ids = {});
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -3,7 +3,7 @@
 #include "sqlite/functions/join_inputs.h"
 #include "sqlite/functions/table_functions.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 enum Output { out_stage, out_n_before, out_n_after, out_prune_power, out_seconds, out_detail };
@@ -59,4 +59,4 @@ const TableFunction& predictive_explain() {
   return function;
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

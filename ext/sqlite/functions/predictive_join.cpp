@@ -2,7 +2,7 @@
 #include "sqlite/functions/join_inputs.h"
 #include "sqlite/functions/table_functions.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 enum Output { out_a, out_b, out_t, out_t_end, out_dt, out_dt_end, out_t_cpa, out_dt_cpa, out_d_cpa };
@@ -93,4 +93,4 @@ const TableFunction& predictive_join() {
   return function;
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -3,7 +3,7 @@
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 enum Output { out_id, out_x, out_vx = out_x + 3 };
@@ -57,4 +57,4 @@ const TableFunction& predictive_position() {
   return function;
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -3,7 +3,7 @@
 #include "sqlite/functions/searched_table.h"
 #include "sqlite/functions/table_functions.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 enum WindowOutput { out_id, out_t, out_t_end, out_dt, out_dt_end };
@@ -78,4 +78,4 @@ const TableFunction& predictive_window() {
   return function;
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

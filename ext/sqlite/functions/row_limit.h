@@ -10,9 +10,10 @@
 #include <optional>
 #include <string>
 
+#include "base/rooms.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 struct TableFunction;
 
@@ -33,4 +34,4 @@ void take_row_limit(const TableFunction& function, sqlite3_index_info& info, std
 /// Of an argument by these letters: false if it is none of the two.
 bool read_row_limit(const char* letters, sqlite3_value* value, RowLimit& limit);
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -24,7 +24,7 @@
 
 #include "sqlite/functions/function_call.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 /// The rows of one call, and the tables as they were when it started.
 class FunctionRows {
@@ -56,4 +56,4 @@ std::string usage(const TableFunction& function);
 int register_table_function(sqlite3* db, const TableFunction& function,
                             std::shared_ptr<Connection> connection);
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

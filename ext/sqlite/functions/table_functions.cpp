@@ -2,7 +2,7 @@
 
 #include "sqlite/modules.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 int register_table_functions(sqlite3* db, const std::shared_ptr<Connection>& connection) {
   for (const TableFunction* function : {&predictive_join(), &predictive_explain(), &predictive_window(),
@@ -11,4 +11,4 @@ int register_table_functions(sqlite3* db, const std::shared_ptr<Connection>& con
   return SQLITE_OK;
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

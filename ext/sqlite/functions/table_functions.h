@@ -3,7 +3,7 @@
 
 #include "sqlite/functions/table_function.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 const TableFunction& predictive_join();      // predictive_join.cpp
 const TableFunction& predictive_explain();   // predictive_explain.cpp
@@ -11,4 +11,4 @@ const TableFunction& predictive_nearest();   // predictive_nearest.cpp
 const TableFunction& predictive_position();  // predictive_position.cpp
 const TableFunction& predictive_window();    // predictive_window.cpp
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

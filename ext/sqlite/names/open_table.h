@@ -12,11 +12,11 @@
 
 #include "sqlite/connection.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 /// Equal tables have equal stores. A copy, because to look up another table may make SQLite connect this one
 /// anew. Throws Error where no such table is to be found or where the choice is not
 /// clear; it lists what there is.
 Connection::OpenTable open_table(Connection& connection, const AskedTable& name);
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -22,7 +22,7 @@
 
 #include "storage/rows/statement.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 struct AskedTable {
   std::optional<std::string> table;
@@ -60,4 +60,4 @@ class TableLookups {
   std::vector<Kept> kept_;  ///< the latest last
 };
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

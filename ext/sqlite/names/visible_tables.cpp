@@ -4,7 +4,7 @@
 #include "sqlite/sql_tokens.h"
 #include "storage/rows/statement.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 void add_tables(sqlite3* db, const std::string& schema, std::vector<VisibleTable>& tables) {
@@ -33,4 +33,4 @@ std::vector<VisibleTable> visible_tables(sqlite3* db) {
   return tables;
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

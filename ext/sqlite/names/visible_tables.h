@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "base/rooms.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 struct VisibleTable {
   std::string schema, name;
@@ -22,4 +23,4 @@ std::vector<VisibleTable> visible_tables(sqlite3* db);
 /// Is this the text of a CREATE VIRTUAL TABLE … USING moving_objects, as sqlite_master keeps it?
 bool uses_moving_objects(const std::string& sql);
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

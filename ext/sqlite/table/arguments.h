@@ -11,7 +11,9 @@
 #include <string>
 #include <string_view>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::sqlite {
 
 struct Argument {
   enum class Kind : std::uint8_t { column, auxiliary, option };
@@ -24,4 +26,4 @@ struct Argument {
 
 Argument parse_argument(std::string_view text);
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

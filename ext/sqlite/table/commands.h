@@ -7,7 +7,7 @@
 
 #include "sqlite/table/moving_objects_table.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 /// Throws Error for an unknown command, listing the known.
 void run_command(MovingObjectsTable& table, sqlite3_value* command);
@@ -15,4 +15,4 @@ void run_command(MovingObjectsTable& table, sqlite3_value* command);
 /// The first findings of the integrity check, joined; "" if there is nothing to find.
 std::string findings_of(MovingObjectsTable& table);
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

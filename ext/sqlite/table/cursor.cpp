@@ -5,7 +5,7 @@
 
 #include "storage/rows/text.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 TableCursor::TableCursor(MovingObjectsTable& table) : sqlite3_vtab_cursor{}, table_(table) {
   table_.opened(*this);
@@ -134,4 +134,4 @@ void TableCursor::column(sqlite3_context* context, int column) const {
   }
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

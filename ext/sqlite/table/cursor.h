@@ -10,7 +10,7 @@
 #include "sqlite/table/moving_objects_table.h"
 #include "sqlite/table/table_plan.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 class TableCursor : public sqlite3_vtab_cursor {
  public:
@@ -52,4 +52,4 @@ inline TableCursor& cursor_of(sqlite3_vtab_cursor* base) {
   return *static_cast<TableCursor*>(base);
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

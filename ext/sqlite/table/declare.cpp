@@ -10,7 +10,7 @@
 #include "sqlite/table/vocabulary.h"
 #include "storage/rows/statement.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 [[noreturn]] void refuse(const Argument& argument, const std::string& why) {
@@ -150,4 +150,4 @@ std::string declared_schema(const Declaration& declaration, std::string_view tab
   return sql + ", " + quoted_name(std::string(table)) + " HIDDEN)";
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 /// The words by quantity and axis.
@@ -150,4 +150,4 @@ int place_of(const Offsets& at, const Word& word) {
   return Offsets::absent;
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

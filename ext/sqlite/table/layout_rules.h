@@ -10,7 +10,7 @@
 #include "shape/layout.h"
 #include "sqlite/table/vocabulary.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 struct DeclaredWord {
   Word word;
@@ -23,4 +23,4 @@ Layout layout_of(const std::vector<DeclaredWord>& words);
 /// Where the quantity of `word` stands among a record's doubles.
 int place_of(const Offsets& at, const Word& word);
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -12,7 +12,7 @@
 #include "sqlite/table/write.h"
 #include "storage/rows/shadow_schema.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 using OpenStore = StoreOrFault (*)(sqlite3* db, const std::string& schema, const std::string& table,
@@ -210,4 +210,4 @@ int register_moving_objects(sqlite3* db, const std::shared_ptr<Connection>& conn
   return register_module(db, "moving_objects", &moving_objects_module.module, connection);
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -14,7 +14,7 @@
 #include "sqlite/table/values.h"
 #include "storage/table/store.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 class TableCursor;
 
@@ -72,4 +72,4 @@ inline MovingObjectsTable& table_of(sqlite3_vtab* base) {
   return *static_cast<MovingObjectsTable*>(base);
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

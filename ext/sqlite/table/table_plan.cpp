@@ -2,7 +2,7 @@
 
 #include <span>
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 using Constraint = sqlite3_index_info::sqlite3_index_constraint;
@@ -46,4 +46,4 @@ int plan_table(const MovingObjectsTable& table, sqlite3_index_info* info) {
   return SQLITE_OK;
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -10,7 +10,7 @@
 
 #include "sqlite/table/moving_objects_table.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 enum class TablePlan : int { scan = 0, one_object = 1, handle = 2 };
 
@@ -18,4 +18,4 @@ constexpr const char* handle_word = "foresee-handle";
 
 int plan_table(const MovingObjectsTable& table, sqlite3_index_info* info);
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -8,7 +8,7 @@
 #include "sqlite/callback.h"
 #include "storage/rows/text.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 constexpr double two_to_the_63 = 9223372036854775808.0;
@@ -133,4 +133,4 @@ std::optional<std::int64_t> Values::id(sqlite3_value* value) const {
                                      ": not an integer; write an INTEGER, or NULL to have one assigned");
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -19,7 +19,7 @@
 #include "storage/format/declaration.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 
 class Values {
  public:
@@ -54,4 +54,4 @@ class Values {
   std::vector<double> record_;
 };
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

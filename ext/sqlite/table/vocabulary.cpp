@@ -7,7 +7,7 @@
 
 #include "sqlite/sql_tokens.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 constexpr std::array words = {
@@ -71,4 +71,4 @@ std::string_view nearest_word(std::string_view name) {
   return nearest;
 }
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -8,7 +8,9 @@
 #include <string>
 #include <string_view>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::sqlite {
 
 enum class Quantity : std::uint8_t {
   reference_time,
@@ -38,4 +40,4 @@ std::string_view word_for(Quantity quantity, int axis);
 /// The known word (or "id") that differs from `name` by one letter or two, or "" if none is that near.
 std::string_view nearest_word(std::string_view name);
 
-}  // namespace foresee
+}  // namespace foresee::sqlite

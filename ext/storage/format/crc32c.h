@@ -10,11 +10,13 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::storage {
 
 std::uint32_t crc32c(const void* bytes, std::size_t size, std::uint32_t before = 0);
 
 /// The same without the CPU's instruction: what other machines use, and what tests compare with.
 std::uint32_t crc32c_portable(const void* bytes, std::size_t size, std::uint32_t before = 0);
 
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee {
+namespace foresee::storage {
 
 std::span<const Feature> known_features() {
   return {};
@@ -28,4 +28,4 @@ std::string unknown_feature(std::string_view names, std::span<const Feature> kno
   return "";
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

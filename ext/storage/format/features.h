@@ -13,7 +13,7 @@
 
 #include "storage/format/declaration.h"
 
-namespace foresee {
+namespace foresee::storage {
 
 struct Feature {
   std::string_view name;  ///< one word
@@ -29,4 +29,4 @@ std::string features_of(const Declaration& declaration, std::span<const Feature>
 /// The first name that is not known; "" if all are.
 std::string unknown_feature(std::string_view names, std::span<const Feature> known = known_features());
 
-}  // namespace foresee
+}  // namespace foresee::storage

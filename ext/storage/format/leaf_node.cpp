@@ -6,7 +6,7 @@
 
 #include "shape/shapes.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 // Records are judged where they lie: SQLite's blobs are not aligned.
@@ -146,4 +146,4 @@ Node decode_leaf(const NodeFormat& format, std::span<const std::byte> blob) {
   return leaf;
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -4,7 +4,7 @@
 
 #include "storage/format/crc32c.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 constexpr std::size_t number_size = 8;
@@ -57,4 +57,4 @@ const char* node_fault(const NodeFormat& format, std::span<const std::byte> node
   return nullptr;
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

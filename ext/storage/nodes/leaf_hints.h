@@ -16,7 +16,9 @@
 #include <span>
 #include <vector>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::storage {
 
 class LeafHints {
  public:
@@ -57,4 +59,4 @@ class LeafHints {
   std::vector<std::uint32_t> leaves_;  ///< none, or a power of two
 };
 
-}  // namespace foresee
+}  // namespace foresee::storage

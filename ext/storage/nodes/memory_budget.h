@@ -14,7 +14,9 @@
 #include <cstddef>
 #include <vector>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::storage {
 
 struct MemoryLimits {
   std::size_t pending = 128 << 20;  ///< bytes of objects that wait to be bulk loaded
@@ -85,4 +87,4 @@ class MemoryShare {
   std::size_t pending_ = 0, waiting_ = 0, map_ = 0, kept_ = 0;
 };
 
-}  // namespace foresee
+}  // namespace foresee::storage

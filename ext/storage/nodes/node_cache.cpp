@@ -8,7 +8,7 @@
 #include "storage/format/leaf_node.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee {
+namespace foresee::storage {
 
 void NodeCache::damaged(const std::string& what) const {
   throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + what);
@@ -255,4 +255,4 @@ void NodeCache::erase_everything() {
   map_.void_stored();
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -23,7 +23,7 @@
 #include "storage/nodes/undo_log.h"
 #include "storage/rows/shadow_rows.h"
 
-namespace foresee {
+namespace foresee::storage {
 
 class NodeCache final : public Pages {
  public:
@@ -156,4 +156,4 @@ class NodeCache final : public Pages {
   std::shared_ptr<Node> spare_;  ///< room for the next copy of a node
 };
 
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -6,7 +6,7 @@
 #include "storage/format/leaf_node.h"
 #include "storage/nodes/node_cache.h"
 
-namespace foresee {
+namespace foresee::storage {
 
 // --- memory
 
@@ -70,4 +70,4 @@ void NodeCache::write_nodes() {
   }
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <new>
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 template <class T>
@@ -89,4 +89,4 @@ void PendingInserts::rewind(std::size_t position) noexcept {
   }
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -13,7 +13,7 @@
 
 #include "storage/rows/id_hash_map.h"
 
-namespace foresee {
+namespace foresee::storage {
 
 class PendingInserts {
  public:
@@ -66,4 +66,4 @@ class PendingInserts {
   std::size_t count_ = 0;
 };
 
-}  // namespace foresee
+}  // namespace foresee::storage

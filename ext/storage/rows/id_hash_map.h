@@ -13,7 +13,9 @@
 #include <limits>
 #include <vector>
 
-namespace foresee {
+#include "base/rooms.h"
+
+namespace foresee::storage {
 
 class IdHashMap {
  public:
@@ -51,4 +53,4 @@ class IdHashMap {
   std::uint64_t key_;
 };
 
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -10,7 +10,7 @@
 
 #include "storage/rows/shadow_tables.h"
 
-namespace foresee {
+namespace foresee::storage {
 
 class MetaRows {
  public:
@@ -43,4 +43,4 @@ class MetaRows {
   Statement write_;
 };
 
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -2,7 +2,7 @@
 
 #include "storage/rows/store_error.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 // A statement of 16 rows costs half as much a row as one of a single row; more rows gain nothing.
@@ -223,4 +223,4 @@ void ShadowRows::write_stamp(std::int64_t stamp) {
   run.step();
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -15,7 +15,7 @@
 #include "storage/rows/shadow_schema.h"
 #include "storage/rows/statement.h"
 
-namespace foresee {
+namespace foresee::storage {
 
 class ShadowRows {
  public:
@@ -105,4 +105,4 @@ class ShadowRows {
   Statement stamp_, write_stamp_, root_, write_root_;
 };
 
-}  // namespace foresee
+}  // namespace foresee::storage

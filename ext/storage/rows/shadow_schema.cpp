@@ -8,7 +8,7 @@
 #include "storage/rows/store_error.h"
 #include "storage/rows/text.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 constexpr std::array<const char*, 4> suffixes{"node", "map", "meta", "aux"};
@@ -128,4 +128,4 @@ NodeFormat read_node_format(sqlite3* db, const QualifiedName& name, const Declar
   refuse(SQLITE_CORRUPT_VTAB, name, "the stored node size '" + stored + "' belongs to no page size");
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -17,7 +17,7 @@
 #include "storage/format/node_format.h"
 #include "storage/rows/shadow_tables.h"
 
-namespace foresee {
+namespace foresee::storage {
 
 /// True for node, map, aux and meta: what stands behind `<name>_` in a shadow table's name.
 bool is_shadow_suffix(std::string_view suffix);
@@ -41,4 +41,4 @@ NodeFormat read_node_format(sqlite3* db, const QualifiedName& name, const Declar
 /// declaration that cannot be read: the feature says why.
 void refuse_unknown_features(sqlite3* db, const QualifiedName& name);
 
-}  // namespace foresee
+}  // namespace foresee::storage

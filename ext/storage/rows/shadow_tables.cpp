@@ -4,7 +4,7 @@
 
 #include "storage/rows/store_error.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 std::string full_name(const QualifiedName& name, const std::string& suffix) {
@@ -69,4 +69,4 @@ Statement ShadowTables::statement(const std::string& sql) const {
   return {db_, result + sql.substr(done)};
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -19,7 +19,7 @@
 #include "storage/rows/sqlite_api.h"
 #include "storage/rows/statement.h"
 
-namespace foresee {
+namespace foresee::storage {
 
 /// A table as SQL names it.
 struct QualifiedName {
@@ -63,4 +63,4 @@ class ShadowTables {
   std::vector<ShadowTable> tables_;
 };
 
-}  // namespace foresee
+}  // namespace foresee::storage

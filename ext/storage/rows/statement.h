@@ -16,9 +16,10 @@
 #include <span>
 #include <string>
 
+#include "base/rooms.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee {
+namespace foresee::storage {
 
 /// SQL text by the rules of sqlite3_mprintf: "%w" for a name, %Q for a string.
 std::string format_sql(const char* format, ...);
@@ -95,4 +96,4 @@ class Statement::Run {
   sqlite3_stmt* statement_;
 };
 
-}  // namespace foresee
+}  // namespace foresee::storage

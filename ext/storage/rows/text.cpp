@@ -6,7 +6,7 @@
 
 #include "base/shown.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 /// SQLite says null for NULL, and out of memory for anything.
@@ -44,7 +44,7 @@ std::string shown(sqlite3_value* value) {
     case SQLITE_INTEGER:
       return std::to_string(sqlite3_value_int64(value));
     case SQLITE_FLOAT:
-      return shown(sqlite3_value_double(value));
+      return base::shown(sqlite3_value_double(value));
     case SQLITE_BLOB:
       return "a blob of " + std::to_string(sqlite3_value_bytes(value)) + " bytes";
     default: {
@@ -58,4 +58,4 @@ std::string shown(sqlite3_value* value) {
   }
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

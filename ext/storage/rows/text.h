@@ -7,9 +7,10 @@
 
 #include <string>
 
+#include "base/rooms.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee {
+namespace foresee::storage {
 
 /// A value as text, "" for NULL. Throws std::bad_alloc out of memory.
 std::string text_of(sqlite3_value* value);
@@ -21,4 +22,4 @@ std::string without_nul(std::string text);
 /// A value as a message shows it: 1.5, 'text' (its beginning, if it is long), a blob of 2 bytes, NULL.
 std::string shown(sqlite3_value* value);
 
-}  // namespace foresee
+}  // namespace foresee::storage

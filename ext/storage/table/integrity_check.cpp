@@ -8,7 +8,7 @@
 #include "storage/format/leaf_node.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 constexpr std::size_t most_faults = 100;
@@ -135,4 +135,4 @@ std::vector<std::string> check_integrity(ShadowRows& rows, NodeCache& cache, con
   return std::move(check).faults();
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -13,11 +13,11 @@
 #include "storage/nodes/node_cache.h"
 #include "storage/rows/shadow_rows.h"
 
-namespace foresee {
+namespace foresee::storage {
 
 /// What is wrong, a sentence each, at most some hundred; empty: nothing. Requires: nothing waits in `cache`.
 std::vector<std::string> check_integrity(ShadowRows& rows, NodeCache& cache, const NodeFormat& format,
                                          const QualifiedName& name, bool has_auxiliaries,
                                          Interrupt& interrupt);
 
-}  // namespace foresee
+}  // namespace foresee::storage

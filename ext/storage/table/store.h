@@ -34,7 +34,7 @@
 #include "storage/nodes/pending_inserts.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee {
+namespace foresee::storage {
 
 /// The state of a table's contents: equal versions of one table on one connection mean equal contents.
 struct ContentVersion {
@@ -245,4 +245,4 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   std::uint64_t change_ = 0;  ///< moves with everything that a savepoint would have to take back
 };
 
-}  // namespace foresee
+}  // namespace foresee::storage

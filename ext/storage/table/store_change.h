@@ -7,7 +7,7 @@
 #include "base/float_environment.h"
 #include "storage/table/store.h"
 
-namespace foresee {
+namespace foresee::storage {
 
 class Store::OwnStatements {
  public:
@@ -77,4 +77,4 @@ auto Store::with_sound_tree(Body body) {
   }
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

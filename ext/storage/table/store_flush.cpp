@@ -9,7 +9,7 @@
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 // Loading everything anew costs a twentieth of so many inserts, and leaves a better tree.
@@ -150,4 +150,4 @@ void Store::pack(Interrupt& interrupt) {
   atomic_change.done();
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

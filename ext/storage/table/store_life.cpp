@@ -8,7 +8,7 @@
 #include "storage/table/store_change.h"
 #include "storage/table/tree_snapshot.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 bool same_columns(const Declaration& a, const Declaration& b) {
@@ -265,4 +265,4 @@ void Store::drop() {
   pending_->clear();
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

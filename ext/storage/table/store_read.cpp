@@ -6,7 +6,7 @@
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 constexpr std::int64_t no_number = std::numeric_limits<std::int64_t>::max();
@@ -161,7 +161,7 @@ void Store::result_auxiliary(sqlite3_context* context, std::int64_t id, int colu
 double Store::read_newest_t() {
   believe_only_this_stamp();
   insert_pending();
-  return with_sound_tree([&] { return foresee::read_newest_t(nodes()); });
+  return with_sound_tree([&] { return index::read_newest_t(nodes()); });
 }
 
 std::vector<std::string> Store::integrity_check(Interrupt& interrupt) {
@@ -171,4 +171,4 @@ std::vector<std::string> Store::integrity_check(Interrupt& interrupt) {
       [&] { return check_integrity(shadow_rows(), cache_, format_, name_, has_auxiliaries(), interrupt); });
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

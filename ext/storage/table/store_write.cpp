@@ -6,7 +6,7 @@
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
 
-namespace foresee {
+namespace foresee::storage {
 // What every change begins with. Writing early here, not after the change, keeps the change all or nothing.
 void Store::start_change(std::span<const double> record) {
   if (!record.empty())
@@ -138,4 +138,4 @@ void Store::erase(std::int64_t id) {
   atomic_change.done();
 }
 
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -6,7 +6,7 @@
 
 #include "storage/table/store.h"
 
-namespace foresee {
+namespace foresee::storage {
 
 class TreeSnapshot final : public NodeSource {
  public:
@@ -28,4 +28,4 @@ class TreeSnapshot final : public NodeSource {
   UndoLog::Handle mark_;
 };
 
-}  // namespace foresee
+}  // namespace foresee::storage

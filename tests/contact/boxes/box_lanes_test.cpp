@@ -9,7 +9,7 @@
 #include "contact/boxes/box_contact.h"
 #include "contact/hard_pairs.h"
 
-namespace foresee {
+namespace foresee::contact {
 namespace {
 
 using namespace testing_by_hand;
@@ -305,4 +305,4 @@ TEST(BoxLanes, PairsAnswerAloneAsInABatch) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::contact

@@ -12,7 +12,7 @@
 #include "contact/pair_by_hand.h"
 #include "contact/set/shape_pairs.h"
 
-namespace foresee {
+namespace foresee::contact {
 namespace {
 
 using namespace testing_by_hand;
@@ -236,4 +236,4 @@ TEST(ContactSet, BoundsAndCentresMoveToo) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::contact

@@ -9,7 +9,7 @@
 #include "numbers/midrad_128.h"
 #include "numbers/polynomial.h"
 
-namespace foresee {
+namespace foresee::contact {
 namespace {
 
 /// A primitive with random lengths and a random relative motion, all halves of whole numbers or any doubles.
@@ -162,4 +162,4 @@ TEST(Primitive, OfUniformMotionHasTheSameCoefficients) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::contact

@@ -5,7 +5,7 @@
 
 #include "index/candidate_pairs.h"
 
-namespace foresee {
+namespace foresee::index {
 namespace {
 
 using testing::all_layouts;
@@ -185,4 +185,4 @@ TEST(PaperGrid, CanBeInterruptedWhileItIsBuiltAndWhileItIsRead) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::index

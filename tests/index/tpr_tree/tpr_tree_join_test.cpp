@@ -5,7 +5,7 @@
 #include "index/tpr_tree/tree_join.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
-namespace foresee {
+namespace foresee::index {
 namespace {
 
 using testing::all_layouts;
@@ -142,4 +142,4 @@ TEST(TreeJoin, StopsWhenInterrupted) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::index

@@ -10,7 +10,7 @@
 #include "index/tpr_tree/window_walk.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
-namespace foresee {
+namespace foresee::index {
 namespace {
 
 using testing::all_layouts;
@@ -279,4 +279,4 @@ TEST(TprTree, NodesAreSplitWhateverTheirBoundsSay) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::index

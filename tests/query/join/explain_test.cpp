@@ -7,7 +7,7 @@
 #include "index/paper_grid/trajectory_intersection.h"
 #include "query/join_cases.h"
 
-namespace foresee {
+namespace foresee::query {
 namespace {
 
 using testing::all_layouts;
@@ -236,4 +236,4 @@ TEST(Explain, RefusesWhatTheJoinRefuses) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::query

@@ -4,7 +4,7 @@
 #include "query/join/join_plan.h"
 #include "query/join_cases.h"
 
-namespace foresee {
+namespace foresee::query {
 namespace {
 
 using testing::numbers_of;
@@ -157,4 +157,4 @@ TEST(JoinHelpers, AreStoppedByAnInterrupt) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::query

@@ -3,7 +3,7 @@
 
 #include "query/join_cases.h"
 
-namespace foresee {
+namespace foresee::query {
 namespace {
 
 using testing::all_layouts;
@@ -176,4 +176,4 @@ TEST(JoinOfManyObjects, ChoosesAMethodWithoutChangingTheRows) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::query

@@ -7,7 +7,7 @@
 #include "query/join/join_plan.h"
 #include "query/join_cases.h"
 
-namespace foresee {
+namespace foresee::query {
 namespace {
 
 using testing::all_layouts;
@@ -219,4 +219,4 @@ TEST(TimeSlabs, OfOneLengthAreTheWholeHorizon) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::query

@@ -4,7 +4,7 @@
 
 #include "query/join_cases.h"
 
-namespace foresee {
+namespace foresee::query {
 namespace {
 
 using testing::IdPairs;
@@ -126,4 +126,4 @@ TEST(Join, SaysWhatIsWrongWithAQuestion) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::query

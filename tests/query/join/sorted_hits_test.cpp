@@ -5,7 +5,7 @@
 
 #include "query/join_cases.h"
 
-namespace foresee {
+namespace foresee::query {
 namespace {
 
 using testing::numbers_of;
@@ -92,4 +92,4 @@ TEST(SortedHits, OfAJoinAreTheSameRowsInTheSameOrderHoweverFewAreLikely) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::query

@@ -8,7 +8,7 @@
 
 #include "query/search_cases.h"
 
-namespace foresee {
+namespace foresee::query {
 namespace {
 
 using testing::all_layouts;
@@ -194,4 +194,4 @@ TEST(Nearest, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::query

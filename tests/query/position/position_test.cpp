@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "query/position/positions.h"
 
-namespace foresee {
+namespace foresee::query {
 namespace {
 
 std::shared_ptr<Scene> scene_of(const Layout& layout, std::vector<std::int64_t> ids,
@@ -59,4 +59,4 @@ TEST(NewestT, IsTheLargestReferenceTime) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::query

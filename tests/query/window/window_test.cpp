@@ -7,7 +7,7 @@
 
 #include "query/search_cases.h"
 
-namespace foresee {
+namespace foresee::query {
 namespace {
 
 using testing::all_layouts;
@@ -201,4 +201,4 @@ TEST(Window, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::query

@@ -4,7 +4,7 @@
 #include "sqlite/callback.h"
 #include "sqlite/database.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 using testing::Database;
@@ -175,4 +175,4 @@ TEST_F(TableFunctionTest, IsReadOnlyAndNeedsNoCreate) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace foresee {
+namespace foresee::sqlite {
 namespace {
 
 using Arguments = std::vector<std::string_view>;
@@ -226,4 +226,4 @@ TEST(DeclareErrors, ATableIsNotNamedLikeOneOfItsColumns) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::sqlite

@@ -7,7 +7,7 @@
 #include "storage/database.h"
 #include "storage/rows/shadow_schema.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 constexpr std::array<Feature, 2> two{
@@ -98,4 +98,4 @@ TEST_F(UnknownFeature, IsTheReasonAlsoWhereTheColumnsCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -6,7 +6,7 @@
 #include <limits>
 #include <string>
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -122,4 +122,4 @@ TEST(InnerNode, ACountBeyondTheCapacityIsAFault) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::storage

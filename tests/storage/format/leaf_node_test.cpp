@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -170,4 +170,4 @@ TEST(LeafNode, CylindersHaveNeitherNegativeRadiusNorHeight) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::storage

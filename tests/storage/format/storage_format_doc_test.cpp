@@ -8,7 +8,7 @@
 #include "storage/format/node_format.h"
 #include "storage/rows/shadow_schema.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 std::string page() {
@@ -78,4 +78,4 @@ TEST(StorageFormatDoc, ListsTheRowsOfMeta) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -7,7 +7,7 @@
 #include "storage/table/open_stores.h"
 #include "storage/table/store.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 class TwoTables : public ::testing::Test {
@@ -104,4 +104,4 @@ TEST_F(TwoTables, OfOneConnectionShareABudgetAndOfTwoDoNot) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::storage

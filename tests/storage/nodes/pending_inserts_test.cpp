@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 const std::vector<double> record{1, 2, 3};
@@ -35,4 +35,4 @@ TEST(PendingInserts, ObjectsThatComeAndGoTakeNoMemory) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -6,7 +6,7 @@
 
 #include "storage/database.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 TEST(ShadowSchema, DescribesTheColumnsOfEveryLayout) {
@@ -131,4 +131,4 @@ TEST(ShadowSchema, NoStatementStaysOpenAfterAnyCall) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::storage

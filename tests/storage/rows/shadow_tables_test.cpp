@@ -7,7 +7,7 @@
 #include "storage/rows/ascending_rows.h"
 #include "storage/rows/meta_rows.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 ShadowTables alerts(Database& db, const std::string& table = "alerts", const std::string& schema = "main") {
@@ -114,4 +114,4 @@ TEST(ShadowTables, ASuffixIsKnownInUpperAndLowerCase) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::storage

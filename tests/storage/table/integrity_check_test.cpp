@@ -4,7 +4,7 @@
 #include "storage/database.h"
 #include "storage/format/leaf_node.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 class Damage : public ::testing::Test {
@@ -177,4 +177,4 @@ TEST_F(Damage, NoNodeNumberIsLeftAfterTheLargest) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::storage

@@ -5,7 +5,7 @@
 
 #include "storage/database.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 class Pack : public ::testing::Test {
@@ -108,4 +108,4 @@ TEST(PackEmpty, AnEmptyTableStaysEmpty) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::storage

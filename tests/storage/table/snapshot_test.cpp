@@ -4,7 +4,7 @@
 
 #include "storage/database.h"
 
-namespace foresee {
+namespace foresee::storage {
 namespace {
 
 using Model = std::map<std::int64_t, double>;
@@ -198,4 +198,4 @@ TEST_F(Snapshot, AgreesWithAModelThroughRandomProgramsOfSavepoints) {
 }
 
 }  // namespace
-}  // namespace foresee
+}  // namespace foresee::storage
