@@ -4,15 +4,11 @@
 
 #include <cstdlib>
 
+#include "sanitized.h"
+
 namespace foresee::contact::testing_by_hand {
 
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-constexpr bool sanitized = __has_feature(address_sanitizer);
-#else
-constexpr bool sanitized = false;
-#endif
+using testing::sanitized;
 
 inline int scaled_count(int cases) {
   return std::getenv("FORESEE_LONG") ? cases * 50 : sanitized ? (cases + 19) / 20 : cases;

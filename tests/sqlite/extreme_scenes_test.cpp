@@ -4,6 +4,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
+#include "sanitized.h"
 #include "sqlite/database.h"
 
 namespace foresee::testing {
@@ -24,14 +25,6 @@ std::vector<std::vector<double>> numbers_of(Database& db, const std::string& que
   sqlite3_finalize(statement);
   return rows;
 }
-
-#if defined(__SANITIZE_ADDRESS__)
-constexpr bool sanitized = true;
-#elif defined(__has_feature)
-constexpr bool sanitized = __has_feature(address_sanitizer);
-#else
-constexpr bool sanitized = false;
-#endif
 
 TEST(ExtremeScenes, HaveTheirExactAnswers) {
   // Sanitizers make exact arithmetic twenty times slower: they see fewer aircraft.

@@ -9,21 +9,12 @@
 #include <cstdlib>
 
 #include "all_rooms.h"
+#include "sanitized.h"
 
 namespace foresee::testing {
 
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-#define FORESEE_TESTS_ARE_SLOW 1
-#endif
-#endif
-
 inline long next_fault(long n) {
-#ifdef FORESEE_TESTS_ARE_SLOW
-  constexpr long one_by_one = 20, growth = 6;
-#else
-  constexpr long one_by_one = 150, growth = 40;
-#endif
+  constexpr long one_by_one = sanitized ? 20 : 150, growth = sanitized ? 6 : 40;
   static const bool every = std::getenv("FORESEE_EVERY_FAULT") != nullptr;
   return every || n < one_by_one ? n + 1 : n + 1 + n / growth;
 }

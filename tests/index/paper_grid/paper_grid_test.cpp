@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "index/candidate_pairs.h"
+#include "sanitized.h"
 
 namespace foresee::index {
 namespace {
@@ -129,7 +130,7 @@ std::vector<Box<3>> diagonal_with_giant(std::size_t count) {
 
 TEST(PaperGrid, DoublesItsCellsBeforeAGiantFillsThem) {
   // To the letter the giant alone would meet some 5000^3 / 3^3 cells.
-  const std::vector<Box<3>> boxes = diagonal_with_giant(5000);
+  const std::vector<Box<3>> boxes = diagonal_with_giant(testing::sanitized ? 2000 : 5000);
   PaperGrid<3> grid(boxes, never);
   EXPECT_GT(grid.figures().doubled, 1);
   EXPECT_LE(grid.figures().entries, 64 * (boxes.size() + 1));

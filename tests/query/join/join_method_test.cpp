@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "query/join_cases.h"
+#include "sanitized.h"
 
 namespace foresee::query {
 namespace {
@@ -13,6 +14,7 @@ using testing::numbers_of;
 using testing::random_scene;
 using testing::RandomScene;
 using testing::rows_of;
+using testing::sanitized;
 using testing::scene_of;
 using testing::SceneKind;
 using testing::SceneSpec;
@@ -119,9 +121,10 @@ TEST(JoinOfTwoTables, IsTheMirrorImageOfTheOtherOrder) {
 
 TEST(JoinOfManyObjects, GridAndGpcdAgreeWithScan) {
   const Layout discs{.axes = 2, .law = Law::uniform, .shape = Shape::ball};
+  const std::size_t many = sanitized ? 1500 : 5000;
   const SceneSpec specs[] = {
-      {.layout = discs, .kind = SceneKind::uniform, .count = 5000, .seed = 10},
-      {.layout = discs, .kind = SceneKind::one_fast, .count = 5000, .seed = 11},
+      {.layout = discs, .kind = SceneKind::uniform, .count = many, .seed = 10},
+      {.layout = discs, .kind = SceneKind::one_fast, .count = many, .seed = 11},
       {.layout = {.axes = 1, .law = Law::uniform}, .kind = SceneKind::clustered, .count = 3000, .seed = 12},
       {.layout = {.axes = 3, .law = Law::accelerated, .shape = Shape::box, .has_t = true},
        .kind = SceneKind::one_giant,

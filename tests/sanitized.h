@@ -1,0 +1,14 @@
+// Is this a build with sanitizers? They make everything some ten times as slow, so scenes are smaller there.
+#pragma once
+
+namespace foresee::testing {
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool sanitized = true;
+#elif defined(__has_feature)
+constexpr bool sanitized = __has_feature(address_sanitizer);
+#else
+constexpr bool sanitized = false;
+#endif
+
+}  // namespace foresee::testing
