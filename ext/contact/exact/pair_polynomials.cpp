@@ -26,7 +26,7 @@ PairPolynomials::PairPolynomials(const ContactSet& set, const Setup& setup, cons
 Polynomial PairPolynomials::exact_polynomial(int primitive) const {
   if (!exact_motion_) exact_motion_ = motion<Dyadic>();
   return Polynomial(polynomial_of<2>(set_.primitives()[static_cast<std::size_t>(primitive)],
-                                     exact_motion_->data(), PairLengths<Dyadic>{set_, row_a_, row_b_}, 0));
+                                     exact_motion_->data(), PairLengths<Dyadic>{set_, row_a_, row_b_}, 0.0));
 }
 
 std::size_t PairPolynomials::number_of(int primitive) {
@@ -43,7 +43,7 @@ std::size_t PairPolynomials::number_of(int primitive) {
   }
   number = static_cast<int>(polynomials_.size());
   const PairLengths<Midrad128> lengths{set_, row_a_, row_b_};
-  polynomials_.emplace_back(polynomial_of<2>(p, rough_motion_.data(), lengths, 0), *this, primitive);
+  polynomials_.emplace_back(polynomial_of<2>(p, rough_motion_.data(), lengths, 0.0), *this, primitive);
   return static_cast<std::size_t>(number);
 }
 
