@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "contact/certain/chord.h"
 #include "contact/certain/crossing.h"
 #include "contact/exact/exact_contact.h"
 #include "contact/oracle.h"
