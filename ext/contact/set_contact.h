@@ -28,7 +28,7 @@ class SetContact : public Contact {
                   .set = set_.arrays(),
                   .lengths = certain_scratch_.lengths.data(),
                   .touches_wanted = false,
-                  .space = space_.data()} {}
+                  .space = reinterpret_cast<double*>(space_.data())} {}
 
   Reach reach() const override { return {setup_.within, setup_.within_z}; }
 
@@ -175,7 +175,7 @@ class SetContact : public Contact {
   const ContactSet set_;
   CertainScratch certain_scratch_;
   CrossingScratch crossing_scratch_;
-  std::vector<double> space_;
+  std::vector<LanesLine> space_;
   LanesQuestion question_;
   SetLanes lanes_;
   const SetKernel<D, Degree>& kernel_ = set_kernel<D, Degree>();

@@ -76,7 +76,7 @@ class StagesOfPair {
 
   void check_lanes(bool touches, const ExactMoments& exact) {
     const AllLengths<Bounded> lengths(set_);
-    std::vector<double> space(lanes_space(set_));
+    std::vector<LanesLine> space(lanes_space(set_));
     const LanesQuestion question{.a = setup_.a.at,
                                  .b = setup_.b.at,
                                  .now = setup_.horizon.now,
@@ -84,7 +84,7 @@ class StagesOfPair {
                                  .set = set_.arrays(),
                                  .lengths = lengths.data(),
                                  .touches_wanted = true,
-                                 .space = space.data()};
+                                 .space = reinterpret_cast<double*>(space.data())};
     SetLanes lanes;
     std::fill_n(lanes.a, lanes.width, row_a_.data());
     std::fill_n(lanes.b, lanes.width, row_b_.data());

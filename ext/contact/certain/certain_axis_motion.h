@@ -2,7 +2,7 @@
 //
 // With u = 2^-53 and S the larger |now - t|: positions are differenced before anything is added, so that two
 // objects near each other and far from the origin lose nothing. Each coefficient is a sum of at most six
-// rounded terms, each with at most five roundings behind it: within 12u of the sum of the terms' magnitudes,
+// rounded terms, each with at most seven roundings behind it: within 12u of the sum of the terms' magnitudes,
 // plus what underflow loses (below 2^-1070 (1 + S)^2).
 //
 // Real: double, or several pairs at once (base/doubles.h).

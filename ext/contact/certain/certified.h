@@ -1,4 +1,4 @@
-// For how long does a polynomial certainly period positive, from double arithmetic?
+// For how long does a polynomial certainly stay positive, from double arithmetic?
 //
 // Coefficients come with bounds on their errors. Only the value at one moment and those bounds are used:
 // roots are never trusted, only stayed short of.
@@ -32,7 +32,7 @@ inline double positive_for(double p0, double p1, double p2) {
   constexpr double less = 1 - 32 * unit_roundoff;
   // With p1 > 0 (and p2 < 0) nothing cancels in either sum; what underflow may have added is taken off.
   if (p1 > 0) return less * ((p1 + std::sqrt(std::max(0.0, square - product - 0x1p-1070))) / (-2 * p2));
-  return less * (2 * p0 / (std::sqrt(raised) - p1));
+  return less * (p0 / (0.5 * (std::sqrt(raised) - p1)));
 }
 
 /// The same for p0 + p1 t.

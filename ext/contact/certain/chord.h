@@ -23,15 +23,19 @@ class Chord {
   /// Requires: 0 <= end, which is h up to rounding.
   Chord(const CertainMotion<D, Real>& relative, const Real& end) {
     using std::abs;
-    constexpr double slack = 0x1p-40, least_slope = 0x1p-1000;
+    // The least slope that is divided by, and the least time that a crossing is off by where its product is
+    // subnormal.
+    constexpr double slack = 0x1p-40, least_slope = 0x1p-1000, least_time = 0x1p-1000;
     for (int j = 0; j < D; ++j) {
       const CertainAxisMotion<Real>& r = relative.axis[j];
-      const Real bend = end * end * abs(r.a), turn = end * abs(r.v);
-      const Real lost = r.ex + end * (r.ev + end * r.ea) + end * least_slope;
+      // No square of a time: it may vanish where the distance does not. What overflows in the slope does so
+      // in the swing, and gives no answer.
+      const Real bent = end * abs(r.a), swing = abs(r.v) + bent;
+      const Real lost = r.ex + end * (r.ev + end * r.ea) + 2 * end * least_slope;
       const Real slope = r.v + end * r.a;
       at_[j] = r.x;
       steep_[j] = 1 / select(abs(slope) < least_slope, least_slope, slope);
-      room_[j] = 0.25 * bend + lost + slack * (abs(at_[j]) + turn + bend) + 0x1p-1000;
+      room_[j] = 0.25 * (end * bent) + lost + slack * (abs(at_[j]) + (end + least_time) * swing) + 0x1p-1000;
     }
   }
 

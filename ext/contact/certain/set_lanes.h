@@ -25,7 +25,7 @@ struct LanesQuestion {
   ContactSet::Arrays set;
   const Bounded* lengths;  ///< by number; those that vary are anything
   bool touches_wanted;
-  double* space;  ///< of as many doubles as lanes_space() says
+  double* space;  ///< aligned, and as long as lanes_space() says
 };
 
 struct SetLanes {
@@ -37,9 +37,14 @@ struct SetLanes {
   double touches[width];                        ///< above 0: certainly; only where that is wanted
 };
 
+/// As many numbers as the widest register holds: kernels read and write aligned ones.
+struct alignas(64) LanesLine {
+  double numbers[8] = {};
+};
+
+/// So many of them: two a length, one a primitive.
 inline std::size_t lanes_space(const ContactSet& set) {
-  constexpr std::size_t widest = 8;
-  return widest * (2 * set.lengths().size() + set.primitives().size());
+  return 2 * set.lengths().size() + set.primitives().size();
 }
 
 template <int D, int Degree>
