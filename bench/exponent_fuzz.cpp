@@ -1,5 +1,5 @@
-// What is the most that one pair of hostile numbers can cost? One row a pair kind, axes, law and fuzz, as
-// CSV.
+// What is the most that one pair of hostile numbers can cost? One row a pair of shapes, axes, law and
+// fuzz, as CSV.
 //
 //   bench_exponent_fuzz [--quick]
 //

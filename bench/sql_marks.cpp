@@ -4,8 +4,7 @@
 //   bench_sql_marks [--quick] [--joins | --loads | --updates]
 //
 //   join  S-100000: SELECT a, b, t FROM predictive_join(3), all rows stepped, warm; both tables stand ready.
-//         Then how many they are, and the ten that meet first; the rival's whole join is what these compare
-//         to.
+//         Then how many they are, and the ten that meet first, beside the rival's whole join.
 //   load  S-1000000: as many prepared single-row INSERTs in one transaction, in memory and into a file.
 //         (--quick: 300,000.) Then what the file takes, and the most memory of a process that loads it.
 //   update  S-100000 and S-1000000: 100,000 random objects move on by up to half a unit, prepared single-row

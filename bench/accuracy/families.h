@@ -1,8 +1,7 @@
 // Seeded families of pairs, each hard in one way of its own, for the report on accuracy and for comparing
 // builds.
 //
-//   Family family = make_family("box graze-near", 1000, 7);      // object i of a is asked about object i of
-//   b
+//   Family family = make_family("box graze-near", 1000, 7);      // pair i: object i of a, object i of b
 //
 //   random, dense          nothing special; few and many contacts
 //   reference-times        the two numbers of a pair hold at different moments

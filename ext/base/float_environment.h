@@ -13,9 +13,9 @@
 #include <atomic>
 #else
 #include <cfenv>
+#endif
 
 #include "base/rooms.h"
-#endif
 
 #ifdef __FAST_MATH__
 #error "foresee needs IEEE arithmetic: build without -ffast-math (and -Ofast)"

@@ -11,7 +11,8 @@
 //
 // and whoever computes asks for the one in use:
 //
-//   with_simd_in_use([&]<Simd simd>(Level<simd>) { beam_kernels<2, simd>().find_lives(lanes, count, now, h);
+//   with_simd_in_use([&]<Simd simd>(Level<simd>) {
+//     beam_kernels<2, simd>().find_lives(lanes, count, now, h);
 //   });
 //
 // All else in such a file is local to it and made of built-in types: a function shared with code for older

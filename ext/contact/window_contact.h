@@ -1,11 +1,11 @@
 // When does an object touch a moving window? The second door of the room: one window instead of one side's
 // bodies.
 //
-//   MovingWindow window({.lower = {0, -infinity, -infinity}, .upper = {100, infinity, infinity}, .velocity =
-//   {1, 0, 0}}, 2,
-//                       600);
+//   WindowFaces faces;                                           // nothing bounds it
+//   faces.lower[0] = 0, faces.upper[0] = 100, faces.velocity[0] = 1;
+//   MovingWindow window(faces, 2, 600);                          // axes, now
 //   auto contact = make_window_contact(window, ships, {.now = 600, .h = 300});
-//   contact->decide(pairs, hits);                        // pairs (0, row of the object)
+//   contact->decide(pairs, hits);                                // pairs (0, row of the object)
 //
 // A window is a closed box whose faces move together from `now` on; an infinite face is no bound. Touching
 // counts. Boxes and points are compared axis by axis; discs and balls by the Euclidean distance from the

@@ -46,7 +46,7 @@ void find_lives(BeamLanes<D>& lanes, std::size_t count, double now, double h) {
     }
 }
 
-/// lower, upper and travel, from courses and lives; `bent` where there is acceleration.
+/// lower, upper and travel, from motions and lives; `bent` where there is acceleration.
 template <int D, bool bent>
 void find_beams(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D]) {
   for (int k = 0; k < D; ++k)

@@ -15,7 +15,7 @@ struct BeamLanes {
   double lower[D][width] = {}, upper[D][width] = {}, travel[D][width] = {}, begin[width] = {},
          end[width] = {};
 
-  // Courses, and how far there is something below and above; when they are flown, as time since t; how often
+  // Motions, and how far there is something below and above; when they hold, as time since t; how often
   // the life fits into the horizon: 0 if that is too short to say, below 0 for none.
   double x[D][width] = {}, v[D][width] = {}, a[D][width] = {};
   double below[D][width] = {}, above[D][width] = {};
@@ -28,7 +28,7 @@ template <int D>
 struct BeamKernels {
   /// from, to, reach, parts, begin and end of what has t and until; life_of() of life.h, side by side.
   void (*find_lives)(BeamLanes<D>& lanes, std::size_t count, double now, double h);
-  /// lower, upper and travel, from courses without acceleration and lives.
+  /// lower, upper and travel, from motions without acceleration and lives.
   void (*find_beams)(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D]);
   /// The same with acceleration.
   void (*find_bent_beams)(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D]);

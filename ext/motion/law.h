@@ -1,4 +1,4 @@
-// How does an object move? The laws of motion, each a constant-acceleration course or simpler.
+// How does an object move? The laws of motion, each a motion of constant acceleration or simpler.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ enum class Law : std::uint8_t {
   forced,       ///< x, v, force and mass: a = F/m, rounded once, computed when read
 };
 
-/// Of the centre's course as a polynomial of time, and so of the relative course of two that move by this
+/// Of the centre's motion as a polynomial of time, and so of the relative motion of two that move by this
 /// law.
 constexpr int degree_of(Law law) {
   return law == Law::rest ? 0 : law == Law::uniform ? 1 : 2;

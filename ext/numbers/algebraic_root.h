@@ -45,12 +45,12 @@ struct AlgebraicRoot {
 
   /// Encloses it in numbers of so many bits, the more the narrower.
   Midrad enclosure(int bits);
-  /// Degree 3 and 4: makes the moment known if it is a number of far fewer bits than the bracket tells.
-  /// Moments that people write are, and what is known needs no algebra for its ties.
+  /// Degree 3 and 4: makes the root known if it is a number of far fewer bits than its interval tells.
+  /// Roots at moments that people write are, and what is known needs no algebra for its ties.
   void recognize();
 
  private:
-  /// Degree 3 and 4: narrows the bracket.
+  /// Degree 3 and 4: narrows the interval.
   void narrow(int bits);
   /// Degree 1 and 2.
   Midrad by_formula(int bits) const;

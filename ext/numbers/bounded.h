@@ -1,7 +1,6 @@
 // Doubles that know how wrong they may be: a value, and a bound on how far the exact number is from it.
 //
-//   Bounded square = gap * gap;            // the value as doubles give it; what went in and the rounding
-//   count
+//   Bounded square = gap * gap;            // as doubles give it; off by what went in and the rounding
 //
 // Every operation adds the errors of its arguments and half an ulp of its result. Two things are left to
 // whoever reads the bound in the end (error_bound()), as once is enough: the bound's own roundings, and what

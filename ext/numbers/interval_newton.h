@@ -1,10 +1,10 @@
 // The interval Newton method: closing in on the one root that a polynomial has between two numbers, as far as
 // the length of the numbers allows.
 //
-// The root lies within x - p(x) / p'([low, high]), which is rigorous and needs
-// no signs at the new ends; it at least doubles the digits as soon as the slope has one sign. Until then the
-// sign at x halves the interval, or halves its exponent: a root may be 2^-5000 away from 0. (R. Moore,
-// "Interval Analysis", 1966, chapter 7.)
+// The root lies within x - p(x) / p'([low, high]), which is rigorous and needs no signs at the new ends; it
+// at least doubles the digits as soon as the slope has one sign. Until then the sign at x halves the
+// interval, or halves its exponent: a root may be 2^-5000 away from 0. (R. Moore, "Interval Analysis", 1966,
+// chapter 7.)
 #pragma once
 
 #include <algorithm>

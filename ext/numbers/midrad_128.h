@@ -9,8 +9,8 @@
 // into 128 bits is exact and stays exact, with error 0, so that ties between numbers of few digits are
 // decided here too. Whole arithmetic only, and the same on every processor.
 //
-// As in F. Johansson, "Arb: efficient arbitrary-precision midpoint-radius interval
-// arithmetic" (IEEE Transactions on Computers 66, 2017).
+// As in F. Johansson, "Arb: efficient arbitrary-precision midpoint-radius interval arithmetic" (IEEE
+// Transactions on Computers 66, 2017).
 #pragma once
 
 #include <cstdint>

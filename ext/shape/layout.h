@@ -2,8 +2,7 @@
 // doubles in the stored record and in the row that queries compute with.
 //
 //   Layout drones{.axes = 3, .law = Law::accelerated, .shape = Shape::box, .has_t = true};
-//   Offsets at = record_offsets(drones);      // at.t == 0, at.x == 1, at.v == 4, at.a == 7, at.half == 10,
-//   size 13
+//   Offsets at = record_offsets(drones);      // .t = 0, .x = 1, .v = 4, .a = 7, .half = 10, .size = 13
 //
 // What is not declared has no place: its offset is `absent` and it costs no byte and no time.
 #pragma once

@@ -1,7 +1,7 @@
 // How does a C++ failure reach SQLite? Every callback runs its body in guarded(), so that no exception
 // crosses the C boundary: it becomes a result code and, where there is one to tell, a message.
 //
-//   int scan_next(sqlite3_vtab_cursor* cursor) noexcept {
+//   int cursor_next(sqlite3_vtab_cursor* cursor) noexcept {
 //     return guarded(&cursor->pVtab->zErrMsg, [&] { cursor_of(cursor).next(); });
 //   }
 //

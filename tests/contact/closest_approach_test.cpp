@@ -1,5 +1,5 @@
 // The closest approach against its judge: t, dt and d each the nearest double to the exact one, over the
-// families of hard_pairs.h and courses made for ties.
+// families of hard_pairs.h and motions made for ties.
 //
 // FORESEE_LONG=1 multiplies the number of cases by 50.
 #include <gtest/gtest.h>
@@ -56,9 +56,9 @@ TEST(ClosestApproachOracle, OfExtremeNumbers) {
   for (int axes : {1, 2, 3}) check_families(extreme_families(), axes, 20);
 }
 
-/// Courses that are symmetric in time around a moment: two minima of one depth, or ends at one distance, or a
+/// Motions that are symmetric in time around a moment: two minima of one depth, or ends at one distance, or a
 /// threefold root of the slope; and, moved by a few units in the last place, almost.
-TEST(ClosestApproachOracle, OfMirroredCourses) {
+TEST(ClosestApproachOracle, OfMirroredMotions) {
   std::mt19937_64 random(5);
   auto whole = [&random](int most) {
     return static_cast<double>(static_cast<int>(random() % (2 * most + 1)) - most) / 2;

@@ -118,7 +118,7 @@ inline std::vector<std::string> faults(Store& store) {
   return store.integrity_check(never);
 }
 
-/// Every id and its first coordinate, as load() sees them.
+/// Every id and its first coordinate, as read_all() sees them.
 inline std::vector<std::pair<std::int64_t, double>> contents(Store& store) {
   NeverInterrupt never;
   std::vector<std::int64_t> ids;

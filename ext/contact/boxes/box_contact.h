@@ -1,5 +1,5 @@
 // Contact of boxes: sixteen pairs at once where that gives certain answers, which is nearly always; one by
-// one as for any other pair kind where it does not.
+// one as for any other pair of shapes where it does not.
 #pragma once
 
 #include "contact/boxes/box_lanes.h"

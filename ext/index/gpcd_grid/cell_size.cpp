@@ -30,8 +30,8 @@ double typical_extent(std::span<const FloatBox<D>> sample, int axis) {
   return counted > 0 ? std::min(sum / counted, limit) : limit;
 }
 
-/// Where lower ends lie: all of the sample, but no farther out than a quarter of the length of its middle 98
-/// %.
+/// Where lower ends lie: all of the sample, but no farther out than a quarter of the length of
+/// its middle 98 %.
 template <int D>
 Range middle_range(std::span<const FloatBox<D>> sample, int axis) {
   std::vector<float> ends;

@@ -1,8 +1,10 @@
-// The grid as a whole: GPCD steps 1 to 5a from swept boxes to candidates. gpcd_grid.h is the door; this
+// The grid as a whole: GPCD steps 1 to 5c from swept boxes to candidates. gpcd_grid.h is the door; this
 // header shows the parts and counters to tests and benchmarks.
 //
-//   step 1  swept boxes (motion)            step 3  enter: stripes.h, giants.h
-//   step 2  cell size: cell_size.h          step 4, 5a  share a stripe and overlap: lanes.h, scan.h
+//   step 1  beams or boxes: beam_sources.h, float_rows.h
+//   step 2  cell size: cell_size.h
+//   step 3  enter: stripes.h, giants.h
+//   step 4, 5a, 5c  share a stripe and overlap, in space and in time: lanes.h, scan.h
 //
 // A Grid is what has been entered. A GridVisit goes through a range of its stripes, one after another: at
 // each, what lies in it is gathered into lanes, and some scans follow, its boxes among themselves (or of the

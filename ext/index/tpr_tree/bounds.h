@@ -13,7 +13,7 @@
 // real lower face of the shape at the epoch, v_lower and a_lower at most the real velocity and acceleration.
 // The error of x + v*s + a*s²/2 is below 8 units of 2^-53 times M = |x| + |v*s| + |a|*s²/2 (s is one rounded
 // difference; there are 3 sums and 3 products), and padding by 32 such units leaves room for the rounding of
-// M and of the padding itself. Products that underflow err by less than 2^-1023; `smallest` covers them.
+// M and of the padding itself. Products that underflow err by less than 2^-1023; `smallest_pad` covers them.
 // What is beyond 1e300, overflows or is not a number becomes infinite: no bound at all.
 #pragma once
 

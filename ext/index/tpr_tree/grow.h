@@ -24,8 +24,8 @@ void insert_branch(TreeState<D>& state, const Branch<D>& branch);
 template <int D>
 void renew_entries(TreeState<D>& state, NodeNumber inner);
 
-/// The same if its epoch has become a bad one for the child in `slot`: more than half
-/// a horizon away from the clock, and faces moving so fast that much of that child's width stems from it.
+/// The same if its epoch has become a bad one for the child in `slot`: more than half a horizon away from the
+/// clock, and faces moving so fast that much of that child's width stems from it.
 template <int D>
 bool freshen(TreeState<D>& state, NodeNumber inner, std::size_t slot);
 

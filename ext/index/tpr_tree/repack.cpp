@@ -11,7 +11,7 @@ namespace {
 
 /// Room that is left in a leaf, so that the next writes do not split it.
 constexpr double fill = 0.85;
-/// How much dearer to visit than even ones leaves must look before it is tried; just loaded: 1.0 to 1.05.
+/// How much dearer to visit than even ones leaves must look for a try; just bulk loaded: 1.0 to 1.05.
 constexpr double loose = 1.2;
 /// How much cheaper the new leaves must be.
 constexpr double gain = 0.8;

@@ -8,7 +8,7 @@
 namespace foresee::index {
 
 /// Packs the leaves beneath the parent of `leaf` and the sibling closest to it anew if that makes them far
-/// cheaper to visit. Cost: a look at both, and if they look loose that of loading their leaves: worth asking
+/// cheaper to visit. Cost: a look at both, and if they look loose that of packing their leaves: worth asking
 /// for once in some hundred updates.
 template <int D>
 void repack_around(TreeState<D>& state, NodeNumber leaf);

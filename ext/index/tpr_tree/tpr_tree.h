@@ -13,8 +13,8 @@
 // Where updates have left loose leaves, those beneath one node are packed anew now and then (repack.h).
 //
 // Cost: insert and erase touch one path of nodes; an update that leaves its leaf's entry true and is not the
-// newest object touches the leaf alone (unless it is one of the few that find loose leaves around); load is
-// O(n log n) and fills the leaves.
+// newest object touches the leaf alone (unless it is one of the few that find loose leaves around); a bulk
+// load is O(n log n) and fills the leaves.
 //
 // The tree keeps nothing about its nodes in memory, so pages may be changed behind it by a rollback. An
 // exception that leaves a call leaves the pages half changed: the caller rolls them back.

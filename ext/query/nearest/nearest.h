@@ -1,9 +1,8 @@
 // Which objects come nearest to a moving point, how near, and when? predictive_nearest as a library call.
 //
-//   for (const NearestRow& row : nearest({.objects = {"ships", scene, nullptr}, .now = 600, .h = 300, .k =
-//   10,
-//                                         .point = {5, 5}}, interrupt))
-//     use(row.id, row.distance);
+//   const NearestQuestion question{
+//       .objects = {"ships", scene, nullptr}, .now = 600, .h = 300, .k = 10, .point = {5, 5}};
+//   for (const NearestRow& row : nearest(question, interrupt)) use(row.id, row.distance);
 //
 // Guarantee: the k objects whose centre comes closest to the point during [now, now + h] while they exist, by
 // distance and then by id; fewer if fewer exist then. A distance is the real one rounded to the nearest

@@ -1,8 +1,8 @@
 // One call of a table-valued function as SQLite hands it over: which inputs were given, which outputs are
 // read, and what the query asks of them.
 //
-//   const double h = call.required_number(input_h);
-//   const std::string method = call.text(input_method).value_or("auto");
+//   const double h = call.required_number(in_h);
+//   const std::string method = call.text(in_method).value_or("auto");
 //
 // A NULL input counts as left out. An input of the wrong kind is an Error that says what to write.
 #pragma once

@@ -3,7 +3,7 @@
 //   idxNum   the outputs that the statement reads, one bit each; from bit 16 on the order that rows must come
 //            in: how many of its outputs, and from bit 20 on which of the function's orders
 //   idxStr   two letters per argument: 'A' + column, then the comparison ('=' '>' 'G' '<' 'L'), or '!' for an
-//            input that SQLite compares once more
+//            input that SQLite compares once more, or '@' and 'n' or 'o': row_limit.h
 //
 // Constraints on inputs are consumed; those on outputs are hints that SQLite checks again. Where it does so
 // with an input, a NULL would lose every row, since no comparison with NULL is true: such a call must be

@@ -1,6 +1,6 @@
 // Which table is meant?
 //
-//   const auto ships = open_table(connection, {.table = call.text(input_tbl), .schema = {}});
+//   const auto ships = open_table(connection, {.table = call.text(in_tbl), .schema = {}});
 //   connection.load_scene(ships);  ships.store->take_snapshot();         // all of it, or its tree
 //
 // A name resolves as SQLite resolves it (temp, main, attached) unless a schema is given; without a name the

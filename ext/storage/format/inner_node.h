@@ -1,11 +1,11 @@
 // An inner node of the tree: for each child, bounds that move and contain everything beneath it.
 //
-//   lower(s) = lower + v_lower·d + a_lower·d²/2,  upper(s) = upper + v_upper·d + a_upper·d²/2,   d = s -
-//   epoch
+//   lower(s) = lower + v_lower·d + a_lower·d²/2,  upper(s) = upper + v_upper·d + a_upper·d²/2
 //
-// hold for every s; before the epoch (d < 0) with v_lower and v_upper exchanged. All bounds are rounded
-// outward; infinite where no double is large enough. An entry is stored as index/pages.h draws it, less what
-// can be said without: velocities where the table declares no motion, accelerations where it declares none.
+// hold for every s, d being s - epoch; before the epoch (d < 0) with v_lower and v_upper exchanged. All
+// bounds are rounded outward; infinite where no double is large enough. An entry is stored as index/pages.h
+// draws it, less what can be said without: velocities where the table declares no motion, accelerations where
+// it declares none.
 //
 //   seal:  std::vector<std::byte> blob = encode_inner(format, number, node);
 //   read:  if (const char* fault = inner_fault(format, blob, number)) …

@@ -42,7 +42,7 @@ void MapChanges::written(bool may_rewind) {
 }
 
 void MapChanges::rewind(std::size_t position) noexcept {
-  if (position == 0 && began_with_nothing_) return clear();  // at once, where a load is taken back
+  if (position == 0 && began_with_nothing_) return clear();  // at once, where a bulk load is taken back
   for (; log_.size() > position; log_.pop_back()) {
     const IdHashMap::Entry& before = log_.back();
     if (before.value == was_void || before.value == was_not_void)

@@ -4,8 +4,7 @@
 //   MemoryShare share(*budget, table);                          // one a table
 //   share.hold_pending(bytes); share.hold_nodes(…);             // as it is now
 //   if (budget->too_much_waits()) budget->write_out();          // every table writes what waits
-//   budget->evict();                                            // every table drops nodes that it can read
-//   again
+//   budget->evict();                                            // every table drops what it can read again
 //
 // Guarantee: a limit is one for all tables of the connection, so a transaction that fills many of them needs
 // no more memory than one that fills a single one. Cost: an addition where a table's part changes.

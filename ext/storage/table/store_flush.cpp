@@ -12,7 +12,7 @@
 namespace foresee::storage {
 namespace {
 
-// Loading everything anew costs a twentieth of so many inserts, and leaves a better tree.
+// Bulk loading everything anew costs a twentieth of so many inserts, and leaves a better tree.
 constexpr double worth_loading = 1.0 / 8;
 constexpr double most_loaded = 1 << 30;  // bytes of records in memory at once
 

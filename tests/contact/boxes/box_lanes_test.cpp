@@ -191,7 +191,7 @@ TEST(BoxLanes, UndeclaredTimesChangeNothing) {
   EXPECT_GT(hits, 500);
 }
 
-/// Two huge accelerations that nearly cancel, of different ages: error bounds overflow where the course does
+/// Two huge accelerations that nearly cancel, of different ages: error bounds overflow where the motion does
 /// not, and nothing may be certain.
 TEST(BoxLanes, AreNotCertainWhereErrorBoundsOverflow) {
   std::mt19937_64 random(8);

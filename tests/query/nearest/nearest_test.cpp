@@ -130,7 +130,7 @@ TEST_P(NearestOfEveryLayout, TreeAgreesWithScan) {
 INSTANTIATE_TEST_SUITE_P(AxesLawShapeTimes, NearestOfEveryLayout, ::testing::ValuesIn(all_layouts()));
 
 TEST(Nearest, EqualDistancesComeById) {
-  // Eight mirror images of one course: different numbers on the way, the same distance.
+  // Eight mirror images of one motion: different numbers on the way, the same distance.
   const Layout layout{.axes = 2, .law = Law::uniform};
   std::vector<double> rows;
   std::vector<std::int64_t> ids;
