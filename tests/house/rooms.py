@@ -7,7 +7,8 @@ right and no others, with two doors of their own: storage may include shape, mot
 of index, and only sqlite may include storage. SQLite's headers are for storage and sqlite alone. Rooms inside a room
 have an order too; what lies beside them, at the room's door, may include them and be included. No headers include each
 other in a circle. The namespace of a file is its room; only base/rooms.h opens one room to another, in the same
-order. tests/ has no folder that is no room of ext/, but for those that are of no one room.
+order. tests/ has no folder that is no room of ext/, but for those that are of no one room, and a test named after a file
+stands in that file's room.
 """
 import re
 import sys
@@ -154,9 +155,21 @@ def strange_folders(ext, tests):
     return found
 
 
+def misplaced_tests(ext, tests):
+    """A sentence for each tests/…/name_test.cpp that is not in the room of name.h or name.cpp."""
+    found = []
+    for test in sorted(Path(tests).rglob("*_test.cpp")):
+        here = test.parent.relative_to(tests)
+        room = Path(ext) / (here.parts[0] if here.parts else "")
+        rooms = {path.parent.relative_to(ext).as_posix() for path in room.rglob(test.name.replace("_test.cpp", ".*"))}
+        if rooms and here.as_posix() not in rooms:
+            found.append(f"tests/{here.as_posix()}/{test.name}: what it tests is in ext/{', ext/'.join(sorted(rooms))}")
+    return found
+
+
 if __name__ == "__main__":
     sentences, read = violations(sys.argv[1])
-    sentences += strange_folders(sys.argv[1], sys.argv[2])
+    sentences += strange_folders(sys.argv[1], sys.argv[2]) + misplaced_tests(sys.argv[1], sys.argv[2])
     print("\n".join(sentences))
     print(f"{read} files read, {len(sentences)} violations")
     sys.exit(1 if sentences or read == 0 else 0)

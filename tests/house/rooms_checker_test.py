@@ -3,7 +3,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from rooms import strange_folders, violations
+from rooms import misplaced_tests, strange_folders, violations
 
 
 def tree(files):
@@ -108,6 +108,15 @@ class RoomGuard(unittest.TestCase):
                 (Path(folder) / name / "file").touch()
             self.assertEqual(strange_folders(f"{folder}/ext", f"{folder}/tests"),
                              ["tests/annex: there is no ext/annex", "tests/query/flight: there is no ext/query/flight"])
+
+    def test_a_test_stands_in_the_room_of_what_it_tests(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("ext/query/scene.h", "ext/query/join/probe.h", "tests/query/scene_test.cpp", "tests/query/probe_test.cpp",
+                         "tests/query/laws_test.cpp"):
+                (Path(folder) / name).parent.mkdir(parents=True, exist_ok=True)
+                (Path(folder) / name).touch()
+            self.assertEqual(misplaced_tests(f"{folder}/ext", f"{folder}/tests"),
+                             ["tests/query/probe_test.cpp: what it tests is in ext/query/join"])
 
 
 if __name__ == "__main__":
