@@ -90,7 +90,7 @@ class BoxContact final : public SetContact<D, Degree> {
 
  private:
   /// What lanes_ holds: of pairs whose rows are in rows_, of others, or nothing as all touch now.
-  enum class Settled : std::uint8_t { by_rows, by_course, all_touch_now };
+  enum class Settled : std::uint8_t { by_rows, by_motion, all_touch_now };
 
   /// Settles the pairs, some at a time, and visits those.
   template <class Visit>
@@ -107,7 +107,7 @@ class BoxContact final : public SetContact<D, Degree> {
       for (std::size_t l = 0; l < some.size(); ++l)
         put_aged(row_a(some[l]), row_b(some[l]), static_cast<int>(l));
       kernel_.settle(lanes_);
-      return Settled::by_course;
+      return Settled::by_motion;
     }
     // Lanes without a pair repeat the last one.
     for (std::size_t l = 0; l < lanes_width; ++l) {

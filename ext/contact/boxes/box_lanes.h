@@ -87,7 +87,7 @@ struct BoxKernel {
   void (*settle)(BoxLanes<D, Degree>& lanes);
   /// The same for pairs whose reference time is `now`; lanes.end is given. True if all lanes touch now and no
   /// motions are wanted: nothing else is then found.
-  bool (*settle_rows)(RowLanes<D>& rows, bool courses_wanted, BoxLanes<D, Degree>& lanes);
+  bool (*settle_rows)(RowLanes<D>& rows, bool motions_wanted, BoxLanes<D, Degree>& lanes);
   /// Takes the motions of lanes that settle_rows() has settled.
   void (*take_meetings)(const RowLanes<D>& rows, const BoxLanes<D, Degree>& lanes, MeetingLanes& meetings);
   /// Fills in dt and t.

@@ -59,8 +59,8 @@ double floor_of(double c, double w, double k, double length, double last) {
 }
 
 /// Bound on the error of a place, from what the motion itself is off by and the magnitudes behind it.
-inline double error_bound(double of_course, double size) {
-  return of_course + 0x1p-48 * size + underflow;
+inline double error_bound(double of_motion, double size) {
+  return of_motion + 0x1p-48 * size + underflow;
 }
 
 template <int D, int Degree>
@@ -155,7 +155,7 @@ void take_motion(typename RowLanes<D>::Side& side) {
 }
 
 template <int D, int Degree>
-bool settle_rows_here(RowLanes<D>& rows, bool courses_wanted, BoxLanes<D, Degree>& lanes) {
+bool settle_rows_here(RowLanes<D>& rows, bool motions_wanted, BoxLanes<D, Degree>& lanes) {
   take_boxes<D>(rows.a);
   take_boxes<D>(rows.b);
   Some touching = Some{} + 1;
@@ -171,7 +171,7 @@ bool settle_rows_here(RowLanes<D>& rows, bool courses_wanted, BoxLanes<D, Degree
     }
   double all = 1;
   for (int l = 0; l < register_width; ++l) all = least(all, touching[l]);
-  if (all > 0 && !courses_wanted) return true;
+  if (all > 0 && !motions_wanted) return true;
   take_motion<D, Degree>(rows.a);
   take_motion<D, Degree>(rows.b);
   for (int j = 0; j < D; ++j)

@@ -52,7 +52,7 @@ class Look {
         lives_(q, a, b),
         lengths_{q.space},
         values_(q.space + 2 * register_width * q.set.length_count) {
-    take_course(a, b);
+    take_motion(a, b);
     take_lengths(a, b);
   }
 
@@ -80,7 +80,7 @@ class Look {
   }
 
  private:
-  void take_course(const Rows& a, const Rows& b) {
+  void take_motion(const Rows& a, const Rows& b) {
     const Doubles s_a = q_.now - a(q_.a.t), s_b = q_.now - b(q_.b.t);
     usual_ = 1 + greater(abs(s_a), abs(s_b)) + q_.h <= usual_age;
     relative_.underflow = usual_underflow;
