@@ -16,7 +16,7 @@ constexpr std::size_t ahead = 12;  // rows lie anywhere in memory: ask for them 
 
 /// A column for each place in a row, all in one block; a cache line's worth of sentinels behind each.
 template <int D>
-void Lanes<D>::make_room(std::size_t count, Columns columns) {
+void Lanes<D>::lay_out(std::size_t count, Columns columns) {
   constexpr std::size_t line = 16;
   room_ = (count + lanes_max + line - 1) / line * line;
   const auto width = static_cast<std::size_t>(FloatRows<D>::width(columns));
@@ -97,7 +97,7 @@ void Lanes<D>::find_movers() {
 
 template <int D>
 void Lanes<D>::gather(std::span<const Key> keys, const FloatRows<D>& rows, Interrupt& interrupt) {
-  make_room(keys.size(), rows.columns());
+  lay_out(keys.size(), rows.columns());
   view_.objects = rows.objects();
   for (std::size_t i = 0; i < keys.size(); ++i) ids_[i] = id_of(keys[i]);
   std::fill_n(classes_, keys.size(), 0);

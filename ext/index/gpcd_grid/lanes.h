@@ -42,7 +42,7 @@ class Lanes {
  private:
   template <int width>
   void copy_rows(const FloatRows<D>& rows, Interrupt& interrupt);
-  void make_room(std::size_t count, Columns columns);
+  void lay_out(std::size_t count, Columns columns);
   void find_movers();
   void classify(const Partition<D>& partition, const int (&stripe)[D]);
 

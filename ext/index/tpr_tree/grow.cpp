@@ -46,9 +46,9 @@ bool is_stale(const TreeState<D>& state, const Node& inner, std::size_t slot) {
   return by_epoch.sum() > 0.5 * (bounds.x_upper - bounds.x_lower).sum();
 }
 
-/// Is there nothing to do in the parent about what was added beneath the child?
+/// Does the child's entry contain what was added beneath it, and is not stale?
 template <int D, class Added>
-bool is_settled(const TreeState<D>& state, const Node& parent, NodeNumber child, const Added& added) {
+bool fits(const TreeState<D>& state, const Node& parent, NodeNumber child, const Added& added) {
   const std::size_t slot = slot_of(parent, child);
   return entry_at<D>(parent, slot).contains(added.entry(parent.epoch)) && !is_stale(state, parent, slot);
 }
@@ -126,15 +126,16 @@ void split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_number
   add_entry(parent, sibling_number, entry_for(sibling));
 }
 
-/// From a node that has just taken something in up to the root.
+}  // namespace
+
 template <int D, class Added>
-void make_room_upward(TreeState<D>& state, NodeNumber number, const Added& added) {
+void fit_upward(TreeState<D>& state, NodeNumber number, const Added& added) {
   for (auto node = state.pages.read(number);;) {
     const bool overfull = node->size() > state.capacity(node->level);
     NodeNumber parent_number = node->parent;
     auto parent = read_above(state.pages, number, *node);
     if (!parent && !overfull) return;
-    if (parent && !overfull && is_settled(state, *parent, number, added)) {
+    if (parent && !overfull && fits(state, *parent, number, added)) {
       node = std::move(parent), number = parent_number;
       continue;
     }
@@ -145,8 +146,6 @@ void make_room_upward(TreeState<D>& state, NodeNumber number, const Added& added
     node = state.pages.read(parent_number), number = parent_number;
   }
 }
-
-}  // namespace
 
 template <int D>
 void renew_entries(TreeState<D>& state, NodeNumber inner) {
@@ -180,12 +179,7 @@ void insert_object(TreeState<D>& state, const NewObject<D>& object, NodeNumber f
   leaf.keys.push_back(object.id);
   leaf.values.insert(leaf.values.end(), object.record.begin(), object.record.end());
   if (number != known_leaf) state.pages.place({&object.id, 1}, number);
-  make_room_upward(state, number, object);
-}
-
-template <int D>
-void settle_upward(TreeState<D>& state, NodeNumber leaf, const NewObject<D>& object) {
-  make_room_upward(state, leaf, object);
+  fit_upward(state, number, object);
 }
 
 template <int D>
@@ -194,15 +188,15 @@ void insert_branch(TreeState<D>& state, const Branch<D>& branch) {
   Node& node = state.pages.modify(number);
   add_entry(node, branch.number, branch.entry(node.epoch));
   hang_below(state, Unread{branch.number, branch.parent, branch.level - 1}, number);
-  make_room_upward(state, number, branch);
+  fit_upward(state, number, branch);
 }
 
 template void insert_object<1>(TreeState<1>&, const NewObject<1>&, NodeNumber, NodeNumber);
 template void insert_object<2>(TreeState<2>&, const NewObject<2>&, NodeNumber, NodeNumber);
 template void insert_object<3>(TreeState<3>&, const NewObject<3>&, NodeNumber, NodeNumber);
-template void settle_upward<1>(TreeState<1>&, NodeNumber, const NewObject<1>&);
-template void settle_upward<2>(TreeState<2>&, NodeNumber, const NewObject<2>&);
-template void settle_upward<3>(TreeState<3>&, NodeNumber, const NewObject<3>&);
+template void fit_upward(TreeState<1>&, NodeNumber, const NewObject<1>&);
+template void fit_upward(TreeState<2>&, NodeNumber, const NewObject<2>&);
+template void fit_upward(TreeState<3>&, NodeNumber, const NewObject<3>&);
 template void insert_branch<1>(TreeState<1>&, const Branch<1>&);
 template void insert_branch<2>(TreeState<2>&, const Branch<2>&);
 template void insert_branch<3>(TreeState<3>&, const Branch<3>&);

@@ -11,10 +11,10 @@ template <int D>
 void insert_object(TreeState<D>& state, const NewObject<D>& object, NodeNumber from = 0,
                    NodeNumber known_leaf = 0);
 
-/// Makes every entry above a leaf true for an object that has just been written into it, splitting what is
-/// overfull.
-template <int D>
-void settle_upward(TreeState<D>& state, NodeNumber leaf, const NewObject<D>& object);
+/// Makes every entry above a node true for what has just been put into it, splitting what is overfull. Added:
+/// NewObject or Branch.
+template <int D, class Added>
+void fit_upward(TreeState<D>& state, NodeNumber number, const Added& added);
 
 /// Hangs a subtree into a node of the branch's level. Requires: the root's level is at least that.
 template <int D>

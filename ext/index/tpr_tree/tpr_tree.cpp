@@ -125,7 +125,7 @@ class Tree final : public TprTree {
     const double t_before = state_.reader.t(place);
     std::copy(object.record.begin(), object.record.end(), place);
     if (object.mover.motion.t != t_before) refresh_newest(state_, leaf);
-    settle_upward(state_, leaf, object);
+    fit_upward(state_, leaf, object);
   }
 
   TreeState<D> state_;
