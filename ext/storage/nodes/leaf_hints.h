@@ -1,6 +1,6 @@
 // In which leaf is this object, probably?
 //
-//   hints.make_room(100000);                  // so many ids, roughly
+//   hints.reserve(100000);                    // so many ids, roughly
 //   hints.learn(leaf.keys, 7);                // the objects of leaf 7
 //   hints.find(42)                            // 7, or another leaf, or 0: nothing is known
 //
@@ -25,7 +25,7 @@ class LeafHints {
   /// Nobody has asked yet: there is nothing to learn for.
   bool empty() const { return leaves_.empty(); }
 
-  void make_room(std::size_t ids) {
+  void reserve(std::size_t ids) {
     if (leaves_.empty()) leaves_.assign(least_places, 0);
     while (leaves_.size() < ids && leaves_.size() < most_places) grow();
   }

@@ -46,8 +46,8 @@ NodeCache::Slot* NodeCache::in_memory(NodeNumber number) {
   return slot->state.node ? slot : nullptr;
 }
 
-/// Where there is none for one more node.
-void NodeCache::make_room() {
+/// Before memory takes one more node: where the connection holds too many, some go.
+void NodeCache::evict_if_full() {
   note_memory();
   share_.budget().evict();
 }
@@ -59,7 +59,7 @@ NodeCache::Slot& NodeCache::fetch(NodeNumber number) {
   }
   const auto found = slots_.find(number);
   const bool gone = found != slots_.end() && found->second.state.dirty;
-  if (!gone) make_room();
+  if (!gone) evict_if_full();
   std::shared_ptr<Node> node;
   if (!gone)
     shadow_rows_->read_node(number, [&](std::span<const std::byte> blob) {
@@ -77,7 +77,7 @@ NodeCache::Slot& NodeCache::fetch(NodeNumber number) {
 
 void NodeCache::learn(NodeNumber number, Slot& slot) {
   if (slot.learned || !slot.state.node->is_leaf()) return;
-  hints_.make_room(slots_.size() * format_.leaf_capacity);
+  hints_.reserve(slots_.size() * format_.leaf_capacity);
   hints_.learn(slot.state.node->keys, number);
   slot.learned = true;
 }
@@ -98,7 +98,7 @@ std::optional<NodeNumber> NodeCache::find_leaf(std::int64_t id) {
   const std::optional<std::int64_t> stored = shadow_rows_->find_leaf(id);
   if (!stored) return stored;
   last_found_ = {id, *stored};
-  hints_.make_room(1);
+  hints_.reserve(1);
   hints_.learn(id, *stored);
   if (Slot* slot = in_memory(*stored)) learn(*stored, *slot);
   return stored;
@@ -148,12 +148,12 @@ void NodeCache::note_changed(NodeNumber number, Slot& slot) {
 // Nothing is lost if this throws.
 void NodeCache::about_to_change(NodeNumber number, Slot& slot) {
   note_changed(number, slot);
-  if (slot.kept == mark_count_) return;
+  if (slot.kept_by == newest_keeper_) return;
   if (in_change_)
     change_log_.emplace_back(number, slot.state);
   else if (!undo_.none())
     undo_.keep(number, slot.state);
-  slot.kept = mark_count_;
+  slot.kept_by = newest_keeper_;
 }
 
 // What a node was matters only to those who read it at an earlier moment.
@@ -181,7 +181,7 @@ double* NodeCache::modify_record(NodeNumber leaf, std::size_t place) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   Slot& slot = fetch(leaf);
   const bool record_is_enough = in_change_ && undo_.none() && record_before_.leaf == 0 &&
-                                slot.kept != mark_count_ && slot.state.node.use_count() == 1;
+                                slot.kept_by != newest_keeper_ && slot.state.node.use_count() == 1;
   if (!record_is_enough) return modify(leaf).values.data() + place * size;
   double* record = slot.state.node->values.data() + place * size;
   note_changed(leaf, slot);
@@ -215,7 +215,7 @@ void NodeCache::put(NodeNumber number, Node node) {
   if (share_.budget().too_many_nodes_wait()) {
     hand_change_to_undo_log();
     write_nodes();
-    make_room();
+    evict_if_full();
   }
 }
 

@@ -96,7 +96,7 @@ class NodeCache final : public Pages {
  private:
   struct Slot {
     NodeState state;
-    std::uint64_t kept = 0;     ///< the newest mark or change that knows what it was
+    std::uint64_t kept_by = 0;  ///< the newest mark or change that knows what it was
     std::uint64_t changed = 0;  ///< the transaction that changed it last
     std::uint64_t used = 0;
     bool learned = false;  ///< where its objects are
@@ -116,7 +116,7 @@ class NodeCache final : public Pages {
   const std::vector<NodeNumber>& waiting_numbers();
   void write_nodes();
   void hand_change_to_undo_log();
-  void make_room();
+  void evict_if_full();
   void drop_unused(std::uint64_t before);
 
   NodeFormat format_;
@@ -135,7 +135,7 @@ class NodeCache final : public Pages {
   std::uint64_t use_ = 1;  ///< moves whenever nodes that were not used are dropped
 
   UndoLog undo_;
-  std::uint64_t mark_count_ = 1;  ///< of marks and changes so far
+  std::uint64_t newest_keeper_ = 1;  ///< number of the newest mark or change, from 1
   std::uint64_t transaction_ = 1;
   std::vector<NodeNumber> changed_;  ///< in this transaction, some of them repeatedly
   bool dropped_changed_ = false;     ///< … and dropped from memory, once written

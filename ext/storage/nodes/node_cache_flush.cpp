@@ -51,7 +51,7 @@ void NodeCache::write(Interrupt& interrupt) {
   if (head_.root_dirty) shadow_rows_->write_root(head_.root);
   head_.root_dirty = false;
   if (undo_.snapshots() == 0) undo_.drop_stored();
-  make_room();
+  evict_if_full();
 }
 
 void NodeCache::write_nodes() {

@@ -13,7 +13,7 @@ void NodeCache::back_to(NodeNumber number, const NodeState& state) noexcept {
   if (found == slots_.end()) return;
   set_dirty(found->second, state.dirty);
   found->second.state.node = state.node;
-  found->second.kept = 0;
+  found->second.kept_by = 0;
   if (state.node || state.dirty) return;
   erase_slot(number);
 }
@@ -25,7 +25,7 @@ void NodeCache::begin_change() {
   map_before_change_ = map_.position();
   in_change_ = true;
   wrote_in_change_ = false;
-  ++mark_count_;
+  ++newest_keeper_;
 }
 
 void NodeCache::end_change() {
@@ -73,7 +73,7 @@ void NodeCache::take_back_record() noexcept {
 
 UndoLog::Handle NodeCache::set_mark(bool is_snapshot) {
   const UndoLog::Handle mark = undo_.set(head_, is_snapshot);
-  ++mark_count_;
+  ++newest_keeper_;
   return mark;
 }
 
@@ -91,7 +91,7 @@ void NodeCache::restore(UndoLog::Handle mark, std::size_t map_position) {
   if (watched && dropped_changed_) undo_.break_snapshots();
   const auto wanted = undo_.changed_since(mark);
   changed_.reserve(changed_.size() + wanted.size());
-  ++mark_count_;
+  ++newest_keeper_;
   for (const auto& [number, state] : wanted) {
     const bool as_stored = !state.node && !state.dirty;
     if (!as_stored) slots_[number];

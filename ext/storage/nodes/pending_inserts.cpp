@@ -25,7 +25,7 @@ const double* PendingInserts::find(std::int64_t id) const noexcept {
                                     : records_.data() + static_cast<std::size_t>(slot) * record_size_;
 }
 
-void PendingInserts::make_room(std::int64_t id, std::size_t changes) {
+void PendingInserts::reserve(std::int64_t id, std::size_t changes) {
   reserve_more(ids_, 1);
   reserve_more(records_, record_size_);
   reserve_more(log_, changes);
@@ -33,7 +33,7 @@ void PendingInserts::make_room(std::int64_t id, std::size_t changes) {
 }
 
 void PendingInserts::add(std::int64_t id, std::span<const double> record) {
-  make_room(id, 1);
+  reserve(id, 1);
   const std::size_t slot = ids_.size();
   ids_.push_back(id);
   records_.insert(records_.end(), record.begin(), record.end());
@@ -50,7 +50,7 @@ void PendingInserts::erase(std::int64_t id) {
 }
 
 void PendingInserts::replace(std::int64_t id, std::span<const double> record) {
-  make_room(id, 2);
+  reserve(id, 2);
   erase(id);
   add(id, record);
 }

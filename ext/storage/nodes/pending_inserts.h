@@ -56,7 +56,7 @@ class PendingInserts {
     bool added;  ///< else erased
   };
 
-  void make_room(std::int64_t id, std::size_t changes);
+  void reserve(std::int64_t id, std::size_t changes);
 
   std::size_t record_size_;
   std::vector<std::int64_t> ids_;

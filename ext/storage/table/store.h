@@ -193,7 +193,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
     std::size_t pending_position;
     std::size_t changes_position;
     Largest largest;
-    std::uint64_t change;
+    std::uint64_t undo_position;
     std::optional<std::int64_t> own_stamp;
     std::string table;
     bool waits;  ///< something that only memory knows
@@ -206,7 +206,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   std::size_t savepoints_before(int level) const noexcept;
   void give_up_savepoints(std::size_t from) noexcept;
   void end_transaction() noexcept;
-  void note_change() noexcept { ++change_, changed_ = true; }
+  void note_change() noexcept { ++undo_position_, differs_from_version_ = true; }
 
   sqlite3* db_;
   QualifiedName name_;
@@ -240,9 +240,9 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
 
   Largest largest_;
 
-  bool changed_ = false;  ///< since read_version() was last asked
-  std::uint64_t changes_ = 0;
-  std::uint64_t change_ = 0;  ///< moves with everything that a savepoint would have to take back
+  bool differs_from_version_ = false;  ///< something changed since read_version() was last asked
+  std::uint64_t version_changes_ = 0;  ///< the `changes` that it told then
+  std::uint64_t undo_position_ = 0;    ///< moves with everything that a savepoint would have to take back
 };
 
 }  // namespace foresee::storage

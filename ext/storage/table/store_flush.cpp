@@ -32,12 +32,12 @@ void Store::insert_pending() {
     else
       insert_one_by_one(interrupt);
   });
-  const std::uint64_t change = change_;
-  const bool changed = changed_;
+  const std::uint64_t undo_position = undo_position_;
+  const bool differs = differs_from_version_;
   pending_ = std::move(none);
   atomic_change.done();
-  change_ = change + 1;
-  changed_ = changed;  // the same objects as before
+  undo_position_ = undo_position + 1;
+  differs_from_version_ = differs;  // the same objects as before
 }
 
 void Store::insert_one_by_one(Interrupt& interrupt) {
@@ -78,7 +78,7 @@ void Store::flush() {
   insert_pending();
   shadow_rows();
   const OwnStatements own(*this);
-  ++change_;
+  ++undo_position_;
   StatementInterrupt interrupt(db_);
   with_sound_tree([&] { cache_.write(interrupt); });
   const std::int64_t before = shown(own_stamp_.value_or(0));

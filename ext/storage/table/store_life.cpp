@@ -83,11 +83,11 @@ void Store::believe_only_this_stamp() {
 
 ContentVersion Store::read_version() {
   static std::atomic<std::uint64_t> last_change{0};
-  if (changed_) changes_ = ++last_change;
-  changed_ = false;
+  if (differs_from_version_) version_changes_ = ++last_change;
+  differs_from_version_ = false;
   const auto stamp = shadow_rows().read_stamp();
   if (!stamp) damaged("the stamp is missing");
-  return {static_cast<std::uint64_t>(shown(*stamp)), changes_};
+  return {static_cast<std::uint64_t>(shown(*stamp)), version_changes_};
 }
 
 std::int64_t Store::shown(std::int64_t stored_stamp) const {
@@ -152,8 +152,8 @@ void Store::rollback() {
   back_to_begin();
   if (writing_) believed_stamp_ = stamp_before_;
   end_transaction();
-  changed_ = false;
-  changes_ = 0;  // with the stamp that is stored again: the contents of that commit
+  differs_from_version_ = false;
+  version_changes_ = 0;  // with the stamp that is stored again: the contents of that commit
 }
 
 void Store::back_to_begin() noexcept {
@@ -176,7 +176,7 @@ void Store::savepoint(int level) {
     savepoints_.reserve(std::max<std::size_t>(8, 2 * savepoints_.size()));
   std::string table = name_.table;
   savepoints_.push_back({level, cache_.set_mark(false), cache_.map_position(), pending_, pending_->position(),
-                         object_changes_.position(), largest_, change_, own_stamp_, std::move(table),
+                         object_changes_.position(), largest_, undo_position_, own_stamp_, std::move(table),
                          waits() || object_changes_.count() > 0});
 }
 
@@ -219,7 +219,7 @@ void Store::rollback_to(int level) {
 }
 
 void Store::back_to(const Savepoint& savepoint) {
-  if (savepoint.change == change_ && !torn_) return;
+  if (savepoint.undo_position == undo_position_ && !torn_) return;
   torn_ = true;  // until it is done
   go_by(savepoint.table);
   own_stamp_ = savepoint.own_stamp;

@@ -22,8 +22,8 @@ void Store::start_change(std::span<const double> record) {
   if (stamped_) return;
   const OwnStatements own(*this);
   write_new_stamp();
-  changed_ = true;  // even if this change fails: the stamp is not yet that of a commit
-  ++change_;
+  differs_from_version_ = true;  // even if this change fails: the stamp is not yet that of a commit
+  ++undo_position_;
 }
 
 void Store::write_new_stamp() {
