@@ -42,7 +42,7 @@ const Connection::OpenTable* Connection::find(std::int64_t number) const {
   return open == tables_.end() ? nullptr : &open->second;
 }
 
-void Connection::closed(const Store* store, TableCursor& cursor) noexcept {
+void Connection::scan_closed(const Store* store, TableCursor& cursor) noexcept {
   const auto open = cursors_.find(store);
   std::erase(open->second, &cursor);
   if (open->second.empty()) cursors_.erase(open);

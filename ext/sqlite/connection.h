@@ -60,16 +60,13 @@ class Connection {
 
   // Scans that are open, by what they read: SQLite may connect a table anew while a scan of its older self
   // goes on, and both have one store.
-  void opened(const Store* store, TableCursor& cursor) { cursors_[store].push_back(&cursor); }
-  void closed(const Store* store, TableCursor& cursor) noexcept;
+  void scan_opened(const Store* store, TableCursor& cursor) { cursors_[store].push_back(&cursor); }
+  void scan_closed(const Store* store, TableCursor& cursor) noexcept;
   std::span<TableCursor* const> cursors(const Store* store) const noexcept;
 
-  /// The table's contents as they are now, decoded at most once per version.
-  std::shared_ptr<const Scene> load_scene(const OpenTable& table) { return load_scene(table, false); }
-  /// The same with the levels of its tree.
-  std::shared_ptr<const Scene> load_scene_with_levels(const OpenTable& table) {
-    return load_scene(table, true);
-  }
+  /// The table's contents as they are now, decoded at most once per version; with the levels of its tree if
+  /// they are wanted.
+  std::shared_ptr<const Scene> load_scene(const OpenTable& table, bool with_levels = false);
 
   /// PRAGMA threads: how many a computation may use beside the caller's; 0 unless somebody asks for more.
   std::size_t helper_threads() const {
@@ -88,7 +85,6 @@ class Connection {
     std::uint64_t used;  ///< the later, the larger
   };
 
-  std::shared_ptr<const Scene> load_scene(const OpenTable& table, bool with_levels);
   void drop_scenes_used_long_ago() noexcept;
 
   sqlite3* db_;

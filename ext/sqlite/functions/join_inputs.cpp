@@ -37,8 +37,7 @@ double newest_t_of(const JoinedTables& tables) {
 
 void take_scenes(Connection& connection, const JoinedTables& tables, JoinQuestion& question) {
   const auto scene = [&](const OpenTable& table) {
-    return question.method == JoinMethod::tree ? connection.load_scene_with_levels(table)
-                                               : connection.load_scene(table);
+    return connection.load_scene(table, question.method == JoinMethod::tree);
   };
   question.a = scene(tables.a);
   if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b);

@@ -45,9 +45,9 @@ std::string with_schema_apart(const std::vector<VisibleTable>& tables, const std
   return "";
 }
 
-/// Says why `name` could not be opened; returns if it is a moving_objects table, so that the fault is
+/// Says why the table could not be opened; returns if it is a moving_objects table, so that the fault is
 /// another.
-void explain(sqlite3* db, const std::string& table, const std::optional<std::string>& schema) {
+void throw_if_not_ours(sqlite3* db, const std::string& table, const std::optional<std::string>& schema) {
   const std::string name = without_nul(schema ? *schema + "." + table : table);
   const std::vector<VisibleTable> tables = visible_tables(db);
   for (const VisibleTable& seen : tables) {
@@ -64,19 +64,17 @@ bool can_be_named(const AskedTable& name) {
   return text.find('\0') == std::string::npos;
 }
 
-/// What the connection knows of the table that the name means; null if it is none of ours.
-const Connection::OpenTable* look_up(Connection& connection, const AskedTable& name) {
-  const auto number = connection.lookups().number_of(name);
-  return number ? connection.find(*number) : nullptr;
-}
-
 /// Nothing if the table that SQLite finds is none of ours.
-std::optional<Connection::OpenTable> ask(Connection& connection, const AskedTable& name) {
+std::optional<Connection::OpenTable> find_open(Connection& connection, const AskedTable& name) {
   TableLookups& lookups = connection.lookups();
-  const Connection::OpenTable* open = look_up(connection, name);
+  const auto find = [&]() -> const Connection::OpenTable* {
+    const auto number = lookups.number_of(name);
+    return number ? connection.find(*number) : nullptr;
+  };
+  const Connection::OpenTable* open = find();
   if (!open) {  // or SQLite has connected it anew since
     lookups.forget(name);
-    open = look_up(connection, name);
+    open = find();
   }
   if (!open || !same_name(open->table, *name.table)) return std::nullopt;
   const Connection::OpenTable found = *open;
@@ -93,12 +91,12 @@ Connection::OpenTable open_table(Connection& connection, const AskedTable& asked
   const AskedTable name = asked.table ? asked : only_table(connection.db(), asked.schema);
   try {
     if (can_be_named(name))
-      if (auto open = ask(connection, name)) return *open;
+      if (auto open = find_open(connection, name)) return *open;
   } catch (const StoreError& error) {
-    if ((error.code & 0xff) == SQLITE_ERROR) explain(connection.db(), *name.table, name.schema);
+    if ((error.code & 0xff) == SQLITE_ERROR) throw_if_not_ours(connection.db(), *name.table, name.schema);
     throw;
   }
-  explain(connection.db(), *name.table, name.schema);
+  throw_if_not_ours(connection.db(), *name.table, name.schema);
   throw Error(*name.table + " does not answer as a moving_objects table does");
 }
 

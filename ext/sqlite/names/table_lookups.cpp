@@ -25,7 +25,7 @@ std::optional<std::int64_t> TableLookups::kept_number(const AskedTable& name) {
   return number;
 }
 
-std::optional<std::int64_t> TableLookups::ask(const AskedTable& name) {
+std::optional<std::int64_t> TableLookups::ask_sqlite(const AskedTable& name) {
   const std::string table = quoted_name(*name.table);
   const std::string schema = name.schema ? quoted_name(*name.schema) + "." : "";
   Statement select(
@@ -38,7 +38,7 @@ std::optional<std::int64_t> TableLookups::ask(const AskedTable& name) {
 
 std::optional<std::int64_t> TableLookups::number_of(const AskedTable& name) {
   if (const auto number = kept_number(name)) return number;
-  return ask(name);
+  return ask_sqlite(name);
 }
 
 void TableLookups::keep(const AskedTable& name, std::int64_t number, const std::string& schema) {

@@ -54,7 +54,7 @@ class TableLookups {
   static constexpr std::size_t most_kept = 8;
 
   std::optional<std::int64_t> kept_number(const AskedTable& name);
-  std::optional<std::int64_t> ask(const AskedTable& name);
+  std::optional<std::int64_t> ask_sqlite(const AskedTable& name);
 
   sqlite3* db_;
   std::vector<Kept> kept_;  ///< the latest last

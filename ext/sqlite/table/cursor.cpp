@@ -8,11 +8,11 @@
 namespace foresee::sqlite {
 
 TableCursor::TableCursor(MovingObjectsTable& table) : sqlite3_vtab_cursor{}, table_(table) {
-  table_.opened(*this);
+  table_.scan_opened(*this);
 }
 
 TableCursor::~TableCursor() {
-  table_.closed(*this);
+  table_.scan_closed(*this);
 }
 
 void TableCursor::clear() {

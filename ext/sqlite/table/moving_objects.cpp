@@ -119,14 +119,14 @@ int table_update(sqlite3_vtab* base, int count, sqlite3_value** arguments, sqlit
 
 /// A callback that is one call of the store, or nothing where it cannot be read.
 template <void (Store::*step)()>
-int forward(sqlite3_vtab* base) noexcept {
+int store_step(sqlite3_vtab* base) noexcept {
   MovingObjectsTable& table = table_of(base);
   if (!table.has_store()) return SQLITE_OK;
   return guarded(&base->zErrMsg, [&] { (table.store().*step)(); });
 }
 
 template <void (Store::*step)(int)>
-int forward(sqlite3_vtab* base, int level) noexcept {
+int store_step(sqlite3_vtab* base, int level) noexcept {
   MovingObjectsTable& table = table_of(base);
   if (!table.has_store()) return SQLITE_OK;
   return guarded(&base->zErrMsg, [&] { (table.store().*step)(level); });
@@ -138,12 +138,12 @@ void abort_scans(MovingObjectsTable& table) noexcept {
 
 int table_rollback(sqlite3_vtab* base) noexcept {
   abort_scans(table_of(base));
-  return forward<&Store::rollback>(base);
+  return store_step<&Store::rollback>(base);
 }
 
 int table_rollback_to(sqlite3_vtab* base, int level) noexcept {
   abort_scans(table_of(base));
-  return forward<&Store::rollback_to>(base, level);
+  return store_step<&Store::rollback_to>(base, level);
 }
 
 int table_rename(sqlite3_vtab* base, const char* new_name) noexcept {
@@ -188,14 +188,14 @@ constexpr ModuleWithIntegrity moving_objects_module = {{
                                                            .xColumn = cursor_column,
                                                            .xRowid = cursor_rowid,
                                                            .xUpdate = table_update,
-                                                           .xBegin = forward<&Store::begin>,
-                                                           .xSync = forward<&Store::sync>,
-                                                           .xCommit = forward<&Store::commit>,
+                                                           .xBegin = store_step<&Store::begin>,
+                                                           .xSync = store_step<&Store::sync>,
+                                                           .xCommit = store_step<&Store::commit>,
                                                            .xRollback = table_rollback,
                                                            .xFindFunction = nullptr,
                                                            .xRename = table_rename,
-                                                           .xSavepoint = forward<&Store::savepoint>,
-                                                           .xRelease = forward<&Store::release>,
+                                                           .xSavepoint = store_step<&Store::savepoint>,
+                                                           .xRelease = store_step<&Store::release>,
                                                            .xRollbackTo = table_rollback_to,
                                                            .xShadowName = is_shadow_name,
 #if SQLITE_VERSION_NUMBER >= 3044000

@@ -6,7 +6,7 @@
 namespace foresee::sqlite {
 
 MovingObjectsTable::MovingObjectsTable(std::shared_ptr<Connection> connection_, Declaration declaration,
-                                       StoreOrFault opened, const std::string& schema_,
+                                       StoreOrFault store, const std::string& schema_,
                                        const std::string& name_)
     : sqlite3_vtab{},
       connection(std::move(connection_)),
@@ -15,8 +15,8 @@ MovingObjectsTable::MovingObjectsTable(std::shared_ptr<Connection> connection_, 
       values(declaration, name),
       number(0),
       declared_(std::move(declaration)),
-      opened_(std::move(opened)) {
-  number = connection->announce(opened_.store, schema, name);
+      store_(std::move(store)) {
+  number = connection->announce(store_.store, schema, name);
 }
 
 MovingObjectsTable::~MovingObjectsTable() {
@@ -33,8 +33,8 @@ void MovingObjectsTable::rename(const std::string& new_name) {
 }
 
 void MovingObjectsTable::drop() {
-  if (opened_.store)
-    opened_.store->drop();
+  if (store_.store)
+    store_.store->drop();
   else
     shadow_tables(connection->db(), {schema, name}, declaration()).drop();
 }

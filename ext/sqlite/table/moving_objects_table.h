@@ -25,7 +25,7 @@ struct StoreOrFault {
 };
 
 struct MovingObjectsTable : sqlite3_vtab {
-  MovingObjectsTable(std::shared_ptr<Connection> connection, Declaration declaration, StoreOrFault opened,
+  MovingObjectsTable(std::shared_ptr<Connection> connection, Declaration declaration, StoreOrFault store,
                      const std::string& schema, const std::string& name);
   ~MovingObjectsTable();
   MovingObjectsTable(const MovingObjectsTable&) = delete;
@@ -34,15 +34,15 @@ struct MovingObjectsTable : sqlite3_vtab {
   const Declaration& declaration() const { return declared_; }
   /// Throws the fault if there is one.
   Store& store() {
-    if (!opened_.store) throw opened_.fault;
-    return *opened_.store;
+    if (!store_.store) throw store_.fault;
+    return *store_.store;
   }
-  bool has_store() const { return opened_.store != nullptr; }
+  bool has_store() const { return store_.store != nullptr; }
 
-  void opened(TableCursor& cursor) { connection->opened(opened_.store.get(), cursor); }
-  void closed(TableCursor& cursor) noexcept { connection->closed(opened_.store.get(), cursor); }
+  void scan_opened(TableCursor& cursor) { connection->scan_opened(store_.store.get(), cursor); }
+  void scan_closed(TableCursor& cursor) noexcept { connection->scan_closed(store_.store.get(), cursor); }
   /// Every scan of this table, also those that began before SQLite connected it anew.
-  std::span<TableCursor* const> cursors() const noexcept { return connection->cursors(opened_.store.get()); }
+  std::span<TableCursor* const> cursors() const noexcept { return connection->cursors(store_.store.get()); }
 
   /// Drops the shadow tables, as many as there are.
   void drop();
@@ -65,7 +65,7 @@ struct MovingObjectsTable : sqlite3_vtab {
 
  private:
   Declaration declared_;
-  StoreOrFault opened_;
+  StoreOrFault store_;
 };
 
 inline MovingObjectsTable& table_of(sqlite3_vtab* base) {
