@@ -3,40 +3,20 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/simd.h"
 #include "shape/beam.h"
 
 namespace foresee::index::gpcd {
-namespace {
-
-template <int D>
-const FloatKernels<D>& kernels() {
-  return with_simd_in_use(
-      []<Simd simd>(Level<simd>) -> const FloatKernels<D>& { return float_kernels<D, simd>(); });
-}
-
-}  // namespace
-
-template <int D>
-void round_outward(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, Columns columns,
-                   FloatLanes<D>& out) {
-  kernels<D>().round_outward(beams, count, frame, columns, out);
-}
-
-template <int D>
-void find_stripes(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition) {
-  kernels<D>().find_stripes(lanes, count, partition);
-}
 
 template <int D>
 std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>> beams, const Frame<D>& frame, Columns columns) {
   std::vector<FloatBox<D>> boxes;
+  const FloatKernels<D>& kernels = float_kernels<D>();
   BeamLanes<D> lanes;
   FloatLanes<D> rounded;
   for (std::size_t first = 0; first < beams.size(); first += lanes.width) {
     const std::size_t count = std::min(lanes.width, beams.size() - first);
     for (std::size_t l = 0; l < count; ++l) put(beams[first + l], lanes, l);
-    round_outward(lanes, count, frame, columns, rounded);
+    kernels.round_outward(lanes, count, frame, columns, rounded);
     for (std::size_t l = 0; l < count; ++l) boxes.push_back(rounded.box(l));
   }
   return boxes;
@@ -55,11 +35,9 @@ FloatBox<D> round_inward(const Box<D>& box, const Frame<D>& frame) {
   return out;
 }
 
-#define FORESEE_FLOATS_OF_AXES(D)                                                                          \
-  template void round_outward(const BeamLanes<D>&, std::size_t, const Frame<D>&, Columns, FloatLanes<D>&); \
-  template std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>>, const Frame<D>&, Columns);          \
-  template FloatBox<D> round_inward(const Box<D>&, const Frame<D>&);                                       \
-  template void find_stripes(FloatLanes<D>&, std::size_t, const Partition<D>&)
+#define FORESEE_FLOATS_OF_AXES(D)                                                                 \
+  template std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>>, const Frame<D>&, Columns); \
+  template FloatBox<D> round_inward(const Box<D>&, const Frame<D>&)
 FORESEE_FLOATS_OF_AXES(1);
 FORESEE_FLOATS_OF_AXES(2);
 FORESEE_FLOATS_OF_AXES(3);

@@ -2,8 +2,9 @@
 // they meet.
 //
 //   FloatLanes<2> lanes;
-//   round_outward(beams, count, frame, columns, lanes);   // contain the beams' boxes
-//   find_stripes(lanes, count, partition);                // lanes.first[7], lanes.more_y[7], …
+//   const FloatKernels<2>& kernels = float_kernels<2>();
+//   kernels.round_outward(beams, count, frame, columns, lanes);   // contain the beams' boxes
+//   kernels.find_stripes(lanes, count, partition);                // lanes.first[7], lanes.more_y[7], …
 //
 // Guarantee: two boxes that meet have float boxes that meet, and share a stripe unless one of them is a
 // giant. With `columns.travel` there is room for the test of time too (scan.kernel.cpp). All instruction sets
@@ -49,12 +50,27 @@ struct FloatLanes {
   }
 };
 
-/// The first `count` lanes; those behind them have no meaning.
+/// The loops over the first `count` lanes, compiled for one level of instructions each; what is behind those
+/// lanes has no meaning.
 template <int D>
-void round_outward(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, Columns columns,
-                   FloatLanes<D>& out);
+struct FloatKernels {
+  void (*round_outward)(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, Columns columns,
+                        FloatLanes<D>& out);
+  /// Requires: partition.stripes() < 2^32.
+  void (*find_stripes)(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition);
+};
 
-/// The same for a few beams.
+template <int D, Simd simd>
+const FloatKernels<D>& float_kernels();
+
+/// Of the widest instructions in use.
+template <int D>
+const FloatKernels<D>& float_kernels() {
+  return with_simd_in_use(
+      []<Simd simd>(Level<simd>) -> const FloatKernels<D>& { return float_kernels<D, simd>(); });
+}
+
+/// A few beams, rounded outward.
 template <int D>
 std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>> beams, const Frame<D>& frame, Columns columns);
 
@@ -62,20 +78,5 @@ std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>> beams, const Frame<D>
 /// could not compute with it.
 template <int D>
 FloatBox<D> round_inward(const Box<D>& box, const Frame<D>& frame);
-
-/// Requires: partition.stripes() < 2^32.
-template <int D>
-void find_stripes(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition);
-
-/// round_outward() and find_stripes(), compiled for one level of instructions each.
-template <int D>
-struct FloatKernels {
-  void (*round_outward)(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, Columns columns,
-                        FloatLanes<D>& out);
-  void (*find_stripes)(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition);
-};
-
-template <int D, Simd simd>
-const FloatKernels<D>& float_kernels();
 
 }  // namespace foresee::index::gpcd

@@ -88,7 +88,7 @@ bool GridVisit<D>::next(std::vector<Pair>& out) {
     if (written > 0 && touching != touching_) break;
     touching_ = touching;
     enough = touching ? touching_per_batch : pairs_per_batch;
-    written += run(scans_[scan_], batch_ + written, enough + lanes_max - written, steps);
+    written += run_(scans_[scan_], batch_ + written, enough + lanes_max - written, steps);
     if (scans_[scan_].done()) ++scan_;
   }
   steps_taken_ += steps_per_batch - steps;

@@ -93,6 +93,7 @@ class GridVisit final : public Candidates {
   Grid<D>& grid_;
   Interrupt& interrupt_;
   std::vector<Side> sides_;
+  const ScanKernel<D> run_ = scan_kernel<D>();
   std::vector<Scan<D>> scans_;
   std::size_t scan_ = 0;
   bool touching_ = false;  // the last batch

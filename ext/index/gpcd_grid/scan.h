@@ -1,5 +1,6 @@
 // Which beams of a stripe could touch? GPCD steps 4, 5a and 5c: the scan kernel, from left to right.
 //
+//   const ScanKernel<2> run = scan_kernel<2>();
 //   Scan<2> scan = scan_within(lanes);
 //   while (!scan.done()) written += run(scan, pairs + written, room - written, steps);
 //
@@ -72,13 +73,15 @@ Scan<D> scan_between(const LaneView<D>& rows, const LaneView<D>& lanes, bool swa
 /// Goes on with a scan until it is done, `room` has fewer than lanes_max places left, or `steps` is used up;
 /// writes the pairs to `out` and answers how many. A step is a row begun, or lanes_max boxes looked at.
 template <int D>
-std::size_t run(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps);
-
-/// run(), compiled for one level of instructions each.
-template <int D>
 using ScanKernel = std::size_t (*)(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps);
 
 template <int D, Simd simd>
 ScanKernel<D> scan_kernel();
+
+/// Of the widest instructions in use.
+template <int D>
+ScanKernel<D> scan_kernel() {
+  return with_simd_in_use([]<Simd simd>(Level<simd>) { return scan_kernel<D, simd>(); });
+}
 
 }  // namespace foresee::index::gpcd

@@ -30,6 +30,7 @@ void Stripes<D>::read(const BeamSource<D>& source, const Frame<D>& frame, std::s
                       GridSpace::Part& memory, Part& part, Interrupt& interrupt) {
   part.counts = memory.counts.room(partition_.stripes());
   std::fill_n(part.counts, partition_.stripes(), 0);
+  const FloatKernels<D>& kernels = float_kernels<D>();
   BeamLanes<D> beams;
   FloatLanes<D> lanes;
   std::size_t chunks = 0;
@@ -37,8 +38,8 @@ void Stripes<D>::read(const BeamSource<D>& source, const Frame<D>& frame, std::s
     if (chunks++ % chunks_per_check == 0) interrupt.check();
     const std::size_t count = std::min(lanes.width, end - first);
     source.read(first, count, beams);
-    round_outward(beams, count, frame, rows_.columns(), lanes);
-    find_stripes(lanes, count, partition_);
+    kernels.round_outward(beams, count, frame, rows_.columns(), lanes);
+    kernels.find_stripes(lanes, count, partition_);
     rows_.write(first, lanes, count);
     enter(lanes, first, count, memory, part);
   }

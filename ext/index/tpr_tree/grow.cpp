@@ -46,7 +46,7 @@ bool is_stale(const TreeState<D>& state, const Node& inner, std::size_t slot) {
   return by_epoch.sum() > 0.5 * (bounds.x_upper - bounds.x_lower).sum();
 }
 
-/// Does the child's entry contain what was added beneath it, and is not stale?
+/// Does the child's entry contain what was added beneath it, without being stale?
 template <int D, class Added>
 bool fits(const TreeState<D>& state, const Node& parent, NodeNumber child, const Added& added) {
   const std::size_t slot = slot_of(parent, child);

@@ -51,9 +51,10 @@ FloatLanes<2> lanes_of(const std::vector<Beam<2>>& beams, const Frame<2>& frame,
   FloatLanes<2> first;
   for (const Simd simd : available_simd()) {
     use_simd(simd);
+    const auto& kernels = gpcd::float_kernels<2>();
     FloatLanes<2> lanes;
-    round_outward(from, beams.size(), frame, columns, lanes);
-    find_stripes(lanes, beams.size(), partition);
+    kernels.round_outward(from, beams.size(), frame, columns, lanes);
+    kernels.find_stripes(lanes, beams.size(), partition);
     if (simd == Simd::baseline) first = lanes;
     EXPECT_EQ(std::memcmp(&first, &lanes, sizeof lanes), 0) << name_of(simd);
   }
