@@ -26,7 +26,4 @@ struct Scene {
   Bodies bodies() const { return {layout, rows.data(), ids.size()}; }
 };
 
-/// The newest reference time stored: what `now` is when nobody says. 0 without objects or without t.
-double newest_t(const Scene& scene);
-
 }  // namespace foresee::query

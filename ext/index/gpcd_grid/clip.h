@@ -9,8 +9,9 @@
 // none, from > to.
 //
 // Rounding: y is widened by 2^-30 of all numbers in it, the part of the horizon by 2^-30, x by 2^-22 before
-// it becomes float; all is computed in double from the beams' floats, which have room for their own rounding
-// (float_lanes.kernel.cpp). Requires: columns of travel, none of life. Cost: ten nanoseconds a giant and axis.
+// it becomes float; all in double, from the beams' floats, which have room for their own rounding
+// (float_lanes.kernel.cpp). Requires: columns of travel, none of life. Cost: some ten nanoseconds a giant
+// and axis.
 #pragma once
 
 #include "index/gpcd_grid/scan.h"

@@ -52,11 +52,5 @@ TEST(Positions, RefuseAMomentThatIsNoNumber) {
   EXPECT_FALSE(Positions(scene, 1).next());
 }
 
-TEST(NewestT, IsTheLargestReferenceTime) {
-  EXPECT_EQ(newest_t(*scene_of(lifetimes, {7, 8}, {-9, 1, 2, 10, -5, 1, 3, 100})), -5);
-  EXPECT_EQ(newest_t(*scene_of(lifetimes, {}, {})), 0);
-  EXPECT_EQ(newest_t(*scene_of({.axes = 1}, {7}, {42})), 0) << "without t, every object's is 0";
-}
-
 }  // namespace
 }  // namespace foresee::query
