@@ -1,5 +1,6 @@
 #include "storage/rows/shadow_tables.h"
 
+#include <algorithm>
 #include <cstring>
 
 #include "storage/rows/store_error.h"
@@ -40,21 +41,26 @@ void ShadowTables::drop() const {
 }
 
 void ShadowTables::require_tables() const {
-  std::string sql = format_sql(
-      "SELECT name, type = 'view' FROM \"%w\".sqlite_schema WHERE type IN ('table', 'view') "
-      "AND coalesce(rootpage, 0) <= 0 AND name COLLATE NOCASE IN (''",
-      name_.schema.c_str());
-  for (const ShadowTable& table : tables_)
-    sql += format_sql(", '%q_%q'", name_.table.c_str(), table.suffix.c_str());
-  Statement no_tables(db_, sql + ")");
-  Statement::Run run(no_tables);
-  if (!run.step()) return;
-  const std::string shadow = run.text(0);
-  const bool is_view = run.integer(1) != 0;
-  throw StoreError(SQLITE_CORRUPT_VTAB,
-                   name_.table + ": " + shadow + " is a " + (is_view ? "view" : "virtual table") +
-                       ", where foresee keeps a table of its own: DROP " + (is_view ? "VIEW " : "TABLE ") +
-                       shadow + ", then DROP TABLE " + name_.table + " or restore what was there");
+  // Names are compared here: a longer statement takes longer to compile than the few rows to read.
+  Statement without_pages(db_, format_sql("SELECT name, type FROM \"%w\".sqlite_schema WHERE "
+                                          "coalesce(rootpage, 0) <= 0",
+                                          name_.schema.c_str()));
+  Statement::Run run(without_pages);
+  while (run.step()) {
+    const std::string shadow = run.text(0), type = run.text(1);
+    const bool is_view = type == "view";
+    if ((!is_view && type != "table") || !is_ours(shadow)) continue;
+    throw StoreError(SQLITE_CORRUPT_VTAB,
+                     name_.table + ": " + shadow + " is a " + (is_view ? "view" : "virtual table") +
+                         ", where foresee keeps a table of its own: DROP " + (is_view ? "VIEW " : "TABLE ") +
+                         shadow + ", then DROP TABLE " + name_.table + " or restore what was there");
+  }
+}
+
+bool ShadowTables::is_ours(const std::string& name) const {
+  return std::any_of(tables_.begin(), tables_.end(), [&](const ShadowTable& table) {
+    return sqlite3_stricmp(name.c_str(), (name_.table + "_" + table.suffix).c_str()) == 0;
+  });
 }
 
 Statement ShadowTables::statement(const std::string& sql) const {

@@ -58,6 +58,8 @@ class ShadowTables {
   Statement statement(const std::string& sql) const;
 
  private:
+  bool is_ours(const std::string& name) const;
+
   sqlite3* db_;
   QualifiedName name_;
   std::vector<ShadowTable> tables_;
