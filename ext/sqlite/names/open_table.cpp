@@ -1,5 +1,6 @@
 #include "sqlite/names/open_table.h"
 
+#include <cstring>
 #include <vector>
 
 #include "sqlite/names/visible_tables.h"
@@ -61,7 +62,7 @@ void throw_if_not_ours(sqlite3* db, const std::string& table, const std::optiona
 /// SQL's text ends at a NUL: no name has one.
 bool can_be_named(const AskedTable& name) {
   const std::string text = *name.table + name.schema.value_or("");
-  return text.find('\0') == std::string::npos;
+  return std::strlen(text.c_str()) == text.size();
 }
 
 /// Nothing if the table that SQLite finds is none of ours.
