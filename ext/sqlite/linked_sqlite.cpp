@@ -49,6 +49,7 @@ constexpr sqlite3_api_routines linked = [] {
   api.stmt_status = sqlite3_stmt_status;
   api.stricmp = sqlite3_stricmp;
   api.strnicmp = sqlite3_strnicmp;
+  api.table_column_metadata = sqlite3_table_column_metadata;
   api.value_bytes = sqlite3_value_bytes;
   api.value_double = sqlite3_value_double;
   api.value_dup = sqlite3_value_dup;

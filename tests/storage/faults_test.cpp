@@ -153,7 +153,9 @@ std::vector<double> box(double x) {
 std::shared_ptr<Store> store_with(Database& db, MemoryLimits limits) {
   static const QualifiedName name{"main", "ships"};
   db.run("BEGIN IMMEDIATE");
-  auto store = std::make_shared<Store>(db, name, boxes(), create_shadow_tables(db, name, boxes()), true,
+  const NodeFormat format = create_shadow_tables(db, name, boxes());
+  auto rows = std::make_unique<ShadowRows>(shadow_tables(db, name, boxes()), boxes());
+  auto store = std::make_shared<Store>(db, name, boxes(), format, std::move(rows), true,
                                        std::make_shared<MemoryBudget>(limits));
   commit(db, *store);
   return store;

@@ -35,9 +35,9 @@ std::optional<std::int64_t> one_integer(Statement::Run& run) {
 
 }  // namespace
 
-ShadowRows::ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries)
-    : db_(db), table_(name.table) {
-  const ShadowTables tables = shadow_tables(db, name, auxiliaries);
+ShadowRows::ShadowRows(const ShadowTables& tables, const Declaration& declaration)
+    : db_(tables.db()), table_(tables.name().table), meta_(tables) {
+  const auto auxiliaries = static_cast<int>(declaration.auxiliaries.size());
   auto sql = [&](const std::string& text) { return tables.statement(text); };
   largest_node_ = sql("SELECT max(nodeno) FROM {node}");
   node_by_number_ = sql("SELECT data FROM {node} WHERE nodeno = ?");
@@ -54,10 +54,6 @@ ShadowRows::ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries)
   write_map_rows_ = sql(write_map_sql(map_rows));
   erase_map_row_ = sql("DELETE FROM {map} WHERE id = ?");
   erase_map_ = sql("DELETE FROM {map}");
-  stamp_ = sql("SELECT value FROM {meta} WHERE key = 'stamp'");
-  write_stamp_ = sql("INSERT OR REPLACE INTO {meta} VALUES('stamp', ?)");
-  root_ = sql("SELECT value FROM {meta} WHERE key = 'root'");
-  write_root_ = sql("INSERT OR REPLACE INTO {meta} VALUES('root', ?)");
   if (auxiliaries == 0) return;
   insert_auxiliaries_ = sql(insert_auxiliaries_sql(auxiliaries));
   update_auxiliaries_ = sql(update_auxiliaries_sql(auxiliaries));
@@ -199,28 +195,6 @@ void ShadowRows::result_auxiliary(sqlite3_context* context, std::int64_t id, int
 void ShadowRows::match_auxiliaries_to_map() {
   Statement::Run(erase_stray_).step();
   Statement::Run(insert_missing_).step();
-}
-
-std::optional<std::int64_t> ShadowRows::read_stamp() {
-  Statement::Run run(stamp_);
-  return one_integer(run);
-}
-
-std::optional<std::int64_t> ShadowRows::read_root() {
-  Statement::Run run(root_);
-  return one_integer(run);
-}
-
-void ShadowRows::write_root(std::int64_t root) {
-  Statement::Run run(write_root_);
-  run.bind(1, root);
-  run.step();
-}
-
-void ShadowRows::write_stamp(std::int64_t stamp) {
-  Statement::Run run(write_stamp_);
-  run.bind(1, stamp);
-  run.step();
 }
 
 }  // namespace foresee::storage

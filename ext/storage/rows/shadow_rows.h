@@ -19,7 +19,7 @@ namespace foresee::storage {
 
 class ShadowRows {
  public:
-  ShadowRows(sqlite3* db, const QualifiedName& name, int auxiliaries);
+  ShadowRows(const ShadowTables& tables, const Declaration& declaration);
 
   // --- _node
   std::int64_t read_largest_node();  ///< 0: there is none
@@ -47,6 +47,7 @@ class ShadowRows {
     read_ascending(all_nodes_, {table_, "node"},
                    [&](std::int64_t number, Statement::Run& run) { read(number, run.blob(1)); });
   }
+  /// In place of what is there, if anything is.
   void write_node(std::int64_t number, std::span<const std::byte> blob);
   void erase_node(std::int64_t number);
   template <class Read>
@@ -56,6 +57,7 @@ class ShadowRows {
   }
 
   // --- _map
+  /// The leaf of an id; nothing if there is no such object.
   std::optional<std::int64_t> find_leaf(std::int64_t id);
   std::optional<std::int64_t> read_largest_id();
   std::int64_t count_ids();
@@ -83,12 +85,13 @@ class ShadowRows {
   void match_auxiliaries_to_map();
 
   // --- _meta
+  MetaRows& meta() { return meta_; }
   /// Nothing if the stored stamp is missing or no integer.
-  std::optional<std::int64_t> read_stamp();
-  void write_stamp(std::int64_t stamp);
+  std::optional<std::int64_t> read_stamp() { return meta_.read_integer("stamp"); }
+  void write_stamp(std::int64_t stamp) { meta_.write("stamp", stamp); }
   /// The tree's root; nothing if it is missing or no integer.
-  std::optional<std::int64_t> read_root();
-  void write_root(std::int64_t root);
+  std::optional<std::int64_t> read_root() { return meta_.read_integer("root"); }
+  void write_root(std::int64_t root) { meta_.write("root", root); }
 
  private:
   std::size_t variables() const;
@@ -102,7 +105,7 @@ class ShadowRows {
   Statement insert_auxiliaries_, update_auxiliaries_, erase_auxiliaries_, auxiliary_ids_, erase_stray_,
       insert_missing_;
   std::vector<Statement> auxiliary_;
-  Statement stamp_, write_stamp_, root_, write_root_;
+  MetaRows meta_;
 };
 
 }  // namespace foresee::storage

@@ -4,7 +4,6 @@
 
 #include "shape/shapes.h"
 #include "storage/format/features.h"
-#include "storage/rows/meta_rows.h"
 #include "storage/rows/store_error.h"
 #include "storage/rows/text.h"
 
@@ -38,20 +37,16 @@ bool is_shadow_suffix(std::string_view suffix) {
   return is_one_of(suffix, suffixes);
 }
 
-ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, int auxiliaries) {
+ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration) {
   std::vector<ShadowTable> tables{{"node", "(nodeno INTEGER PRIMARY KEY, data BLOB)"},
                                   {"map", "(id INTEGER PRIMARY KEY, leaf INTEGER)"},
                                   MetaRows::table()};
-  if (auxiliaries > 0) {
+  if (!declaration.auxiliaries.empty()) {
     std::string definition = "(id INTEGER PRIMARY KEY";
-    for (int i = 0; i < auxiliaries; ++i) definition += ", a" + std::to_string(i);
+    for (std::size_t i = 0; i < declaration.auxiliaries.size(); ++i) definition += ", a" + std::to_string(i);
     tables.push_back({"aux", definition + ")"});
   }
   return {db, name, std::move(tables)};
-}
-
-ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration) {
-  return shadow_tables(db, name, static_cast<int>(declaration.auxiliaries.size()));
 }
 
 std::string describe_columns(const Declaration& declaration) {
@@ -104,10 +99,9 @@ void refuse_unknown_features(sqlite3* db, const QualifiedName& name) {
   require_known_features(meta, name);
 }
 
-NodeFormat read_node_format(sqlite3* db, const QualifiedName& name, const Declaration& declaration) {
-  const ShadowTables tables = shadow_tables(db, name, declaration);
+NodeFormat read_node_format(const ShadowTables& tables, MetaRows& meta, const Declaration& declaration) {
   tables.require_tables();
-  MetaRows meta(tables);
+  const QualifiedName& name = tables.name();
   const std::string version = std::to_string(NodeFormat::version), format = meta.read("format");
   if (format != version)
     refuse(SQLITE_ERROR, name,

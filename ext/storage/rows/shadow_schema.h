@@ -15,6 +15,7 @@
 
 #include "storage/format/declaration.h"
 #include "storage/format/node_format.h"
+#include "storage/rows/meta_rows.h"
 #include "storage/rows/shadow_tables.h"
 
 namespace foresee::storage {
@@ -25,17 +26,16 @@ bool is_shadow_suffix(std::string_view suffix);
 /// The record's columns in their order, then the auxiliary ones: what `columns` holds in _meta.
 std::string describe_columns(const Declaration& declaration);
 
-/// The tables themselves, with so many auxiliary columns.
-ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, int auxiliaries);
+/// The tables themselves.
 ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
 
 /// Makes the shadow tables of a new, empty table and returns its nodes' format.
 NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
 
-/// The nodes' format of an existing table. Throws StoreError if the shadow tables were written for another
-/// declaration or by a version of foresee that this one does not understand, or if one of them is no table.
-/// Cost: one scan of sqlite_schema, four look-ups in _meta, and bounded memory, whatever they hold.
-NodeFormat read_node_format(sqlite3* db, const QualifiedName& name, const Declaration& declaration);
+/// The nodes' format of an existing table, of which `meta` are the rows. Throws StoreError if the shadow
+/// tables were written for another declaration or by a version of foresee that this one does not understand,
+/// or if one of them is no table. Cost: two statements are compiled, and four look-ups in _meta.
+NodeFormat read_node_format(const ShadowTables& tables, MetaRows& meta, const Declaration& declaration);
 
 /// Throws StoreError if an existing table was written with a feature that this foresee does not know. For a
 /// declaration that cannot be read: the feature says why.

@@ -2,17 +2,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <new>
 
 #include "storage/rows/store_error.h"
 
 namespace foresee::storage {
-namespace {
-
-std::string full_name(const QualifiedName& name, const std::string& suffix) {
-  return format_sql("\"%w\".\"%w_%w\"", name.schema.c_str(), name.table.c_str(), suffix.c_str());
-}
-
-}  // namespace
 
 bool is_one_of(std::string_view suffix, std::span<const char* const> suffixes) {
   for (const char* known : suffixes)
@@ -22,26 +16,49 @@ bool is_one_of(std::string_view suffix, std::span<const char* const> suffixes) {
   return false;
 }
 
+ShadowTables::ShadowTables(sqlite3* db, QualifiedName name, std::vector<ShadowTable> tables)
+    : db_(db),
+      name_(std::move(name)),
+      tables_(std::move(tables)),
+      prefix_(format_sql("\"%w\".\"%w_", name_.schema.c_str(), name_.table.c_str())) {}
+
 void ShadowTables::create() const {
   std::string sql;
   for (const ShadowTable& table : tables_)
-    sql += "CREATE TABLE " + full_name(name_, table.suffix) + table.definition + ";";
+    sql += "CREATE TABLE " + full_name(table.suffix) + table.definition + ";";
   execute(db_, sql);
 }
 
 void ShadowTables::rename(const std::string& new_table) const {
   for (const ShadowTable& table : tables_)
-    execute(db_, "ALTER TABLE " + full_name(name_, table.suffix) +
+    execute(db_, "ALTER TABLE " + full_name(table.suffix) +
                      format_sql(" RENAME TO \"%w_%w\"", new_table.c_str(), table.suffix.c_str()));
 }
 
 void ShadowTables::drop() const {
-  for (const ShadowTable& table : tables_)
-    execute(db_, "DROP TABLE IF EXISTS " + full_name(name_, table.suffix));
+  for (const ShadowTable& table : tables_) execute(db_, "DROP TABLE IF EXISTS " + full_name(table.suffix));
+}
+
+/// False where one is a view, which has no columns of its own, or virtual: then no statement may name it. Or
+/// where one is missing, or SQLite cannot say.
+bool ShadowTables::are_tables() const try {
+  std::string sql = "SELECT 1 FROM ";
+  for (const ShadowTable& table : tables_) {
+    const int known =
+        sqlite3_table_column_metadata(db_, name_.schema.c_str(), (name_.table + "_" + table.suffix).c_str(),
+                                      nullptr, nullptr, nullptr, nullptr, nullptr, nullptr);
+    if (known == SQLITE_NOMEM) throw std::bad_alloc();
+    if (known != SQLITE_OK) return false;
+    sql += (&table == tables_.data() ? "" : ", ") + full_name(table.suffix);
+  }
+  Statement(db_, sql).prepare();
+  return true;
+} catch (const StoreError&) {
+  return false;
 }
 
 void ShadowTables::require_tables() const {
-  // Names are compared here: a longer statement takes longer to compile than the few rows to read.
+  if (are_tables()) return;
   Statement without_pages(db_, format_sql("SELECT name, type FROM \"%w\".sqlite_schema WHERE "
                                           "coalesce(rootpage, 0) <= 0",
                                           name_.schema.c_str()));
@@ -68,11 +85,11 @@ Statement ShadowTables::statement(const std::string& sql) const {
   std::size_t done = 0;
   for (auto open = sql.find('{'); open != std::string::npos; open = sql.find('{', done)) {
     const auto close = sql.find('}', open);
-    result += sql.substr(done, open - done);
-    result += full_name(name_, sql.substr(open + 1, close - open - 1));
+    result.append(sql, done, open - done);
+    result.append(prefix_).append(sql, open + 1, close - open - 1).append(1, '"');
     done = close + 1;
   }
-  return {db_, result + sql.substr(done)};
+  return {db_, result.append(sql, done)};
 }
 
 }  // namespace foresee::storage

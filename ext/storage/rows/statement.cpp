@@ -90,8 +90,8 @@ void Statement::Run::bind(int place, double value) {
   require_ok(sqlite3_bind_double(statement_, place, value));
 }
 
-void Statement::Run::bind(int place, const std::string& text) {
-  require_ok(sqlite3_bind_text64(statement_, place, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
+void Statement::Run::bind(int place, std::string_view text) {
+  require_ok(sqlite3_bind_text64(statement_, place, text.data(), text.size(), SQLITE_STATIC, SQLITE_UTF8));
 }
 
 void Statement::Run::bind(int place, std::span<const std::byte> blob) {
@@ -109,8 +109,8 @@ bool Statement::Run::step() {
   throw_sqlite_error(owner_.db_, code);
 }
 
-std::string Statement::Run::text(int column) {
-  return text_of(statement_, column);
+std::string Statement::Run::text(int column, std::size_t most) {
+  return text_of(statement_, column, most);
 }
 
 std::span<const std::byte> Statement::Run::blob(int column) {

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "base/rooms.h"
 #include "storage/rows/sqlite_api.h"
@@ -63,10 +64,12 @@ class Statement {
   bool running_ = false;
 };
 
-/// One execution. Bound blobs and the blobs that a row shows are not copied: they must live until the run or
-/// the row ends.
+/// One execution, from compiling the statement if need be until its reset in the destructor. Any call may
+/// throw StoreError. Bound texts and blobs, and the blobs that a row shows, are not copied: they must live
+/// until the run or the row ends.
 class Statement::Run {
  public:
+  /// SQLITE_LOCKED_VTAB if the statement is running: a trigger on a shadow table may lead back to us.
   explicit Run(Statement& statement);
   ~Run();
   Run(const Run&) = delete;
@@ -74,7 +77,7 @@ class Statement::Run {
 
   void bind(int place, std::int64_t value);
   void bind(int place, double value);
-  void bind(int place, const std::string& text);
+  void bind(int place, std::string_view text);
   void bind(int place, std::span<const std::byte> blob);
   void bind(int place, const sqlite3_value* value);
 
@@ -84,7 +87,8 @@ class Statement::Run {
   bool is_integer(int column) { return sqlite3_column_type(statement_, column) == SQLITE_INTEGER; }
   bool is_null(int column) { return sqlite3_column_type(statement_, column) == SQLITE_NULL; }
   std::int64_t integer(int column) { return sqlite3_column_int64(statement_, column); }
-  std::string text(int column);
+  /// Of a longer text only the beginning, at most so many bytes and no part of a character.
+  std::string text(int column, std::size_t most = std::string::npos);
   /// Empty if the column is no blob.
   std::span<const std::byte> blob(int column);
   sqlite3_value* value(int column) { return sqlite3_column_value(statement_, column); }

@@ -9,11 +9,20 @@
 namespace foresee::storage {
 namespace {
 
+/// Its first bytes, not more than `most` and no part of a character.
+std::string_view beginning(std::string_view text, std::size_t most) {
+  const auto is_inside_character = [&](std::size_t i) {
+    return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
+  };
+  while (most > 0 && most < text.size() && is_inside_character(most)) --most;
+  return text.substr(0, most);
+}
+
 /// SQLite says null for NULL, and out of memory for anything.
-std::string text_or_no_memory(int type, const unsigned char* text, int size) {
+std::string_view text_or_no_memory(int type, const unsigned char* text, int size) {
   if (text != nullptr) return {reinterpret_cast<const char*>(text), static_cast<std::size_t>(size)};
   if (type != SQLITE_NULL) throw std::bad_alloc();
-  return "";
+  return {};
 }
 
 }  // namespace
@@ -22,13 +31,13 @@ std::string text_or_no_memory(int type, const unsigned char* text, int size) {
 std::string text_of(sqlite3_value* value) {
   const int type = sqlite3_value_type(value);
   const unsigned char* text = sqlite3_value_text(value);
-  return text_or_no_memory(type, text, sqlite3_value_bytes(value));
+  return std::string(text_or_no_memory(type, text, sqlite3_value_bytes(value)));
 }
 
-std::string text_of(sqlite3_stmt* row, int column) {
+std::string text_of(sqlite3_stmt* row, int column, std::size_t most) {
   const int type = sqlite3_column_type(row, column);
   const unsigned char* text = sqlite3_column_text(row, column);
-  return text_or_no_memory(type, text, sqlite3_column_bytes(row, column));
+  return std::string(beginning(text_or_no_memory(type, text, sqlite3_column_bytes(row, column)), most));
 }
 
 std::string without_nul(std::string text) {
@@ -49,11 +58,8 @@ std::string shown(sqlite3_value* value) {
       return "a blob of " + std::to_string(sqlite3_value_bytes(value)) + " bytes";
     default: {
       const std::string text = without_nul(text_of(value));
-      const std::string_view kept = text;
-      if (kept.size() <= most) return std::string("'").append(kept).append("'");
-      std::size_t cut = most;  // not inside a character
-      while (cut > 0 && (static_cast<unsigned char>(kept[cut]) & 0xC0) == 0x80) --cut;
-      return std::string("'").append(kept.substr(0, cut)).append("...'");
+      if (text.size() <= most) return std::string("'").append(text).append("'");
+      return std::string("'").append(beginning(text, most)).append("...'");
     }
   }
 }

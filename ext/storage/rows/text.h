@@ -5,6 +5,7 @@
 // A text in UTF-16 becomes UTF-8 when it is asked for, which takes memory.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "base/rooms.h"
@@ -14,7 +15,8 @@ namespace foresee::storage {
 
 /// A value as text, "" for NULL. Throws std::bad_alloc out of memory.
 std::string text_of(sqlite3_value* value);
-std::string text_of(sqlite3_stmt* row, int column);
+/// Of a text that is longer than `most` bytes only the beginning, without a part of a character.
+std::string text_of(sqlite3_stmt* row, int column, std::size_t most = std::string::npos);
 
 /// For a message, which a NUL would end: each one as \0.
 std::string without_nul(std::string text);

@@ -126,8 +126,8 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   void drop();
 
   /// For create() and open().
-  Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format, bool is_new,
-        std::shared_ptr<MemoryBudget> memory);
+  Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format,
+        std::unique_ptr<ShadowRows> rows, bool is_new, std::shared_ptr<MemoryBudget> memory);
 
   // For a table that is connected again.
   bool goes_by(const std::string& table) const { return name_.table == table; }

@@ -21,7 +21,9 @@ std::shared_ptr<Store> Store::create(sqlite3* db, const std::string& schema, con
                                      const Declaration& declaration) {
   const QualifiedName name{schema, table};
   const NodeFormat format = create_shadow_tables(db, name, declaration);
-  auto store = std::make_shared<Store>(db, name, declaration, format, true, memory_budget_of(db));
+  auto rows = std::make_unique<ShadowRows>(shadow_tables(db, name, declaration), declaration);
+  auto store =
+      std::make_shared<Store>(db, name, declaration, format, std::move(rows), true, memory_budget_of(db));
   remember_open_store(db, name, store);
   return store;
 }
@@ -29,25 +31,27 @@ std::shared_ptr<Store> Store::create(sqlite3* db, const std::string& schema, con
 std::shared_ptr<Store> Store::open(sqlite3* db, const std::string& schema, const std::string& table,
                                    const Declaration& declaration) {
   const QualifiedName name{schema, table};
-  const NodeFormat format = read_node_format(db, name, declaration);
+  const ShadowTables tables = shadow_tables(db, name, declaration);
+  auto rows = std::make_unique<ShadowRows>(tables, declaration);
+  const NodeFormat format = read_node_format(tables, rows->meta(), declaration);
   if (auto live = find_open_store(db, name);
       live && live->goes_by(name.table) && same_columns(live->declaration(), declaration) &&
       live->format().node_size == format.node_size && !live->is_taken_back())
     return live;
-  auto store = std::make_shared<Store>(db, name, declaration, format, false, memory_budget_of(db));
+  auto store =
+      std::make_shared<Store>(db, name, declaration, format, std::move(rows), false, memory_budget_of(db));
   remember_open_store(db, name, store);
   return store;
 }
 
 // SQLite makes a table inside a write transaction and does not call begin() for it.
-Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format, bool is_new,
-             std::shared_ptr<MemoryBudget> memory)
+Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format,
+             std::unique_ptr<ShadowRows> rows, bool is_new, std::shared_ptr<MemoryBudget> memory)
     : db_(db),
       name_(std::move(name)),
       declaration_(std::move(declaration)),
       format_(format),
-      shadow_rows_(
-          std::make_unique<ShadowRows>(db, name_, static_cast<int>(declaration_.auxiliaries.size()))),
+      shadow_rows_(std::move(rows)),
       memory_(std::move(memory)),
       share_(*memory_, *this),
       cache_(format_, name_, share_),
@@ -245,7 +249,7 @@ void Store::rename(const std::string& new_table) {
 void Store::go_by(const std::string& table) {
   if (name_.table == table) return;
   name_.table = table;
-  shadow_rows_ = std::make_unique<ShadowRows>(db_, name_, static_cast<int>(declaration_.auxiliaries.size()));
+  shadow_rows_ = std::make_unique<ShadowRows>(shadow_tables(db_, name_, declaration_), declaration_);
   cache_.connect(*shadow_rows_);
   remember_open_store(db_, name_, shared_from_this());
 }

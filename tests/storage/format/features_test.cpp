@@ -43,7 +43,11 @@ TEST(Features, NoTableOfTodayHasAny) {
 TEST(Features, UnknownOnesAreRefusedByName) {
   Database db;
   make_store(db);
-  const auto open = [&] { read_node_format(db, {"main", "ships"}, ships()); };
+  const auto open = [&] {
+    const ShadowTables tables = shadow_tables(db, {"main", "ships"}, ships());
+    MetaRows meta(tables);
+    read_node_format(tables, meta, ships());
+  };
   db.run("INSERT INTO ships_meta VALUES('features', '')");
   open();
   db.run("UPDATE ships_meta SET value = 'growth,tiles' WHERE key = 'features'");

@@ -14,8 +14,9 @@ class TwoTables : public ::testing::Test {
  protected:
   std::shared_ptr<Store> make(const QualifiedName& name, const std::shared_ptr<MemoryBudget>& budget) {
     db.run("BEGIN IMMEDIATE");
-    auto store =
-        std::make_shared<Store>(db, name, ships(), create_shadow_tables(db, name, ships()), true, budget);
+    const NodeFormat format = create_shadow_tables(db, name, ships());
+    auto rows = std::make_unique<ShadowRows>(shadow_tables(db, name, ships()), ships());
+    auto store = std::make_shared<Store>(db, name, ships(), format, std::move(rows), true, budget);
     commit(db, *store);
     return store;
   }

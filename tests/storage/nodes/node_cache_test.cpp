@@ -11,7 +11,7 @@ class NodeCacheTest : public ::testing::Test, MemoryHolder {
  protected:
   NodeCacheTest()
       : format((db.run("BEGIN IMMEDIATE"), create_shadow_tables(db, name, ships()))),
-        rows(db, name, 0),
+        rows(shadow_tables(db, name, ships()), ships()),
         budget({.memory = 2 * format.node_size, .waiting = 4 * format.node_size}),
         share(budget, *this),
         cache(format, name, share) {

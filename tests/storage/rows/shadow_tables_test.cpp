@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "sqlite/foresee.h"
 #include "storage/database.h"
 #include "storage/rows/ascending_rows.h"
 #include "storage/rows/meta_rows.h"
@@ -86,6 +87,24 @@ TEST(ShadowTables, MetaKeepsValuesByKey) {
   EXPECT_EQ(db.number("SELECT count(*) FROM alerts_meta"), 3);
   db.run("UPDATE alerts_meta SET value = printf('%.1000c', 'x') WHERE key = 'clock'");
   EXPECT_EQ(meta.read("clock", 30).size(), 30u);
+  EXPECT_EQ(meta.read_integer("seq"), 8);
+  EXPECT_EQ(meta.read_integer("clock"), std::nullopt);
+  EXPECT_EQ(meta.read_integer("other"), std::nullopt);
+  meta.write("watched", std::string("häfen"));
+  EXPECT_EQ(meta.read("watched", 3), "hä");
+  EXPECT_EQ(meta.read("watched", 2), "h");
+}
+
+TEST(ShadowTables, AVirtualTableInPlaceOfOneIsRefusedEvenWhereItIsInUse) {
+  Database db;
+  sqlite3_foresee_init(db, nullptr, nullptr);
+  const ShadowTables tables = alerts(db);
+  tables.create();
+  db.run("DROP TABLE alerts_log; CREATE VIRTUAL TABLE alerts_log USING moving_objects(id, x)");
+  db.run("SELECT * FROM alerts_log");
+  expect_store_error(SQLITE_CORRUPT_VTAB,
+                     "alerts: alerts_log is a virtual table, where foresee keeps a table",
+                     [&] { tables.require_tables(); });
 }
 
 TEST(ShadowTables, RowsThatDoNotAscendAreRefused) {
