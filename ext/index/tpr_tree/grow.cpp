@@ -6,6 +6,8 @@
 namespace foresee::index {
 namespace {
 
+/// The node of this level, beneath `number`, whose way down grows least by what is added: choose_child() on
+/// every level. Throws BrokenTree where a node is not beneath its parent.
 template <int D, class Added>
 NodeNumber choose_node(TreeState<D>& state, NodeNumber number, int level, const Added& added) {
   auto node = number == state.pages.find_root() ? read(state.pages, unread_root(state.pages))
@@ -22,6 +24,7 @@ NodeNumber choose_node(TreeState<D>& state, NodeNumber number, int level, const 
   return number;
 }
 
+/// A new root one level up, with the old one as its only child.
 template <int D>
 NodeNumber put_root_above(TreeState<D>& state, NodeNumber old_root) {
   const NodeNumber number = state.pages.allocate();

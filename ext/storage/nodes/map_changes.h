@@ -26,7 +26,7 @@ class MapChanges {
     const std::int64_t leaf = leaves_.find(id);
     return leaf == unknown && stored_is_void_ ? erased : leaf;
   }
-  /// All or nothing.
+  /// The id is in this leaf from now on; what was known before is logged. All or nothing.
   void set(std::int64_t id, std::int64_t leaf);
   /// What the stored map says counts no longer, for any id.
   void void_stored();

@@ -33,7 +33,6 @@ NodeNumber NodeCache::find_root() {
   return head_.root;
 }
 
-/// Null if its node would have to be read.
 NodeCache::Slot* NodeCache::in_memory(NodeNumber number) {
   if (places_.size() < slots_.size() || places_.empty())
     places_.assign(std::bit_ceil(std::max<std::size_t>(64, 2 * slots_.size())), {});
@@ -46,7 +45,6 @@ NodeCache::Slot* NodeCache::in_memory(NodeNumber number) {
   return slot->state.node ? slot : nullptr;
 }
 
-/// Before memory takes one more node: where the connection holds too many, some go.
 void NodeCache::evict_if_full() {
   note_memory();
   share_.budget().evict();
@@ -118,7 +116,6 @@ NodeNumber NodeCache::next_waiting(NodeNumber after, NodeNumber before) {
   return next == waiting.end() || *next >= before ? 0 : *next;
 }
 
-/// Cost: a sort of what has changed in this transaction, once after each change.
 const std::vector<NodeNumber>& NodeCache::waiting_numbers() {
   if (!waiting_is_stale_) return waiting_;
   waiting_.clear();
@@ -145,7 +142,6 @@ void NodeCache::note_changed(NodeNumber number, Slot& slot) {
   slot.changed = transaction_;
 }
 
-// Nothing is lost if this throws.
 void NodeCache::about_to_change(NodeNumber number, Slot& slot) {
   note_changed(number, slot);
   if (slot.kept_by == newest_keeper_) return;
@@ -156,7 +152,6 @@ void NodeCache::about_to_change(NodeNumber number, Slot& slot) {
   slot.kept_by = newest_keeper_;
 }
 
-// What a node was matters only to those who read it at an earlier moment.
 NodeCache::Slot& NodeCache::overwritten(NodeNumber number) {
   const auto found = slots_.find(number);
   if (found != slots_.end()) return found->second;

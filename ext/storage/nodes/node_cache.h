@@ -73,8 +73,11 @@ class NodeCache final : public Pages {
   const char* fault(NodeNumber number, std::span<const std::byte> blob) const;
 
   // --- one change of the tree: all or nothing
+  /// From now on what nodes, map and root were before they change is kept.
   void begin_change();
+  /// The change holds; what was kept goes to the marks that can still go back, or nowhere.
   void end_change();
+  /// Nodes, map and root are as they were at begin_change().
   void cancel_change() noexcept;
   /// Cancelling no longer helps: rows were written during the change.
   bool wrote_in_change() const { return wrote_in_change_; }
@@ -89,8 +92,11 @@ class NodeCache final : public Pages {
   void restore(UndoLog::Handle mark, std::size_t map_position);
 
   // --- transactions
+  /// Nothing has changed yet. Nodes in memory stay.
   void begin();
+  /// What was written holds; nothing can be taken back any more.
   void commit() noexcept;
+  /// Nodes that this transaction changed are forgotten. Snapshots keep what they saw.
   void roll_back() noexcept;
 
  private:
@@ -103,19 +109,31 @@ class NodeCache final : public Pages {
   };
 
   [[noreturn]] void damaged(const std::string& what) const;
+  /// Null if its node would have to be read.
   Slot* in_memory(NodeNumber number);
+  /// The node in memory; read, checked and decoded if it was not. SQLITE_CORRUPT_VTAB if it is damaged or
+  /// gone.
   Slot& fetch(NodeNumber number);
   void learn(NodeNumber number, Slot& slot);
   void erase_slot(NodeNumber number) noexcept;
+  /// The slot of a node that is replaced as a whole: read only for those who hold a snapshot.
   Slot& overwritten(NodeNumber number);
+  /// This transaction changes the node: a rollback forgets it. Once a transaction; later calls cost nothing.
   void note_changed(NodeNumber number, Slot& slot);
+  /// Call it before a node changes and before it is written. Keeps what it was for the
+  /// change in progress, else for the newest mark; nothing is copied, both share the node. Nothing is lost if
+  /// it throws.
   void about_to_change(NodeNumber number, Slot& slot);
   void take_back_record() noexcept;
+  /// The node waits to be written, or no longer.
   void set_dirty(Slot& slot, bool dirty) noexcept;
   void back_to(NodeNumber number, const NodeState& state) noexcept;
+  /// Nodes that wait, ascending. Cost: a sort of what this transaction has changed, once after each change.
   const std::vector<NodeNumber>& waiting_numbers();
+  /// Nodes that wait, by number.
   void write_nodes();
   void hand_change_to_undo_log();
+  /// Before memory takes one more node: where the connection holds too many, some go.
   void evict_if_full();
   void drop_unused(std::uint64_t before);
 

@@ -142,7 +142,7 @@ void NodeCache::commit() noexcept {
   last_found_.reset();
 }
 
-// SQLite has taken the rows back. Snapshots keep what they saw.
+// SQLite has taken the rows back.
 void NodeCache::roll_back() noexcept {
   if (undo_.snapshots() > 0) try {
       for (const NodeNumber number : changed_)

@@ -25,7 +25,7 @@ class PendingInserts {
   const double* find(std::int64_t id) const noexcept;
 
   // Each all or nothing.
-  /// Requires: not here.
+  /// Requires: not here. Cost: a copy of the record.
   void add(std::int64_t id, std::span<const double> record);
   /// Requires: here.
   void erase(std::int64_t id);
@@ -56,6 +56,7 @@ class PendingInserts {
     bool added;  ///< else erased
   };
 
+  /// Room for one object and so many entries of the log, by doubling: what follows cannot throw.
   void reserve(std::int64_t id, std::size_t changes);
 
   std::size_t record_size_;

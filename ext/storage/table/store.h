@@ -151,16 +151,21 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
 
   void write_out() override;
   void drop_nodes(bool all) override { cache_.drop_nodes(all); }
+  /// Tells the budget how much this table holds and how much waits.
   void note_memory() noexcept;
 
+  /// The rows, unless the store is torn: then SQLITE_ABORT, until SQLite rolls back.
   ShadowRows& shadow_rows();
   bool has_auxiliaries() const { return !declaration_.auxiliaries.empty(); }
   [[noreturn]] void damaged(const std::string& what) const;
   template <class Body>
   auto with_sound_tree(Body body);
+  /// Forgets all nodes if another connection has committed since they were read. Cost: one look-up, none
+  /// where this connection is writing.
   void believe_only_this_stamp();
 
   // reading (store_read.cpp)
+  /// As the cache knows it while this connection writes, else as the rows say: not for pending inserts.
   std::optional<std::int64_t> find_leaf(std::int64_t id);
   void read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
                    const std::function<void(const Node&)>& waiting);
@@ -168,12 +173,17 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
                         const std::function<void(const LeafView&)>& use) const;
 
   // writing (store_write.cpp)
+  /// What every change begins with: the record is fit to be stored, the transaction has begun and its stamp
+  /// is written, memory has room. Throws before anything changes.
   void start_change(std::span<const double> record);
+  /// Stores a random stamp and believes it. Costs one row.
   void write_new_stamp();
+  /// The stamp that read_version() tells: a flush, which changes no object, does not move it.
   std::int64_t shown(std::int64_t stored_stamp) const;
   void about_to_change(std::int64_t id);
   void take_out(std::int64_t id);
   void add(std::int64_t id, std::span<const double> record);
+  /// Asks the map once a transaction.
   const Largest& read_largest();
 
   // from memory to the tables (store_flush.cpp)
@@ -205,6 +215,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   void go_by(const std::string& table);
   std::size_t savepoints_before(int level) const noexcept;
   void give_up_savepoints(std::size_t from) noexcept;
+  /// Memory knows of no transaction any more: no savepoint, nothing pending, not torn.
   void end_transaction() noexcept;
   void note_change() noexcept { ++undo_position_, differs_from_version_ = true; }
 

@@ -1,7 +1,8 @@
-// Our own work inside a callback: SQLite may call the table back about our statements (their savepoints, a
-// rollback of everything after a disk error), and the application's last_insert_rowid() must not see them.
+// What a change of a store is wrapped in, so that it is all or nothing.
 //
-// An AtomicChange holds once it is done(); without it, everything in memory is as it was.
+//   AtomicChange atomic_change(*this);          // from here on memory can go back
+//   add(id, record);                            // may throw: then everything is as it was
+//   atomic_change.done();                       // it holds
 #pragma once
 
 #include "base/float_environment.h"
@@ -9,6 +10,9 @@
 
 namespace foresee::storage {
 
+/// Our own statements inside a callback. SQLite may call the table back about them: while this lives their
+/// savepoints are passed over, and a rollback of everything (after a disk error) waits until it ends. Nobody
+/// sees them in last_insert_rowid(). Nests; costs two calls of SQLite.
 class Store::OwnStatements {
  public:
   explicit OwnStatements(Store& store) : store_(store), rowid_(sqlite3_last_insert_rowid(store.db_)) {
@@ -28,6 +32,10 @@ class Store::OwnStatements {
   sqlite3_int64 rowid_;
 };
 
+/// One change, and own statements all the while. Unless it is done(), its end takes back all that memory
+/// knows: nodes, map, pending inserts, the log of changed objects, the largest id. Where rows were written
+/// during the change that does not help: the store is torn, and refuses everything until SQLite rolls back.
+/// Cost: a few positions; a node is copied when it is changed, not before.
 class Store::AtomicChange {
  public:
   explicit AtomicChange(Store& store)
@@ -49,6 +57,7 @@ class Store::AtomicChange {
     store_.largest_ = largest_;
   }
 
+  /// It holds. Whoever takes it back from now on goes back to a savepoint, or to the transaction's begin.
   void done() {
     store_.cache_.end_change();
     done_ = true;

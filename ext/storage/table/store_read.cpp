@@ -27,7 +27,6 @@ void append(const Node& leaf, std::size_t, std::vector<std::int64_t>& ids, std::
 
 }  // namespace
 
-// The stored leaf, or the one in memory: not for pending inserts.
 std::optional<std::int64_t> Store::find_leaf(std::int64_t id) {
   return writing_ ? nodes().find_leaf(id) : shadow_rows().find_leaf(id);
 }

@@ -7,7 +7,7 @@
 #include "storage/table/store_change.h"
 
 namespace foresee::storage {
-// What every change begins with. Writing early here, not after the change, keeps the change all or nothing.
+// Writing early here, not after the change, keeps the change all or nothing.
 void Store::start_change(std::span<const double> record) {
   if (!record.empty())
     if (const char* fault = record_fault(format_, record.data())) throw Error(name_.table + ": " + fault);
