@@ -3,8 +3,8 @@
 // so is what templates make of it.
 #pragma once
 
+#include "base/lane_math.h"
 #include "base/registers.h"
-#include "base/select.h"
 
 namespace foresee::base {
 namespace {
@@ -55,6 +55,12 @@ inline DoublesMask operator|(const DoublesMask& a, const DoublesMask& b) {
 
 inline Doubles select(const DoublesMask& chosen, const Doubles& a, const Doubles& b) {
   return chosen.of ? a.of : b.of;
+}
+inline Doubles lesser(const Doubles& a, const Doubles& b) {
+  return select(a < b, a, b);
+}
+inline Doubles greater(const Doubles& a, const Doubles& b) {
+  return select(a > b, a, b);
 }
 inline Doubles abs(const Doubles& a) {
   return a.of < 0.0 ? -a.of : a.of;

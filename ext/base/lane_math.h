@@ -1,29 +1,33 @@
-// What the loops of kernels compute with (base/simd.h): of built-in types, without branches or library
-// functions, and local to the file that includes it.
+// What loops of kernels compute with (base/simd.h), and code that is written once for one number and for
+// several at once (base/doubles.h): of built-in types, without branches or library functions.
+//
+// All is inlined wherever it is called: a kernel must not share a function with code for older CPUs.
 #pragma once
 
 #include "base/rooms.h"
 
 namespace foresee::base {
-namespace {
 
-inline double size_of(double x) {
+[[gnu::always_inline]] inline double size_of(double x) {
   return __builtin_fabs(x);
 }
 
+[[gnu::always_inline]] inline double select(bool chosen, double a, double b) {
+  return chosen ? a : b;
+}
+
 // These pass on a second argument where one is NaN.
-inline double least(double a, double b) {
+[[gnu::always_inline]] inline double lesser(double a, double b) {
   return a < b ? a : b;
 }
-inline double greatest(double a, double b) {
+[[gnu::always_inline]] inline double greater(double a, double b) {
   return a > b ? a : b;
 }
-inline float least(float a, float b) {
+[[gnu::always_inline]] inline float lesser(float a, float b) {
   return a < b ? a : b;
 }
-inline float greatest(float a, float b) {
+[[gnu::always_inline]] inline float greater(float a, float b) {
   return a > b ? a : b;
 }
 
-}  // namespace
 }  // namespace foresee::base

@@ -13,7 +13,7 @@
 // most 64: the moving box is wrong by a relative 2^-40 of the travel at most, which is added.
 //
 // What overflows anywhere makes M infinite or NaN, and with it the extent of the box: then both ends are
-// infinite. least() and greatest() pass on a second argument that is NaN.
+// infinite. lesser() and greater() pass on a second argument that is NaN.
 #include "base/lane_math.h"
 #include "base/simd.h"
 #include "motion/beam_lanes.h"
@@ -32,13 +32,13 @@ void find_lives(BeamLanes<D>& lanes, std::size_t count, double now, double h) {
   for (std::size_t first = 0; first < count; first += block)
     for (std::size_t l = first; l < first + block; ++l) {
       const double t = lanes.t[l], until = lanes.until[l], since = now - t;
-      lanes.from[l] = greatest(since, 0);
-      lanes.to[l] = least(since + h, until - t);
+      lanes.from[l] = greater(since, 0);
+      lanes.to[l] = lesser(since + h, until - t);
       lanes.reach[l] = size_of(since) + h;
       // Rounding keeps order: if t - now, rounded, exceeds the double h, then so does the exact difference.
       const bool none = (t - now > h) | (until < now);
-      const double begin = least(greatest(t - now, 0) / unit, 1);
-      const double end = greatest(least(until - now, h) / unit, least_end), part = end - begin;
+      const double begin = lesser(greater(t - now, 0) / unit, 1);
+      const double end = greater(lesser(until - now, h) / unit, least_end), part = end - begin;
       const double parts = part >= shortest_part ? 1 / part : 0;
       lanes.begin[l] = none ? 0 : begin;
       lanes.end[l] = none ? 1 : end;
@@ -63,12 +63,12 @@ void find_beams(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D
         const double bow = still ? 0 : bent ? a * time * time * 0.125 : 0;
         const double travel = (end - begin) * parts;
         const double speed = bent ? size_of(v) + size_of(a) * reach : size_of(v);
-        const double weight = size_of(x) + greatest(size_of(below), size_of(above));
+        const double weight = size_of(x) + greater(size_of(below), size_of(above));
         const double moving_error = 24 * u * (weight + reach * speed) + (reach + 4) * 0x1p-1020;
         const double error = still ? 8 * u * weight + 0x1p-1020 : moving_error;
         const double lost = parts == 1 ? 0 : 0x1p-40 * size_of(travel);
-        const double lower = (least(begin, end) + least(-bow, 0)) - (below + error + lost);
-        const double upper = (greatest(begin, end) + greatest(-bow, 0)) + (above + error + lost);
+        const double lower = (lesser(begin, end) + lesser(-bow, 0)) - (below + error + lost);
+        const double upper = (greater(begin, end) + greater(-bow, 0)) + (above + error + lost);
         const bool sound = upper - lower < forever, none = parts < 0;
         lanes.lower[k][l] = none ? forever : sound ? lower : -forever;
         lanes.upper[k][l] = none ? -forever : sound ? upper : forever;

@@ -47,8 +47,8 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
       all += magnitude(j, end) + lanes.ex[j][l] + end * lanes.ev[j][l];
     }
 
-    const double before = least(greatest(moment * (1 - near), from), end);
-    const double after = least(moment * (1 + near), end), stretch = before - from;
+    const double before = lesser(greater(moment * (1 - near), from), end);
+    const double after = lesser(moment * (1 + near), end), stretch = before - from;
     double inside_before = never, outside_after = -never;
 #pragma GCC unroll 6
     for (int number = 0; number < 2 * D; ++number) {
@@ -57,18 +57,18 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
       const double size = magnitude(j, after), lost = error(j, after, size);
       const FaceGap f = face(j, side);
       const double last = place_at<Degree>(f.gap, f.slope, f.bend, stretch);
-      const double lowest = least(least(f.gap, f.gap + 0.5 * stretch * f.slope), last) - lost;
+      const double lowest = lesser(lesser(f.gap, f.gap + 0.5 * stretch * f.slope), last) - lost;
       // Between `before` and `after` an axis moves by less than 2^-32 of its magnitudes.
       const double moves = 0x1p-31 * size + lost;
       const double place = place_at<Degree>(lanes.x[j][l], lanes.v[j][l], lanes.a[j][l], after);
       const double outside = side * place - lanes.half[j][l] - lost;
       const bool leaves = chosen == number;
-      inside_before = least(inside_before, least(lowest, last - lost - (leaves ? 0 : moves)));
+      inside_before = lesser(inside_before, lesser(lowest, last - lost - (leaves ? 0 : moves)));
       outside_after = leaves ? outside : outside_after;
     }
-    const double fits = huge - all, inside = least(inside_before, fits), end_inside = end * (1 - 0x1p-50);
+    const double fits = huge - all, inside = lesser(inside_before, fits), end_inside = end * (1 - 0x1p-50);
     ends.stays[l] = before < end ? -1 : inside;
-    ends.leaves[l] = before < end && after < end_inside ? least(outside_after, inside) : -1;
+    ends.leaves[l] = before < end && after < end_inside ? lesser(outside_after, inside) : -1;
     ends.moment[l] = moment, ends.room[l] = after - before, ends.axis[l] = chosen_axis,
     ends.side[l] = chosen_side;
   }

@@ -27,7 +27,7 @@ double first_root(double c, double w, double k) {
     return w < 0 ? c / -w : never;
   } else {
     const double discriminant = w * w - 4 * k * c;
-    const double root = __builtin_sqrt(greatest(discriminant, 0));
+    const double root = __builtin_sqrt(greater(discriminant, 0));
     const bool leaving = w > 0;
     const double time = (leaving ? w + root : 2 * c) / (leaving ? -2 * k : root - w);
     return discriminant >= 0 && time >= 0 ? time : never;
@@ -53,9 +53,9 @@ inline double bottom(double c, double w, double k) {
 template <int Degree>
 double floor_of(double c, double w, double k, double length, double last) {
   if constexpr (Degree < 2)
-    return least(c, last);
+    return lesser(c, last);
   else
-    return least(least(c, greatest(c + 0.5 * length * w, bottom(c, w, k))), last);
+    return lesser(lesser(c, greater(c + 0.5 * length * w, bottom(c, w, k))), last);
 }
 
 /// Bound on the error of a place, from what the motion itself is off by and the magnitudes behind it.
@@ -94,11 +94,11 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
       gap = later ? c : gap, slope = later ? w : slope, bend = later ? k : bend;
       size = later ? size_of(x) + lanes.half[j][l] : size;
       lost = later ? lanes.ex[j][l] : lost, lost_slope = later ? lanes.ev[j][l] : lost_slope;
-      inside_now = least(inside_now, -c - error(j, 0, size_of(x) + lanes.half[j][l]));
+      inside_now = lesser(inside_now, -c - error(j, 0, size_of(x) + lanes.half[j][l]));
       all += magnitude(j, end) + lanes.ex[j][l] + end * lanes.ev[j][l];
     }
 
-    const double before = least(moment * (1 - near), end), after = least(moment * (1 + near), end);
+    const double before = lesser(moment * (1 - near), end), after = lesser(moment * (1 + near), end);
     const double reach = place_at<Degree>(size, size_of(slope), size_of(bend), before);
     const double lost_before = error_bound(lost + before * lost_slope, reach);
     const double at_before = place_at<Degree>(gap, slope, bend, before);
@@ -112,23 +112,23 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
       const double error_after = error(j, after, size_after);
       // Between `before` and `after` an axis moves by less than 2^-32 of its magnitudes.
       const double moves = axis == j ? 0 : 0x1p-31 * size_after + error_after;
-      inside_after = least(inside_after, half - size_of(place(j, after)) - error_after - moves);
+      inside_after = lesser(inside_after, half - size_of(place(j, after)) - error_after - moves);
       const double here = place(j, before), side = here < 0 ? -1 : 1;
       const double first = side * here - half, last = side * place(j, end) - half;
       const double speed = side * (Degree < 2 ? v : v + 2 * before * a);
       const double lowest = floor_of<Degree>(first, speed, side * a, end - before, last);
       const double apart = lowest - error(j, end, magnitude(j, end));
-      apart_after = greatest(apart_after, apart);
+      apart_after = greater(apart_after, apart);
     }
 
     // Nothing is certain where numbers or error bounds are so large that something may overflow, or NaN:
-    // least() passes on a second argument that is NaN.
+    // lesser() passes on a second argument that is NaN.
     const double fits = huge - all, end_inside = end * (1 - 0x1p-50);
-    const double meets = least(end_inside < after ? -1 : inside_after, fits);
-    lanes.touches_now[l] = least(inside_now, fits);
-    lanes.misses[l] = least(least(apart_before, before < end ? apart_after : never), fits);
+    const double meets = lesser(end_inside < after ? -1 : inside_after, fits);
+    lanes.touches_now[l] = lesser(inside_now, fits);
+    lanes.misses[l] = lesser(lesser(apart_before, before < end ? apart_after : never), fits);
     lanes.meets[l] = meets;
-    lanes.meets_first[l] = least(apart_before, meets);
+    lanes.meets_first[l] = lesser(apart_before, meets);
     lanes.moment[l] = moment, lanes.before[l] = before, lanes.after[l] = after;
     lanes.axis[l] = axis, lanes.side[l] = from_side, lanes.room[l] = after - before;
   }
@@ -170,7 +170,7 @@ bool settle_rows_here(RowLanes<D>& rows, bool motions_wanted, BoxLanes<D, Degree
       touching = room > 0.0 ? touching : -1.0 + Some{};
     }
   double all = 1;
-  for (int l = 0; l < register_width; ++l) all = least(all, touching[l]);
+  for (int l = 0; l < register_width; ++l) all = lesser(all, touching[l]);
   if (all > 0 && !motions_wanted) return true;
   take_motion<D, Degree>(rows.a);
   take_motion<D, Degree>(rows.b);

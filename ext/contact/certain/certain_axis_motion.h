@@ -10,7 +10,7 @@
 
 #include <cmath>
 
-#include "base/select.h"
+#include "base/lane_math.h"
 #include "motion/axis_motion.h"
 #include "numbers/double_double.h"
 

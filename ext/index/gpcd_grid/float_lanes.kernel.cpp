@@ -26,15 +26,15 @@ void round_boxes(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& f
         const std::size_t l = first + i;
         const double lower = beams.lower[k][l] * scale - origin, upper = beams.upper[k][l] * scale - origin;
         const double travel = moves ? beams.travel[k][l] * scale : 0, path = size_of(travel);
-        const bool fits = greatest(greatest(-lower, upper), path) < too_large;
+        const bool fits = greater(greater(-lower, upper), path) < too_large;
         const double for_time = (upper - lower + path) * 0x1p-20 + 0x1p-40;
         const double room = moves && fits ? for_time : 0x1p-126;
         // NaN becomes the outer end.
-        const double low_end = greatest(lower - (size_of(lower) * relative + room), -largest);
-        const double high_end = least(upper + (size_of(upper) * relative + room), largest);
+        const double low_end = greater(lower - (size_of(lower) * relative + room), -largest);
+        const double high_end = lesser(upper + (size_of(upper) * relative + room), largest);
         const bool empty = k == 0 && beams.lower[0][l] > beams.upper[0][l];
-        low[i] = empty ? never : least(low_end, largest);
-        high[i] = greatest(high_end, -largest);
+        low[i] = empty ? never : lesser(low_end, largest);
+        high[i] = greater(high_end, -largest);
         travels[i] = fits ? path < 0x1p-40 ? 0 : travel : no_number;
       }
       for (std::size_t i = 0; i < block; ++i) {
@@ -66,7 +66,7 @@ void round_outward_all(const BeamLanes<D>& beams, std::size_t count, const Frame
 
 /// Cuts::index(), for numbers of parts that a float tells apart.
 inline std::int32_t index_of(float x, float from, float per_unit, float last) {
-  return static_cast<std::int32_t>(least(greatest((x - from) * per_unit, 0.0f), last));
+  return static_cast<std::int32_t>(lesser(greater((x - from) * per_unit, 0.0f), last));
 }
 
 template <int D>
