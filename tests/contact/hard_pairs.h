@@ -114,6 +114,16 @@ oracle::Rule rule_of(const Object& a, const Object& b, const ContactQuestion& qu
 
 Case make_case(Generator& generate, const Family& family, Shapes shapes, int axes);
 
+/// look(case, generate) at `count` cases of every family, the ordinary and the extreme ones.
+template <class Look>
+void for_each_hard_pair(Shapes shapes, int axes, int count, std::uint64_t seed, Look&& look) {
+  for (const auto& families : {ordinary_families(), extreme_families()})
+    for (const Family& family : families) {
+      Generator generate(family, ++seed);
+      for (int i = 0; i < count; ++i) look(make_case(generate, family, shapes, axes), generate);
+    }
+}
+
 /// Both objects and the question, to the last digit.
 std::ostream& operator<<(std::ostream& out, const Case& c);
 

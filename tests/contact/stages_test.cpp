@@ -13,6 +13,7 @@
 #include "contact/exact/exact_contact.h"
 #include "contact/hard_pairs.h"
 #include "contact/set/shape_pairs.h"
+#include "every_simd.h"
 
 namespace foresee::contact {
 namespace {
@@ -105,14 +106,11 @@ class StagesOfPair {
   }
 
   void expect_from_every_cpu(const LanesQuestion& question, const SetLanes& lanes) const {
-    const Simd usual = simd_in_use();
-    for (const Simd simd : available_simd()) {
+    testing::for_every_simd([&](Simd) {
       SetLanes others = lanes;
-      use_simd(simd);
       set_kernel<D, Degree>().look(question, others);
-      EXPECT_EQ(std::memcmp(&lanes, &others, sizeof lanes), 0) << name_of(simd) << ": " << case_;
-    }
-    use_simd(usual);
+      EXPECT_EQ(std::memcmp(&lanes, &others, sizeof lanes), 0) << case_;
+    });
   }
 
   void check_128_bits(PairPolynomials& polynomials, const ExactMoments& exact) {
@@ -150,17 +148,12 @@ class StagesOfPair {
 template <int D>
 void check_kind(MakeSet make_set, Shapes shapes, std::uint64_t seed) {
   Certain certain;
-  for (const auto& families : {ordinary_families(), extreme_families()})
-    for (const Family& family : families) {
-      Generator generate(family, ++seed);
-      for (int i = 0; i < 40; ++i) {
-        const Case c = make_case(generate, family, shapes, D);
-        if (std::max(c.a.layout.law, c.b.layout.law) <= Law::uniform)
-          StagesOfPair<D, 1>(c, make_set, certain).check();
-        else
-          StagesOfPair<D, 2>(c, make_set, certain).check();
-      }
-    }
+  for_each_hard_pair(shapes, D, 40, seed, [&](const Case& c, const Generator&) {
+    if (std::max(c.a.layout.law, c.b.layout.law) <= Law::uniform)
+      StagesOfPair<D, 1>(c, make_set, certain).check();
+    else
+      StagesOfPair<D, 2>(c, make_set, certain).check();
+  });
   // A stage that is never certain would prove nothing.
   EXPECT_GT(certain.chord, 20);
   EXPECT_GT(certain.lanes_miss, 40);

@@ -8,7 +8,7 @@
 #include <cstring>
 #include <random>
 
-#include "base/simd.h"
+#include "every_simd.h"
 #include "shape/swept_boxes.h"
 
 namespace foresee::shape {
@@ -24,20 +24,18 @@ struct Course1 {
 /// The beams of all, by every set of vector instructions.
 template <int D>
 std::unique_ptr<BeamLanes<D>> beams_of(const Bodies& bodies, const Horizon& horizon) {
-  const auto lanes_by = [&](Simd simd) {
+  const auto lanes_in_use = [&] {
     auto lanes = std::make_unique<BeamLanes<D>>();
-    use_simd(simd);
     beams<D>(bodies, 0, bodies.count, horizon, Vec<D>::Zero(), *lanes);
     return lanes;
   };
-  const Simd usual = simd_in_use();
-  auto first = lanes_by(Simd::baseline);
-  for (const Simd simd : available_simd()) {
-    const auto others = lanes_by(simd);
+  auto first = lanes_in_use();
+  testing::for_every_simd([&](Simd) {
+    const auto others = lanes_in_use();
     const std::size_t bytes = bodies.count * sizeof(double);
     for (int k = 0; k < D; ++k) {
-      EXPECT_EQ(std::memcmp(first->lower[k], others->lower[k], bytes), 0) << name_of(simd);
-      EXPECT_EQ(std::memcmp(first->upper[k], others->upper[k], bytes), 0) << name_of(simd);
+      EXPECT_EQ(std::memcmp(first->lower[k], others->lower[k], bytes), 0);
+      EXPECT_EQ(std::memcmp(first->upper[k], others->upper[k], bytes), 0);
     }
     for (std::size_t l = 0; l < bodies.count; ++l) {
       const Beam<D> one = beam_at(*first, l), other = beam_at(*others, l);
@@ -45,8 +43,7 @@ std::unique_ptr<BeamLanes<D>> beams_of(const Bodies& bodies, const Horizon& hori
       EXPECT_EQ(one.begin, other.begin);
       EXPECT_EQ(one.end, other.end);
     }
-  }
-  use_simd(usual);
+  });
   return first;
 }
 

@@ -1,7 +1,7 @@
 // The harness itself: what it prints is what the other tests compare.
 #include "database.h"
 
-#include "base/simd.h"
+#include "every_simd.h"
 
 namespace foresee::testing {
 namespace {
@@ -28,13 +28,10 @@ TEST(Scalars, AreRegisteredByTheEntryPoint) {
 
 TEST(Scalars, DebugNamesTheInstructionsInUse) {
   Database db;
-  const Simd usual = simd_in_use();
-  for (Simd simd : available_simd()) {
-    use_simd(simd);
+  for_every_simd([&](Simd simd) {
     const std::string line = std::string("SIMD: ") + name_of(simd) + "\n";
-    EXPECT_EQ(db.rows("SELECT instr(foresee_debug(), '" + line + "') > 0"), "1") << line;
-  }
-  use_simd(usual);
+    EXPECT_EQ(db.rows("SELECT instr(foresee_debug(), '" + line + "') > 0"), "1");
+  });
 }
 
 }  // namespace

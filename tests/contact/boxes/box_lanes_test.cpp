@@ -5,9 +5,9 @@
 
 #include <cstring>
 
-#include "base/simd.h"
 #include "contact/boxes/box_contact.h"
 #include "contact/hard_pairs.h"
+#include "every_simd.h"
 
 namespace foresee::contact {
 namespace {
@@ -92,25 +92,19 @@ class LaneOfPair {
     if (ends.stays[3] > 0) {
       EXPECT_EQ(dt_end, moments_.dt_end) << case_;
     }
-    const Simd usual = simd_in_use();
-    for (const Simd simd : available_simd()) {
+    testing::for_every_simd([&](Simd) {
       EndLanes others = ends;
-      use_simd(simd);
       box_kernel<D, Degree>().settle_ends(lanes, others);
-      EXPECT_EQ(std::memcmp(&ends, &others, sizeof ends), 0) << name_of(simd) << ": " << case_;
-    }
-    use_simd(usual);
+      EXPECT_EQ(std::memcmp(&ends, &others, sizeof ends), 0) << case_;
+    });
   }
 
   void check_simd(const BoxLanes<D, Degree>& lanes) const {
-    const Simd usual = simd_in_use();
-    for (const Simd simd : available_simd()) {
+    testing::for_every_simd([&](Simd) {
       BoxLanes<D, Degree> others = lanes;
-      use_simd(simd);
       box_kernel<D, Degree>().settle(others);
-      EXPECT_EQ(std::memcmp(&lanes, &others, sizeof lanes), 0) << name_of(simd) << ": " << case_;
-    }
-    use_simd(usual);
+      EXPECT_EQ(std::memcmp(&lanes, &others, sizeof lanes), 0) << case_;
+    });
   }
 
   const Case& case_;
@@ -128,19 +122,14 @@ Object without_acceleration(Object o) {
 template <int D, int Degree>
 void check_families(std::uint64_t seed) {
   Certain certain;
-  for (const auto& families : {ordinary_families(), extreme_families()})
-    for (const Family& family : families) {
-      Generator generate(family, ++seed);
-      for (int i = 0; i < 60; ++i) {
-        Case c = make_case(generate, family, Shapes::boxes, D);
-        if (Degree < 2) {
-          c.a = without_acceleration(c.a), c.b = without_acceleration(c.b);
-          generate.aim(c.a, c.b, c.question.horizon);
-        }
-        const LaneOfPair<D, Degree> lane(c);
-        if (lane.from_now()) lane.check(certain);
-      }
+  for_each_hard_pair(Shapes::boxes, D, 60, seed, [&](Case c, Generator& generate) {
+    if (Degree < 2) {
+      c.a = without_acceleration(c.a), c.b = without_acceleration(c.b);
+      generate.aim(c.a, c.b, c.question.horizon);
     }
+    const LaneOfPair<D, Degree> lane(c);
+    if (lane.from_now()) lane.check(certain);
+  });
   // A stage that is never certain would prove nothing.
   EXPECT_GT(certain.misses, 60);
   EXPECT_GT(certain.now, 20);
@@ -288,19 +277,16 @@ TEST(BoxLanes, PairsAnswerAloneAsInABatch) {
   for (std::uint32_t a = 0; a < count; ++a)
     for (std::uint32_t b = a + 1; b < count; ++b) pairs.push_back({a, b});
   for (const TimesWanted wanted : {TimesWanted::begins, TimesWanted::both}) {
-    Answers alone, together;
+    Answers alone;
     for (const Pair& pair : pairs) ask(bodies, {&pair, 1}, wanted, alone);
     EXPECT_GT(alone.hits.size(), 1000u);
     EXPECT_LT(alone.hits.size(), pairs.size() - 500);
     EXPECT_EQ(alone.decided, alone.hits);
-    const Simd usual = simd_in_use();
-    for (const Simd simd : available_simd()) {
-      use_simd(simd);
-      together = {};
+    testing::for_every_simd([&](Simd) {
+      Answers together;
       ask(bodies, pairs, wanted, together);
-      EXPECT_TRUE(together == alone) << name_of(simd);
-    }
-    use_simd(usual);
+      EXPECT_TRUE(together == alone);
+    });
   }
 }
 

@@ -7,7 +7,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstring>
 
-#include "base/simd.h"
+#include "every_simd.h"
 #include "index/gpcd_grid/sort_keys.h"
 #include "scenes.h"
 #include "shape/beam.h"
@@ -45,20 +45,17 @@ std::vector<Beam<2>> some_beams(std::size_t count, double size) {
 /// By every set of vector instructions.
 FloatLanes<2> lanes_of(const std::vector<Beam<2>>& beams, const Frame<2>& frame, const Columns& columns,
                        const Partition<2>& partition) {
-  const Simd usual = simd_in_use();
   BeamLanes<2> from;
   for (std::size_t l = 0; l < beams.size(); ++l) put(beams[l], from, l);
   FloatLanes<2> first;
-  for (const Simd simd : available_simd()) {
-    use_simd(simd);
+  for_every_simd([&](Simd simd) {
     const auto& kernels = gpcd::float_kernels<2>();
     FloatLanes<2> lanes;
     kernels.round_outward(from, beams.size(), frame, columns, lanes);
     kernels.find_stripes(lanes, beams.size(), partition);
     if (simd == Simd::baseline) first = lanes;
-    EXPECT_EQ(std::memcmp(&first, &lanes, sizeof lanes), 0) << name_of(simd);
-  }
-  use_simd(usual);
+    EXPECT_EQ(std::memcmp(&first, &lanes, sizeof lanes), 0);
+  });
   return first;
 }
 

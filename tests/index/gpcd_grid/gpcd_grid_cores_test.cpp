@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/simd.h"
 #include "contact/contact.h"
+#include "every_simd.h"
 #include "index/candidate_pairs.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "shape/swept_boxes.h"
@@ -75,15 +75,12 @@ std::vector<Pair> all_pairs(const Side& a, const Side* b) {
 std::size_t expect_touching(const Side& a, const Side* b, const Question& question) {
   SCOPED_TRACE(::testing::Message() << name_of(a.layout) << " with " << name_of(b ? b->layout : a.layout)
                                     << ", now " << question.horizon.now << ", h " << question.horizon.h);
-  const Simd usual = simd_in_use();
   Found first;
-  for (Simd simd : available_simd()) {
-    use_simd(simd);
+  for_every_simd([&](Simd simd) {
     const Found found = candidates_of(a, b, question);
     if (simd == Simd::baseline) first = found;
-    EXPECT_TRUE(found.all == first.all && found.touching == first.touching) << name_of(simd) << " differs";
-  }
-  use_simd(usual);
+    EXPECT_TRUE(found.all == first.all && found.touching == first.touching);
+  });
   const Question now{{question.horizon.now, 0}, question.within};
   EXPECT_EQ(those_that_touch(a, b, now, first.touching).size(), first.touching.size());
   expect_all_once(b ? in_order(first.all) : within_order(first.all),

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "base/simd.h"
 #include "contact/contact.h"
+#include "every_simd.h"
 #include "index/candidate_pairs.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 
@@ -57,15 +57,12 @@ std::vector<Pair> touching(const Moving& a, const Moving* b = nullptr) {
 /// By every instruction set: all that touch, none twice, and the same candidates in the same order.
 void expect_all_touching(const Moving& a, const Moving* b = nullptr) {
   SCOPED_TRACE(::testing::Message() << name_of(a.layout) << ", h " << a.horizon.h);
-  const Simd usual = simd_in_use();
   std::vector<Pair> first;
-  for (Simd simd : available_simd()) {
-    use_simd(simd);
+  for_every_simd([&](Simd simd) {
     const std::vector<Pair> found = candidates_of(a, b);
     if (simd == Simd::baseline) first = found;
-    EXPECT_TRUE(found == first) << name_of(simd) << " gives other candidates";
-  }
-  use_simd(usual);
+    EXPECT_TRUE(found == first) << "other candidates";
+  });
   expect_all_once(b ? in_order(first) : within_order(first), touching(a, b), first.size());
 }
 
