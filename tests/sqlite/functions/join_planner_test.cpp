@@ -1,48 +1,8 @@
-// What the planner does with predictive_join: ids asked for, orders, limits, views, lateral calls.
-#include <algorithm>
-#include <cctype>
-#include <cstdlib>
-#include <vector>
-
-#include "sqlite/harbour.h"
-#include "sqlite/scene_table.h"
+// What the planner does with predictive_join: ids and moments asked for, NULLs, views, lateral calls.
+#include "sqlite/functions/join_planner.h"
 
 namespace foresee::testing {
 namespace {
-
-struct JoinPlanner : ::testing::Test {
-  JoinPlanner() {
-    build_table(db, "ships",
-                random_scene({.layout = {.axes = 2, .law = Law::uniform, .shape = Shape::ball},
-                              .kind = SceneKind::clustered,
-                              .count = 400,
-                              .seed = 3}));
-    db.exec("CREATE TEMP TABLE whole AS SELECT * FROM predictive_join(3)");
-  }
-
-  std::string both(const std::string& where) {
-    const std::string asked = db.rows("SELECT * FROM predictive_join(3) " + where);
-    EXPECT_EQ(asked, db.rows("SELECT * FROM whole " + where)) << where;
-    return asked;
-  }
-  /// As db.rows(), with numbers, texts and NULL bound.
-  std::string bound(const std::string& sql, const std::vector<const char*>& values) {
-    sqlite3_stmt* statement = nullptr;
-    EXPECT_EQ(sqlite3_prepare_v2(db.handle(), sql.c_str(), -1, &statement, nullptr), SQLITE_OK) << sql;
-    int place = 0;
-    for (const char* value : values)
-      if (++place, value && std::isdigit(*value))
-        sqlite3_bind_int(statement, place, std::atoi(value));
-      else
-        sqlite3_bind_text(statement, place, value, -1, SQLITE_STATIC);
-    const std::string rows = db.rows_of(statement);
-    sqlite3_finalize(statement);
-    return rows;
-  }
-  std::string plan(const std::string& sql) { return db.rows("EXPLAIN QUERY PLAN " + sql); }
-
-  Database db;
-};
 
 TEST_F(JoinPlanner, AListOfMomentsIsOneCall) {
   const std::string some = " IN (SELECT t FROM whole WHERE t > 0 LIMIT 20)";
@@ -143,54 +103,6 @@ TEST_F(JoinPlanner, LosesNoRowBehindManyConditions) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_window(9, 'ships') WHERE " + conditions), "400");
 }
 
-TEST_F(JoinPlanner, OrdersAndLimits) {
-  EXPECT_NE(both("WHERE dt > 0 ORDER BY t, a, b LIMIT 10"), "");
-  both("ORDER BY t, a, b LIMIT 5 OFFSET 7");
-  both("WHERE a % 3 = 1 ORDER BY d_cpa LIMIT 3");
-  EXPECT_EQ(db.rows("SELECT count(*) FROM (SELECT * FROM predictive_join(3) WHERE a % 2 LIMIT 4)"), "4");
-  EXPECT_EQ(
-      db.rows("SELECT count(*) FROM (SELECT * FROM predictive_join(3) WHERE b > 200 AND dt > 0 LIMIT 3)"),
-      "3");
-  EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_join(3)"), db.rows("SELECT count(*) FROM whole"));
-}
-
-TEST_F(JoinPlanner, GivesRowsInTheOrderOfTimeWithoutSorting) {
-  const auto sorts = [this](const std::string& rest) {
-    return plan("SELECT a, t, dt FROM predictive_join(3) " + rest).find("TEMP B-TREE") != std::string::npos;
-  };
-  for (const std::string order : {"t", "dt", "t, a", "t, a, b", "t ASC"}) {
-    EXPECT_FALSE(sorts("ORDER BY " + order)) << order;
-    EXPECT_FALSE(sorts("WHERE dt > 0 ORDER BY " + order + " LIMIT 10")) << order;
-  }
-  for (const std::string order : {"t DESC", "t, b", "dt, a", "a", "d_cpa", "t, a DESC", "t + 1"})
-    EXPECT_TRUE(sorts("ORDER BY " + order)) << order;
-  for (const std::string where :
-       {"", "WHERE dt > 0", "WHERE dt >= 1", "WHERE dt < 1", "WHERE dt BETWEEN 1 AND 2",
-        "WHERE t > 1 AND t <= 2.5", "WHERE dt = 0", "WHERE a > 200", "WHERE a = 7"}) {
-    both(where + " ORDER BY t, a, b");
-    both(where + " ORDER BY t, a, b LIMIT 20 OFFSET 3");
-    for (const std::string by : {"t", "dt"})
-      EXPECT_EQ(db.rows("SELECT " + by + " FROM predictive_join(3) " + where + " ORDER BY " + by),
-                db.rows("SELECT " + by + " FROM whole " + where + " ORDER BY " + by));
-  }
-  EXPECT_EQ(
-      db.rows("SELECT h, t FROM predictive_join WHERE h IN (1, 3) ORDER BY t"),
-      db.rows(
-          "SELECT * FROM (SELECT 1, t FROM predictive_join(1) UNION ALL SELECT 3, t FROM whole) ORDER BY 2"));
-  EXPECT_EQ(db.rows("SELECT t, count(*) FROM predictive_join(3) GROUP BY t"),
-            db.rows("SELECT t, count(*) FROM whole GROUP BY t"));
-  EXPECT_EQ(db.rows("SELECT DISTINCT dt FROM predictive_join(3) ORDER BY dt"),
-            db.rows("SELECT DISTINCT dt FROM whole ORDER BY dt"));
-  EXPECT_EQ(
-      db.rows(
-          "SELECT q.h, j.t FROM (SELECT 1 AS h UNION ALL SELECT 2) q, predictive_join(q.h) j ORDER BY j.t"),
-      db.rows("SELECT h, t FROM predictive_join WHERE h IN (1, 2) ORDER BY t, h"));
-  EXPECT_EQ(
-      db.rows("SELECT sa.id, sb.id, j.t FROM predictive_join(3) j JOIN ships sa ON sa.id = j.a JOIN ships sb "
-              "ON sb.id = j.b WHERE j.dt > 0 ORDER BY j.t, j.a, j.b LIMIT 5"),
-      db.rows("SELECT a, b, t FROM whole WHERE dt > 0 ORDER BY t, a, b LIMIT 5"));
-}
-
 TEST_F(JoinPlanner, GivesTheSameRowsWithHelperThreads) {
   build_table(
       db, "fleet",
@@ -265,48 +177,6 @@ TEST_F(JoinPlanner, ServesTriggersAndPreparedParameters) {
       "INSERT INTO alarms SELECT count(*) FROM predictive_join(3, 'ships') WHERE now = new.now; END;"
       "INSERT INTO clock VALUES (0)");
   EXPECT_EQ(db.rows("SELECT n FROM alarms"), db.rows("SELECT count(*) FROM whole"));
-}
-
-/// "@n" and "@o" in the plan: LIMIT and OFFSET are handed over (sqlite/functions/row_limit.h).
-TEST_F(JoinPlanner, TellsACallInAnOrderHowManyRowsAreRead) {
-  const auto is_told = [&](const std::string& rest, const std::string& what = "SELECT a, t") {
-    return plan(what + " FROM predictive_join(3) " + rest).find("@n") != std::string::npos;
-  };
-  EXPECT_TRUE(is_told("ORDER BY t LIMIT 5"));
-  EXPECT_TRUE(is_told("WHERE dt > 0 AND t < 2 ORDER BY t, a, b LIMIT 5 OFFSET 3"));
-  EXPECT_TRUE(is_told("WHERE a = 7 ORDER BY dt LIMIT 5"));
-  EXPECT_FALSE(is_told("LIMIT 5")) << "nothing waits";
-  EXPECT_FALSE(is_told("ORDER BY t DESC LIMIT 5")) << "SQLite sorts";
-  EXPECT_FALSE(is_told("WHERE t_end > 1 ORDER BY t LIMIT 5")) << "more rows are read than come";
-  EXPECT_FALSE(is_told("WHERE a > 7 ORDER BY t LIMIT 5"));
-  EXPECT_FALSE(is_told("WHERE b % 2 = 0 ORDER BY t LIMIT 5"));
-  EXPECT_FALSE(is_told("ORDER BY t LIMIT 5", "SELECT DISTINCT t"));
-}
-
-TEST_F(JoinPlanner, LimitsRowsThatAllBeginAtOnceAsAnyTableDoes) {
-  Database crowd;
-  crowd.exec(
-      "CREATE VIRTUAL TABLE discs USING moving_objects(id, t, x, y, r);"
-      "WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 300)"
-      "INSERT INTO discs SELECT i, 5, i, i * 7 % 300, 400 FROM n;"
-      "CREATE TEMP TABLE whole AS SELECT * FROM predictive_join(3, 'discs', 0, NULL, 3)");
-  ASSERT_EQ(crowd.rows("SELECT count(*) FROM whole WHERE t = 5"), "44850");
-  const auto both = [&](const std::string& rest) {
-    const std::string asked =
-        crowd.rows("SELECT a, b, t FROM predictive_join(3, 'discs', 0, NULL, 3) " + rest);
-    EXPECT_EQ(asked, crowd.rows("SELECT a, b, t FROM whole " + rest)) << rest;
-    EXPECT_NE(asked.substr(0, 5), "error");
-  };
-  for (const char* limit :
-       {"0", "1", "300", "5000", "100000", "-1", "3 OFFSET 2", "3 OFFSET 44848", "2 OFFSET -7",
-        "-1 OFFSET 44840", "9223372036854775807 OFFSET 9223372036854775807", "(SELECT 4)", "abs(-2)"})
-    both("ORDER BY t, a, b LIMIT " + std::string(limit));
-  both("WHERE a = 7 OR b = 7 ORDER BY t, a, b LIMIT 9");
-  both("WHERE t_end > 5 AND a + b = 301 ORDER BY t, a, b LIMIT 100");
-  EXPECT_EQ(crowd.rows("SELECT count(*), count(DISTINCT a * 1000 + b), max(t) FROM (SELECT * FROM "
-                       "predictive_join(3, 'discs', 0, NULL, 3) ORDER BY t LIMIT 20000)"),
-            "20000|20000|5.0")
-      << "any of them, but none twice";
 }
 
 }  // namespace
