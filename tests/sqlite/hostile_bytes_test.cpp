@@ -1,8 +1,9 @@
-// Every single byte of every stored blob changed once: an error that says so, or the right rows; never a
-// crash, a hang or a wrong row.
+// Every single byte of every stored blob changed once (under sanitizers, every third): an error that says so,
+// or the right rows; never a crash, a hang or a wrong row.
 #include <vector>
 
 #include "database.h"
+#include "sanitized.h"
 #include "scenes.h"
 
 namespace foresee::testing {
@@ -45,10 +46,11 @@ TEST(HostileBytes, EachChangedByteOfEachNodeIsAnErrorOrTheRightRows) {
     sqlite3_finalize(statement);
   }
   ASSERT_GT(nodes.size(), 4u);
+  constexpr int step = sanitized ? 3 : 1;
   Random random(4);
   int noticed = 0;
   for (const auto& [number, size] : nodes) {
-    for (int at = 0; at < size && !HasFailure(); ++at) {
+    for (int at = static_cast<int>(number % step); at < size && !HasFailure(); at += step) {
       Database db(file.path());  // in a transaction that is never committed: the file stays as it is
       sqlite3_exec(db.handle(), "PRAGMA synchronous = OFF; BEGIN", nullptr, nullptr, nullptr);
       sqlite3_blob* blob = nullptr;
@@ -66,7 +68,7 @@ TEST(HostileBytes, EachChangedByteOfEachNodeIsAnErrorOrTheRightRows) {
       }
     }
   }
-  EXPECT_GT(noticed, 1000);
+  EXPECT_GT(noticed, 1000 / step);
 }
 
 }  // namespace
