@@ -1,6 +1,7 @@
 #include "index/all_pairs.h"
 
 #include "candidate_pairs.h"
+#include "stop_at.h"
 
 namespace foresee::testing {
 namespace {
@@ -34,15 +35,8 @@ TEST(AllPairs, ComesInBatchesOfAFewThousand) {
   EXPECT_LE(batch.size(), 10000u);
 }
 
-struct Stop final : Interrupt {
-  void check() override {
-    if (--checks_left < 0) throw Interrupted();
-  }
-  int checks_left = 2;
-};
-
 TEST(AllPairs, StopsWhenAsked) {
-  Stop stop;
+  StopAt stop(2);
   auto candidates = make_all_pairs(10000, stop);
   std::vector<Pair> batch;
   EXPECT_TRUE(candidates->next(batch));

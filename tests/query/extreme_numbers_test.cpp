@@ -34,7 +34,7 @@ std::shared_ptr<const Scene> with_levels(const RandomScene& scene) {
   return out;
 }
 
-JoinQuestion question_about(const RandomScene& scene) {
+JoinQuestion question_of_tree(const RandomScene& scene) {
   return {.a = with_levels(scene),
           .now = scene.now,
           .h = scene.h,
@@ -45,7 +45,7 @@ JoinQuestion question_about(const RandomScene& scene) {
 TEST(ExtremeNumbers, EveryMethodOfAJoinFindsTheSamePairs) {
   std::size_t found = 0;
   for (std::uint64_t seed = 0; seed < scenes; ++seed) {
-    JoinQuestion question = question_about(extreme_scene(seed));
+    JoinQuestion question = question_of_tree(extreme_scene(seed));
     const auto all = numbers_of(rows_of(question));
     found += all.size();
     for (JoinMethod method : {JoinMethod::grid, JoinMethod::tree, JoinMethod::gpcd}) {
@@ -60,7 +60,7 @@ TEST(ExtremeNumbers, AJoinAboutOneIdFindsAllThatMeetIt) {
   NeverInterrupt never;
   for (std::uint64_t seed = 0; seed < scenes; ++seed) {
     const RandomScene scene = extreme_scene(seed);
-    const JoinQuestion question = question_about(scene);
+    const JoinQuestion question = question_of_tree(scene);
     const auto tree = tree_of(scene);
     std::map<std::int64_t, std::vector<std::int64_t>> met;
     for (const JoinRow& row : rows_of(question)) met[row.a].push_back(row.b), met[row.b].push_back(row.a);

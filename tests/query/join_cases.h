@@ -25,13 +25,24 @@ inline std::shared_ptr<const Scene> scene_of(const Layout& layout, std::vector<s
   return scene;
 }
 
-/// All rows, by a and b.
-inline std::vector<JoinRow> rows_of(const JoinQuestion& question) {
+/// What the scene is made to be asked.
+inline JoinQuestion question_about(const RandomScene& scene) {
+  return {.a = scene_of(scene), .now = scene.now, .h = scene.h, .within = scene.within};
+}
+
+/// All rows, as they come.
+inline std::vector<JoinRow> rows_in_order(const JoinQuestion& question) {
   NeverInterrupt never;
   Join join(question, never);
   std::vector<JoinRow> all;
   for (auto rows = join.next(); !rows.empty(); rows = join.next())
     all.insert(all.end(), rows.begin(), rows.end());
+  return all;
+}
+
+/// All rows, by a and b.
+inline std::vector<JoinRow> rows_of(const JoinQuestion& question) {
+  std::vector<JoinRow> all = rows_in_order(question);
   std::sort(all.begin(), all.end(),
             [](const JoinRow& l, const JoinRow& r) { return std::pair(l.a, l.b) < std::pair(r.a, r.b); });
   return all;

@@ -4,7 +4,9 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <random>
 
+#include "sanitized.h"
 #include "shape/swept_boxes.h"
+#include "stop_at.h"
 
 namespace foresee::shape {
 namespace {
@@ -114,10 +116,13 @@ struct AnyDouble {
   }
 };
 
+/// Rational numbers of so many digits are slow, and slower still under sanitizers.
+constexpr int share = testing::sanitized ? 10 : 1;
+
 void fuzz(std::uint64_t seed, int low, int high, int rounds) {
   std::mt19937_64 random(seed);
   AnyDouble any{random, low, high};
-  for (int i = 0; i < rounds; ++i) {
+  for (int i = 0; i < rounds / share; ++i) {
     const double t = any();
     const double until = random() % 3 ? inf : t + std::abs(any());
     expect_outward({t, any(), any(), any(), std::abs(any()), until}, {any(), std::abs(any())},
@@ -145,7 +150,7 @@ TEST(SweptBox, IsOutwardNearOverflow) {
 TEST(SweptBox, IsOutwardFarFromTheOrigin) {
   std::mt19937_64 random(6);
   std::uniform_real_distribution<double> unit(-1, 1);
-  for (int i = 0; i < 4000; ++i) {
+  for (int i = 0; i < 4000 / share; ++i) {
     const double now = 1.7e9 + unit(random);
     expect_outward({now - 60 * std::abs(unit(random)), 1e15 + unit(random) * 100, unit(random) * 1e3,
                     unit(random), std::abs(unit(random)) * 1e-3, inf},
@@ -153,11 +158,6 @@ TEST(SweptBox, IsOutwardFarFromTheOrigin) {
     if (HasFatalFailure()) return;
   }
 }
-
-class StopAtOnce final : public Interrupt {
- public:
-  void check() override { throw Interrupted(); }
-};
 
 TEST(SweptBoxes, AnswerInRowOrderAndCanBeInterrupted) {
   const double rows[] = {0, 0, 1, 1, 10, 10, 1, 1, -5, -5, 1, 1};
@@ -167,7 +167,7 @@ TEST(SweptBoxes, AnswerInRowOrderAndCanBeInterrupted) {
   ASSERT_EQ(boxes.size(), 3u);
   EXPECT_NEAR(boxes[1].upper[1], 11, 1e-12);
   EXPECT_NEAR(boxes[2].lower[0], -5, 1e-12);
-  StopAtOnce stop;
+  testing::StopAt stop(0);
   EXPECT_THROW(swept_boxes<2>(bodies, {0, 1}, Vec<2>::Zero(), stop), Interrupted);
 }
 

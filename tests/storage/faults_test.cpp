@@ -1,4 +1,5 @@
 // A write that fails changes nothing; what waits in memory survives a failed flush.
+#include "stop_at.h"
 #include "storage/database.h"
 #include "storage/rows/shadow_schema.h"
 #include "storage/table/store.h"
@@ -209,15 +210,13 @@ TEST(Memory, ALoadThatFailsAfterItsFirstRowsAreWrittenCanOnlyBeRolledBack) {
 }
 
 TEST_F(Faults, LoadStopsWhenAsked) {
-  struct Once : Interrupt {
-    void check() override { throw Interrupted(); }
-  } interrupt;
+  testing::StopAt stop(0);
   begin(db, *store);
   for (int id = 101; id <= 5000; ++id) store->insert(id, ship(id), values);
   commit(db, *store);
   std::vector<std::int64_t> ids;
   std::vector<double> rows;
-  EXPECT_THROW(store->read_all(ids, rows, interrupt), Interrupted);
+  EXPECT_THROW(store->read_all(ids, rows, stop), Interrupted);
   db.run("VACUUM");  // nothing was left open
 }
 

@@ -2,6 +2,7 @@
 #include "index/candidate_pairs.h"
 #include "index/gpcd_grid/beam_sources.h"
 #include "index/gpcd_grid/grid.h"
+#include "stop_at.h"
 
 namespace foresee::testing {
 namespace {
@@ -103,15 +104,6 @@ TEST(GpcdGridCost, StaysModerateWithTwoSizes) {
   EXPECT_LE(cost.entries, 3u * 40000);
   EXPECT_LE(cost.steps, 10u * 40000);
 }
-
-/// Asks to stop at one of the first checks.
-struct StopAt final : Interrupt {
-  explicit StopAt(int checks) : checks_left(checks) {}
-  void check() override {
-    if (--checks_left < 0) throw Interrupted();
-  }
-  int checks_left;
-};
 
 TEST(GpcdGridInterrupt, IsSeenDuringTheBuild) {
   const std::vector<Box<2>> boxes = boxes_of<2>(SceneKind::uniform, 100000);

@@ -5,6 +5,7 @@
 
 #include "index/candidate_pairs.h"
 #include "sanitized.h"
+#include "stop_at.h"
 
 namespace foresee::index {
 namespace {
@@ -15,6 +16,7 @@ using testing::drain;
 using testing::in_order;
 using testing::name_of;
 using testing::random_scene;
+using testing::StopAt;
 using testing::within_order;
 
 NeverInterrupt never;
@@ -164,15 +166,6 @@ TEST(PaperGrid, HasNoPairsWithoutObjects) {
   EXPECT_TRUE(drain(between).empty());
 }
 
-/// Stops at the n-th check.
-struct StopAt final : Interrupt {
-  explicit StopAt(int n) : left(n) {}
-  void check() override {
-    if (--left < 0) throw Interrupted();
-  }
-  int left;
-};
-
 TEST(PaperGrid, CanBeInterruptedWhileItIsBuiltAndWhileItIsRead) {
   const std::vector<Box<2>> crowd(3000, Box<2>{{0, 0}, {1, 1}});
   for (int checks : {0, 1, 2, 4}) {
@@ -181,7 +174,7 @@ TEST(PaperGrid, CanBeInterruptedWhileItIsBuiltAndWhileItIsRead) {
   }
   StopAt later(1000);
   PaperGrid<2> grid(crowd, later);
-  later.left = 20;
+  later.checks_left = 20;
   EXPECT_THROW(drain(grid), Interrupted);
 }
 

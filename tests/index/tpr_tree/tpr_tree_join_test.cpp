@@ -3,6 +3,7 @@
 #include <set>
 
 #include "index/tpr_tree/tree_join.h"
+#include "stop_at.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
 namespace foresee::index {
@@ -14,6 +15,7 @@ using testing::name_of;
 using testing::Random;
 using testing::random_scene;
 using testing::RandomScene;
+using testing::StopAt;
 using testing::TreeModel;
 
 std::vector<double> record_at(const TreeScene& scene, std::size_t row) {
@@ -126,12 +128,7 @@ TEST(TreeJoin, OfEmptyTreesHasNoPairs) {
 }
 
 TEST(TreeJoin, StopsWhenInterrupted) {
-  struct Stop final : Interrupt {
-    void check() override {
-      if (--left < 0) throw Interrupted();
-    }
-    int left = 3;
-  } stop;
+  StopAt stop(3);
   const Layout layout{.axes = 1};
   TreeModel model(layout, 3);
   for (int i = 0; i < 2000; ++i) model.insert(i, {0});

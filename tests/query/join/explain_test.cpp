@@ -14,6 +14,7 @@ namespace {
 using testing::all_layouts;
 using testing::all_scene_kinds;
 using testing::name_of;
+using testing::question_about;
 using testing::random_scene;
 using testing::RandomScene;
 using testing::rows_of;
@@ -86,10 +87,6 @@ Counts counted_plainly(const RandomScene& scene) {
     }
   return {{all, share},       {share, overlap},    {overlap, overlap},
           {overlap, in_time}, {in_time, in_space}, {in_space, touch}};
-}
-
-JoinQuestion question_about(const RandomScene& scene) {
-  return {.a = scene_of(scene), .now = scene.now, .h = scene.h, .within = scene.within};
 }
 
 template <int D>

@@ -11,6 +11,7 @@ using testing::all_layouts;
 using testing::all_scene_kinds;
 using testing::name_of;
 using testing::numbers_of;
+using testing::question_about;
 using testing::random_scene;
 using testing::RandomScene;
 using testing::rows_of;
@@ -18,10 +19,6 @@ using testing::sanitized;
 using testing::scene_of;
 using testing::SceneKind;
 using testing::SceneSpec;
-
-JoinQuestion question_about(const RandomScene& scene) {
-  return {.a = scene_of(scene), .now = scene.now, .h = scene.h, .within = scene.within};
-}
 
 std::vector<double> answer(JoinQuestion question, JoinMethod method) {
   question.method = method;
@@ -76,10 +73,11 @@ INSTANTIATE_TEST_SUITE_P(AxesLawShapeTimes, JoinOfEveryLayout, ::testing::Values
 
 /// Layouts that may be joined: as many axes, and no cylinder with a ball.
 std::vector<std::pair<Layout, Layout>> mixed_layouts() {
+  constexpr std::size_t step = sanitized ? 21 : 7;
   std::vector<std::pair<Layout, Layout>> mixed;
   const std::vector<Layout> all = all_layouts();
   for (std::size_t i = 0; i < all.size(); ++i)
-    for (std::size_t j = i % 7; j < all.size(); j += 7) {
+    for (std::size_t j = i % step; j < all.size(); j += step) {
       const auto both = [&](Shape a, Shape b) { return all[i].shape == a && all[j].shape == b; };
       if (all[i].axes != all[j].axes) continue;
       if (both(Shape::cylinder, Shape::ball) || both(Shape::ball, Shape::cylinder)) continue;
@@ -152,10 +150,11 @@ std::vector<double> begins_of(JoinQuestion question, JoinMethod method) {
 }
 
 TEST(JoinOfManyObjects, WhoseBeginsAloneAreWantedHasTheSameRows) {
+  constexpr std::size_t count = sanitized ? 50 : 150;
   std::uint64_t seed = 20;
   for (const Layout& layout : all_layouts()) {
     const RandomScene scene =
-        random_scene({.layout = layout, .kind = SceneKind::one_giant, .count = 150, .seed = ++seed});
+        random_scene({.layout = layout, .kind = SceneKind::one_giant, .count = count, .seed = ++seed});
     JoinQuestion question = question_about(scene);
     for (int kind = 0; kind < 6; ++kind) {
       if (kind == 1) question.asked_dt = after_now;

@@ -14,28 +14,16 @@ using testing::all_layouts;
 using testing::all_scene_kinds;
 using testing::name_of;
 using testing::numbers_of;
+using testing::question_about;
 using testing::random_scene;
 using testing::RandomScene;
+using testing::rows_in_order;
 using testing::rows_of;
 using testing::scene_of;
 using testing::SceneKind;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
 const Layout discs{.axes = 2, .law = Law::uniform, .shape = Shape::ball};
-
-JoinQuestion question_about(const RandomScene& scene) {
-  return {.a = scene_of(scene), .now = scene.now, .h = scene.h, .within = scene.within};
-}
-
-/// As they come.
-std::vector<JoinRow> rows_in_order(const JoinQuestion& question) {
-  NeverInterrupt never;
-  Join join(question, never);
-  std::vector<JoinRow> all;
-  for (auto rows = join.next(); !rows.empty(); rows = join.next())
-    all.insert(all.end(), rows.begin(), rows.end());
-  return all;
-}
 
 bool are_in_order(const std::vector<JoinRow>& rows, JoinOrder order) {
   return std::is_sorted(rows.begin(), rows.end(), [order](const JoinRow& l, const JoinRow& r) {

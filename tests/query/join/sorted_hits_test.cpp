@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "query/join_cases.h"
+#include "sanitized.h"
 
 namespace foresee::query {
 namespace {
@@ -12,6 +13,8 @@ using testing::numbers_of;
 using testing::Random;
 using testing::random_scene;
 using testing::RandomScene;
+using testing::rows_in_order;
+using testing::sanitized;
 using testing::scene_of;
 
 /// Hits with few different times, so that most have others beside them.
@@ -36,15 +39,16 @@ std::vector<Pair> taken(SortedHits& sorted, NeverInterrupt& never) {
 }
 
 TEST(SortedHits, KeepSomeTimesAsManyAsAreReadAndGiveTheOthersIfAsked) {
+  constexpr std::uint32_t count = sanitized ? 60000 : 200000;
   NeverInterrupt never;
   Random random(1);
-  const Hits hits = random_hits(200000, random);
+  const Hits hits = random_hits(count, random);
   for (JoinOrder order : {JoinOrder::by_t, JoinOrder::by_dt}) {
     const JoinQuestion all{.a = nullptr, .order = order},
         few{.a = nullptr, .order = order, .likely_rows = 10};
     SortedHits plain(all), sparing(few);
     plain.add(hits, never);
-    EXPECT_EQ(plain.size(), 200000u);
+    EXPECT_EQ(plain.size(), count);
     const std::vector<Pair> right = taken(plain, never);
     EXPECT_FALSE(plain.leaves_some_out());
 
@@ -62,20 +66,16 @@ TEST(SortedHits, KeepSomeTimesAsManyAsAreReadAndGiveTheOthersIfAsked) {
 }
 
 std::vector<double> numbers_in_order(const JoinQuestion& question) {
-  NeverInterrupt never;
-  Join join(question, never);
-  std::vector<JoinRow> all;
-  for (auto rows = join.next(); !rows.empty(); rows = join.next())
-    all.insert(all.end(), rows.begin(), rows.end());
-  return numbers_of(all);
+  return numbers_of(rows_in_order(question));
 }
 
 /// Discs that all begin at the same moment, most of them in contact then.
 TEST(SortedHits, OfAJoinAreTheSameRowsInTheSameOrderHoweverFewAreLikely) {
+  constexpr std::size_t count = sanitized ? 150 : 250;
   RandomScene scene =
       random_scene({.layout = {.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true},
                     .kind = testing::SceneKind::one_spot,
-                    .count = 250,
+                    .count = count,
                     .seed = 3});
   const Offsets at = row_offsets(scene.layout);
   for (std::size_t i = 0; i < scene.size(); ++i)
@@ -85,7 +85,7 @@ TEST(SortedHits, OfAJoinAreTheSameRowsInTheSameOrderHoweverFewAreLikely) {
     for (JoinOrder order : {JoinOrder::by_t, JoinOrder::by_dt, JoinOrder::by_t_and_ids}) {
       question.method = method, question.order = order, question.likely_rows = all_rows;
       const auto right = numbers_in_order(question);
-      EXPECT_GT(right.size(), 9 * 20000u);
+      EXPECT_GT(right.size(), 9 * count * count / 4);
       question.likely_rows = 1;
       EXPECT_TRUE(numbers_in_order(question) == right);
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "stop_at.h"
 #include "storage/database.h"
 
 namespace foresee::storage {
@@ -86,11 +87,9 @@ TEST_F(Pack, BelievesOnlyLeaves) {
 }
 
 TEST_F(Pack, StopsWhenAskedBeforeItWritesAnything) {
-  struct Always : Interrupt {
-    void check() override { throw Interrupted(); }
-  } always;
+  testing::StopAt stop(0);
   begin(db, *store);
-  EXPECT_THROW(store->rebuild(always), Interrupted);
+  EXPECT_THROW(store->rebuild(stop), Interrupted);
   EXPECT_EQ(count_of(*store), 2000);
   commit(db, *store);
   EXPECT_EQ(faults(*store), std::vector<std::string>{});
