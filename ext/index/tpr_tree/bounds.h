@@ -31,16 +31,9 @@ inline constexpr double largest_bound = 1e300;
 
 /// The lower end of a bound that was computed as `value` give or take `pad`.
 template <int D>
-Vec<D> lower_end(const Vec<D>& value, const Vec<D>& pad) {
-  const Vec<D> end = value - pad;
-  if ((end.abs() <= largest_bound).all()) return end;  // as good as always
-  return (end >= -largest_bound).select(end, -std::numeric_limits<double>::infinity()).min(largest_bound);
-}
-
+Vec<D> lower_end(const Vec<D>& value, const Vec<D>& pad);
 template <int D>
-Vec<D> upper_end(const Vec<D>& value, const Vec<D>& pad) {
-  return -lower_end<D>(-value, pad);
-}
+Vec<D> upper_end(const Vec<D>& value, const Vec<D>& pad);
 
 template <int D>
 struct Bounds {
@@ -80,48 +73,10 @@ struct Bounds {
 /// Bounds of one object at `epoch`, padded outward by `pad` times the magnitudes that went in.
 template <int D>
 Bounds<D> bounds_at(const Motion<D>& motion, const Extents<D>& extents, double epoch,
-                    double pad = rounding_pad) {
-  const double s = epoch - motion.t;
-  const Vec<D> by_velocity = motion.v * s, gained = motion.a * s, by_acceleration = gained * s * 0.5;
-  const Vec<D> centre = motion.x + by_velocity + by_acceleration, velocity = motion.v + gained;
-  const double least = pad > 0 ? smallest_pad : 0;
-  const Vec<D> x_pad =
-      (motion.x.abs() + by_velocity.abs() + by_acceleration.abs() + reach_of(extents)) * pad + least;
-  const Vec<D> v_pad = (motion.v.abs() + gained.abs()) * pad + least, none = Vec<D>::Zero();
-  return {lower_end<D>(centre + extents.lower, x_pad),
-          upper_end<D>(centre + extents.upper, x_pad),
-          lower_end<D>(velocity, v_pad),
-          upper_end<D>(velocity, v_pad),
-          lower_end<D>(motion.a, none),
-          upper_end<D>(motion.a, none)};
-}
-
-/// One lower face, carried by s seconds; the upper one is its mirror image.
-template <int D>
-struct CarriedFace {
-  Vec<D> x, v;
-
-  /// `v_before` is the velocity's end that counts for s < 0, `a_before` likewise.
-  CarriedFace(const Vec<D>& x0, const Vec<D>& v0, const Vec<D>& v_before, const Vec<D>& a0,
-              const Vec<D>& a_before, double s) {
-    const Vec<D> by_velocity = (s < 0 ? v_before : v0) * s, by_acceleration = a0 * s * s * 0.5;
-    const Vec<D> gained = (s < 0 ? a_before : a0) * s;
-    x = lower_end<D>(x0 + by_velocity + by_acceleration,
-                     (x0.abs() + by_velocity.abs() + by_acceleration.abs()) * rounding_pad + smallest_pad);
-    v = lower_end<D>(v0 + gained, (v0.abs() + gained.abs()) * rounding_pad + smallest_pad);
-  }
-};
+                    double pad = rounding_pad);
 
 /// Bounds at the epoch `to` of whatever lies within `bounds` at the epoch `from`.
 template <int D>
-Bounds<D> carried(const Bounds<D>& bounds, double from, double to) {
-  if (from == to) return bounds;
-  const double s = to - from;
-  const CarriedFace<D> lower(bounds.x_lower, bounds.v_lower, bounds.v_upper, bounds.a_lower, bounds.a_upper,
-                             s);
-  const CarriedFace<D> upper(-bounds.x_upper, -bounds.v_upper, -bounds.v_lower, -bounds.a_upper,
-                             -bounds.a_lower, s);
-  return {lower.x, -upper.x, lower.v, -upper.v, bounds.a_lower, bounds.a_upper};
-}
+Bounds<D> carried(const Bounds<D>& bounds, double from, double to);
 
 }  // namespace foresee::index

@@ -189,16 +189,6 @@ inline void remove_slot(Node& node, std::size_t slot, std::size_t stride) {
 
 /// The tightest entry for a whole node, at `epoch`, that the node's own numbers give.
 template <int D>
-Entry<D> summary(const Node& node, const LeafReader<D>& reader, double epoch) {
-  Entry<D> all;
-  for (std::size_t slot = 0; slot < node.size(); ++slot) {
-    if (node.is_leaf()) {
-      all.include(entry_of(Mover<D>(reader, reader.record(node, slot)), epoch));
-    } else {
-      all.include({times_at<D>(node, slot), carried(bounds_at<D>(node, slot), node.epoch, epoch)});
-    }
-  }
-  return all;
-}
+Entry<D> summary(const Node& node, const LeafReader<D>& reader, double epoch);
 
 }  // namespace foresee::index
