@@ -64,8 +64,9 @@ class Connection {
   void scan_closed(const Store* store, TableCursor& cursor) noexcept;
   std::span<TableCursor* const> cursors(const Store* store) const noexcept;
 
-  /// The table's contents as they are now, decoded at most once per version; with the levels of its tree if
-  /// they are wanted.
+  /// The table's contents as they are now, and as they stay whatever is written later; with the levels of its
+  /// tree if they are wanted. Throws StoreError for damaged rows. Cost: a look-up where this version's scene
+  /// is at hand, else all rows are read and decoded.
   std::shared_ptr<const Scene> load_scene(const OpenTable& table, bool with_levels = false);
 
   /// PRAGMA threads: how many a computation may use beside the caller's; 0 unless somebody asks for more.

@@ -47,6 +47,8 @@ struct FunctionPlan {
   int equalities = 0, inequalities = 0;  ///< hints: ids, and other
 };
 
+/// Takes constraint number i into the plan: an input is consumed, a condition on a hinted output is handed
+/// over and SQLite checks it again. Any other is left to SQLite alone.
 void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info& info, int i) {
   const auto& constraint = info.aConstraint[i];
   const char letter = letter_of(constraint.op);
@@ -107,7 +109,7 @@ void estimate(const TableFunction& function, PlansBefore& before, FunctionPlan& 
   info.estimatedRows = static_cast<sqlite3_int64>(rows);
 }
 
-/// The arguments as idxStr has them.
+/// The plan's arguments as idxStr has them, with those marked that SQLite compares again.
 std::string described(const FunctionPlan& plan, int output_count) {
   std::string text = plan.arguments;
   for (std::size_t at = 0; at < text.size(); at += 2) {
@@ -119,7 +121,8 @@ std::string described(const FunctionPlan& plan, int output_count) {
 
 constexpr int order_length_at = 16, order_at = 20;  // in idxNum
 
-/// If ORDER BY is one of the function's orders, or the beginning of one, rows come in that order.
+/// If ORDER BY is one of the function's orders, or the beginning of one, rows come in that order and SQLite
+/// does not sort: gives its bits of idxNum. Else 0, and SQLite sorts.
 int take_order(const TableFunction& function, sqlite3_index_info& info) {
   const auto wanted = std::span(info.aOrderBy, static_cast<std::size_t>(std::max(0, info.nOrderBy)));
   if (wanted.empty()) return 0;

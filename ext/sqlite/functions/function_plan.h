@@ -24,7 +24,8 @@ struct PlansBefore {
   bool one_side_was_planned = false;  ///< of an OR, by itself
 };
 
-/// xBestIndex. A result code: SQLITE_CONSTRAINT where an input comes from a row that is not there yet.
+/// xBestIndex: fills in `info`. A result code: SQLITE_CONSTRAINT where an input comes from a row that is not
+/// there yet, SQLITE_NOMEM.
 int plan_call(const TableFunction& function, PlansBefore& before, sqlite3_index_info& info);
 
 // What a plan says.
@@ -36,7 +37,9 @@ struct PlannedArgument {
 };
 /// Requires: `argument` is less than the number of arguments that xFilter is given.
 PlannedArgument planned_argument(const char* plan, std::size_t argument);
+/// Bit set: the statement reads this output.
 std::uint32_t planned_outputs(const TableFunction& function, int plan);
+/// The outputs by which rows must come, rising; none: in any order.
 std::span<const int> planned_order(const TableFunction& function, int plan);
 
 }  // namespace foresee::sqlite

@@ -24,17 +24,21 @@ struct JoinedTables {
   bool are_one() const { return b && b->store == a.store; }
 };
 
+/// Both as open_table() finds them, or its Error.
 JoinedTables open_tables(Connection& connection, const JoinInputs& inputs) {
   JoinedTables tables{open_table(connection, inputs.tbl)};
   if (inputs.other) tables.b = open_table(connection, {inputs.other, inputs.tbl.schema});
   return tables;
 }
 
+/// The newest t stored in either. Reads one node of each.
 double newest_t_of(const JoinedTables& tables) {
   const double newest = tables.a.store->read_newest_t();
   return tables.b ? std::max(newest, tables.b->store->read_newest_t()) : newest;
 }
 
+/// All objects of each side as they are now, with the tree's levels where the method is `tree`. The same
+/// table twice is one scene.
 void take_scenes(Connection& connection, const JoinedTables& tables, JoinQuestion& question) {
   const auto scene = [&](const OpenTable& table) {
     return connection.load_scene(table, question.method == JoinMethod::tree);

@@ -38,8 +38,9 @@ struct AskedIds {
   std::optional<std::int64_t> a = {}, b = {};
 };
 
-/// A question about one id comes back as one about that object and those near it, looked up in the tree,
-/// unless another method was asked for.
+/// The question by these inputs, with the scenes as they are now and `now` where it was left out; order,
+/// times and outputs are the caller's to add. A question about one id comes back as one about that object and
+/// those near it, looked up in the tree, unless another method was asked for.
 JoinQuestion join_question(Connection& connection, const JoinInputs& inputs, const AskedIds& ids = {});
 
 }  // namespace foresee::sqlite

@@ -52,6 +52,7 @@ class JoinRows final : public FunctionRows {
   std::size_t row_ = 0;
 };
 
+/// `outputs`: one of predictive_join's `orders`, or its beginning.
 JoinOrder order_of(std::span<const int> outputs) {
   if (outputs.empty()) return JoinOrder::any;
   if (outputs[0] == out_dt) return JoinOrder::by_dt;

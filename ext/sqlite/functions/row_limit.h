@@ -28,10 +28,11 @@ struct RowLimit {
   }
 };
 
-/// Appends them to a plan's arguments, two letters each. Requires: all others have been taken.
+/// Has LIMIT and OFFSET handed over, two letters each behind the plan's arguments; neither where SQLite
+/// checks a condition that the call does not heed itself. Requires: all other constraints have been taken.
 void take_row_limit(const TableFunction& function, sqlite3_index_info& info, std::string& arguments);
 
-/// Of an argument by these letters: false if it is none of the two.
+/// Takes an argument by its letters into `limit`. False, and nothing is taken, if it is neither of the two.
 bool read_row_limit(const char* letters, sqlite3_value* value, RowLimit& limit);
 
 }  // namespace foresee::sqlite

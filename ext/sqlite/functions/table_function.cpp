@@ -90,6 +90,7 @@ int function_close(sqlite3_vtab_cursor* cursor) noexcept {
   return SQLITE_OK;
 }
 
+/// To the next row; at the end the rows are let go.
 void step(FunctionCursor& cursor) {
   if (!cursor.rows->next()) cursor.rows.reset();
 }
@@ -107,9 +108,10 @@ struct Arguments {
   RowLimit limit;
 };
 
-/// Sorts the values into inputs, of which the cursor keeps copies, hints and limits. False if some hint is
-/// NULL: then nothing can match. The call reads the originals: SQLite 3.53 crashes when a copy is asked for
-/// its numeric type.
+/// Sorts the values into inputs, of which the cursor keeps copies for xColumn, hints and limits; an input
+/// that is NULL counts as left out. False if some hint is NULL: then nothing can match. Throws Error where a
+/// NULL would lose every row (function_plan.h). The call reads the originals: SQLite 3.53 crashes when a copy
+/// is asked for its numeric type.
 bool sort_arguments(FunctionCursor& cursor, const FunctionTable& table, const char* plan,
                     std::span<sqlite3_value*> values, Arguments& sorted) {
   cursor.inputs.clear();

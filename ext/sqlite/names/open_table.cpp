@@ -65,7 +65,8 @@ bool can_be_named(const AskedTable& name) {
   return std::strlen(text.c_str()) == text.size();
 }
 
-/// Nothing if the table that SQLite finds is none of ours.
+/// The table that SQLite finds under this name, or nothing if it is none of ours. Throws StoreError where
+/// SQLite finds none.
 std::optional<Connection::OpenTable> find_open(Connection& connection, const AskedTable& name) {
   TableLookups& lookups = connection.lookups();
   const auto find = [&]() -> const Connection::OpenTable* {

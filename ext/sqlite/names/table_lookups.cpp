@@ -5,7 +5,7 @@
 #include "storage/table/store.h"
 
 namespace foresee::sqlite {
-/// Takes the witness off the list: while it runs SQLite may disconnect tables, and finalize() be called.
+// Takes the witness off the list: while it runs SQLite may disconnect tables, and finalize() be called.
 std::optional<std::int64_t> TableLookups::kept_number(const AskedTable& name) {
   const auto found =
       std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.name == name; });

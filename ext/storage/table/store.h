@@ -61,11 +61,13 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   const NodeFormat& format() const { return format_; }
 
   // --- reading
+  /// Of the contents as this connection sees them now. Cost: one look-up.
   ContentVersion read_version();
   bool contains(std::int64_t id);
   /// The record of `id`, or nothing.
   std::optional<std::vector<double>> read(std::int64_t id);
-  /// All ids and rows (row_from_record of each record), leaf by leaf.
+  /// All ids and rows (row_from_record of each record), leaf by leaf, as this connection sees them now.
+  /// SQLITE_CORRUPT_VTAB for a damaged leaf, and as expect_objects() says.
   void read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt);
   /// The leaf that follows leaf number `after` (0 to begin): its number, or 0 at the end; fills ids and
   /// records.
@@ -167,8 +169,11 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   // reading (store_read.cpp)
   /// As the cache knows it while this connection writes, else as the rows say: not for pending inserts.
   std::optional<std::int64_t> find_leaf(std::int64_t id);
+  /// Every leaf once by ascending number, pending inserts apart: as it waits in memory, or else as it is
+  /// stored, checked. SQLITE_CORRUPT_VTAB for a damaged one.
   void read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
                    const std::function<void(const Node&)>& waiting);
+  /// Hands a sound leaf to `use`; false for a sound inner node. Anything else is SQLITE_CORRUPT_VTAB.
   bool read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
                         const std::function<void(const LeafView&)>& use) const;
 
@@ -187,6 +192,8 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   const Largest& read_largest();
 
   // from memory to the tables (store_flush.cpp)
+  /// All objects are in the tree from now on: in memory, as far as there is room. Costs nothing where none is
+  /// pending.
   void insert_pending();
   void insert_one_by_one(Interrupt& interrupt);
   void bulk_load_anew(Interrupt& interrupt);

@@ -64,7 +64,6 @@ std::optional<std::vector<double>> Store::read(std::int64_t id) {
   return record;
 }
 
-/// False for a sound inner node.
 bool Store::read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
                              const std::function<void(const LeafView&)>& use) const {
   if (const char* fault = cache_.fault(number, blob))
@@ -74,7 +73,6 @@ bool Store::read_stored_leaf(std::int64_t number, std::span<const std::byte> blo
   return true;
 }
 
-// Every leaf by ascending number, those that wait in place of the stored.
 void Store::read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
                         const std::function<void(const Node&)>& waiting) {
   std::int64_t done = 0;
