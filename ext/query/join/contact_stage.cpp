@@ -9,8 +9,8 @@ namespace foresee::query {
 ContactStage::ContactStage(const JoinQuestion& question, Interrupt& interrupt)
     : question_(question), interrupt_(interrupt), contact_(contact_of(question)) {}
 
-/// The exact arithmetic may take some ten microseconds a pair, so a batch is asked in slices that can be
-/// interrupted.
+// The exact arithmetic may take some ten microseconds a pair, so a batch is asked in slices that can be
+// interrupted.
 template <class Work>
 void ContactStage::in_slices(std::size_t count, Work work) {
   constexpr std::size_t slice = 256;
@@ -87,7 +87,6 @@ void ContactStage::keep_asked_pairs(std::vector<Pair>& batch) const {
   });
 }
 
-/// From hit number `first` on.
 void ContactStage::keep_asked_times(const TimeSlab& slab, std::size_t first, Hits& hits) const {
   std::size_t kept = first;
   for (std::size_t i = first; i < hits.pairs.size(); ++i) {

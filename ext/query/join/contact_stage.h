@@ -25,7 +25,8 @@ struct Hits {
 
 class ContactStage {
  public:
-  /// Both must outlive the stage. Throws Error for shapes without a distance.
+  /// For this question's pairs (contact_of). Both must outlive the stage. Throws Error for shapes without a
+  /// distance.
   ContactStage(const JoinQuestion& question, Interrupt& interrupt);
 
   Contact::Reach reach() const { return contact_->reach(); }
@@ -35,7 +36,7 @@ class ContactStage {
   /// not certain what they are.
   void ask(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab, Hits& hits);
 
-  /// Appends a row for each hit.
+  /// Appends a row for each hit, in order, with the columns that the question wants.
   void write(Hits& hits, std::vector<JoinRow>& rows);
 
   /// Both.
@@ -50,11 +51,18 @@ class ContactStage {
   void write_touching(std::span<const Pair> pairs, std::vector<JoinRow>& rows) const;
 
  private:
+  /// work(begin, count) for all of them, slice by slice in order; heeds an interrupt before each.
   template <class Work>
   void in_slices(std::size_t count, Work work);
+  /// Appends the asked pairs of a batch that touches for certain at `now`; the batch is lost.
   void take_touching(std::vector<Pair>& batch, Hits& hits) const;
+  /// Leaves the pairs that the question asks about, in order and in its columns: the ids asked for, no object
+  /// with itself, and within one scene the smaller id first.
   void keep_asked_pairs(std::vector<Pair>& batch) const;
+  /// Of the hits from number `first` on leaves those whose times the slab holds and the question asks about,
+  /// in order.
   void keep_asked_times(const TimeSlab& slab, std::size_t first, Hits& hits) const;
+  /// The same hits, with the ends of their contacts.
   void add_ends(Hits& hits);
 
   const JoinQuestion& question_;

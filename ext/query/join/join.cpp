@@ -53,6 +53,7 @@ struct Join::Progress {
     question.space->trim();
   }
 
+  /// The question, found to be in order, with a space of its own if it brings none.
   static JoinQuestion with_space(JoinQuestion question) {
     require_valid(question);
     if (!question.space) question.space = std::make_shared<GridSpace>();
@@ -82,6 +83,7 @@ struct Join::Progress {
     }
   }
 
+  /// A batch's rows are given, or its hits added where the slab has to be sorted. False if there is none.
   bool advance_alone() {
     pairs.clear();
     if (!candidates->next(pairs)) return false;

@@ -89,7 +89,8 @@ Horizon middle_part(const JoinQuestion& question, double begin, double length, s
   return {question.now + (begin + (length - part) / 2), part};
 }
 
-/// What the moments asked about look like as a horizon.
+/// What the moments asked about look like as a horizon: seconds from now, near enough for a plan. No length
+/// where there is none.
 struct AskedSpan {
   double begin, length;
 };
@@ -105,6 +106,7 @@ struct SlabChoice {
   double cost;
 };
 
+/// About how many pairs touch at one moment.
 double expected_contacts(const JoinQuestion& question, const Contact::Reach& reach, double moment) {
   return with_axes(question.a->layout.axes, [&]<int D>(Axes<D>) {
     return pairs_of(question) * share_that_touches<D>(question, moment, margin_of<D>(reach));

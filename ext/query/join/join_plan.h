@@ -20,6 +20,9 @@ struct JoinPlan {
   bool with_helpers = false;  ///< a slab is enough work to be shared with threads
 };
 
+/// The method asked for, or else the one that is expected to cost least; likewise the slabs. About one id
+/// always a scan. The same question gets the same plan. Cost: tens of thousands of comparisons of boxes for
+/// each number of slabs that is tried, however many objects there are.
 JoinPlan plan_join(const JoinQuestion& question, const Contact::Reach& reach);
 
 /// The plan's slabs for a question; in the order of t they begin short, so that the first rows come early.

@@ -11,7 +11,8 @@ namespace foresee::query {
 /// Throws Error as Join's constructor says.
 void require_valid(const JoinQuestion& question);
 
-/// The question's scenes and shapes at contact's door. The scenes must outlive the contact.
+/// The contact that decides this question's pairs: make_contact() with its scenes, which must outlive the
+/// contact, and its limits.
 std::unique_ptr<Contact> contact_of(const JoinQuestion& question);
 
 /// Each side's swept boxes grow by half the reach, rounded up: two grown boxes meet wherever the pair can

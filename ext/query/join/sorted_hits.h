@@ -26,7 +26,10 @@ class SortedHits {
   explicit SortedHits(const JoinQuestion& question)
       : question_(question), room_(std::max(least_room, question.likely_rows)) {}
 
+  /// Of the slab's hits behind those taken the first are kept, at least as many as are likely to be read; of
+  /// the others some may be left out (leaves_some_out).
   void add(const Hits& hits, Interrupt& interrupt);
+  /// When all hits of the slab were added.
   void sort(Interrupt& interrupt);
 
   /// After sort(): are there hits left, and the next few of them.
@@ -46,6 +49,7 @@ class SortedHits {
     double t, dt;
     Pair pair;
   };
+  /// In the question's order, which ids or row numbers make strict: no two hits are equal.
   bool precedes(const Found& l, const Found& r) const;
   bool compare(const Found& l, const Found& r, Interrupt& interrupt);
   void keep_first(Interrupt& interrupt);

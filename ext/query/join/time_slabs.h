@@ -41,12 +41,15 @@ class TimeSlabs {
   /// Slabs for those moments that the question asks about (asked_t, asked_dt).
   TimeSlabs(const JoinQuestion& question, const SlabLengths& lengths);
 
+  /// The next one, later than all before; nothing behind the last. Each t that is asked for is held by
+  /// exactly one.
   std::optional<TimeSlab> next();
 
   /// From the first to the last moment asked about; negative if there is none.
   double length() const { return end_ - begin_; }
 
  private:
+  /// What holds the t from `begin` to before `end`, and in its horizon every moment that rounds to one.
   TimeSlab slab(double begin, double end, bool last) const;
 
   Horizon horizon_;
