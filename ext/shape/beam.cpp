@@ -34,6 +34,7 @@ struct Rows {
   }
 };
 
+/// How far each body reaches below and above its position.
 template <int D>
 void copy_extents(const Bodies& bodies, std::size_t first, std::size_t count, BeamLanes<D>& lanes) {
   with_shape(bodies.layout.shape, [&](auto shape) {

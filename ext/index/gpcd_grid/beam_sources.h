@@ -28,10 +28,11 @@ class BeamSource {
   virtual ObjectRows objects() const { return {}; }
 };
 
-/// A horizon of no length, or bodies that only rest, need no test of time.
 template <int D>
 class MovingSource final : public BeamSource<D> {
  public:
+  /// `boxes` must outlive the source. A horizon of no length, or bodies that only rest, need no test of time;
+  /// else every life is looked at once.
   MovingSource(const MovingBoxes<D>& boxes, Interrupt& interrupt) : boxes_(boxes) {
     columns_.travel = boxes.horizon.h > 0 && boxes.bodies.layout.law != Law::rest;
     columns_.life = columns_.travel && !all_exist_throughout(boxes.bodies, boxes.horizon, interrupt);

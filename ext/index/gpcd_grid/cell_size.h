@@ -52,7 +52,8 @@ struct Partition {
   }
 };
 
-/// `sample` holds no empty boxes; `count` is how many boxes will be entered.
+/// How to cut space for `count` boxes like those of `sample`, none of which is empty. Any partition is right,
+/// a good one is faster.
 template <int D>
 Partition<D> choose_partition(std::span<const FloatBox<D>> sample, std::size_t count);
 

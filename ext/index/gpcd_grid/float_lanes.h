@@ -54,9 +54,11 @@ struct FloatLanes {
 /// lanes has no meaning.
 template <int D>
 struct FloatKernels {
+  /// Boxes that contain those of the beams, with room for the test of time; travel and life where `columns`
+  /// has them.
   void (*round_outward)(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, Columns columns,
                         FloatLanes<D>& out);
-  /// Requires: partition.stripes() < 2^32.
+  /// Which stripes each box meets, or that it is a giant, or empty. Requires: partition.stripes() < 2^32.
   void (*find_stripes)(FloatLanes<D>& lanes, std::size_t count, const Partition<D>& partition);
 };
 

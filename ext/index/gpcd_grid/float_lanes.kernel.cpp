@@ -15,6 +15,7 @@ constexpr std::size_t block = 16;           // lanes at a time: the floats of th
 constexpr double largest = 0x1.fffffep127;  // float
 constexpr double never = __builtin_inf(), no_number = __builtin_nan("");
 
+/// The beams' boxes in the frame's units, with the room of above; travel where `moves`.
 template <int D, bool moves>
 void round_boxes(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& frame, FloatLanes<D>& out) {
   constexpr double relative = moves ? 0x1p-22 : 0x1p-23;

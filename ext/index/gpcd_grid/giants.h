@@ -26,9 +26,11 @@ struct Cores {
 template <int D>
 class Giants {
  public:
+  /// Those that did not enter the stripes, which are not needed afterwards.
   Giants(const Partition<D>& partition, const Stripes<D>& stripes, Interrupt& interrupt);
 
-  /// Before stripes are visited. Requires: all that the giants meet are there when the horizon begins.
+  /// Finds what each giant covers when the horizon begins, rounded inward. Before stripes are visited.
+  /// Requires: all that the giants meet are there when the horizon begins.
   void find_cores(const BeamSource<D>& source, const Frame<D>& frame, const Partition<D>& partition);
 
   /// How many cross each stripe, by its number. Requires: none has been visited.

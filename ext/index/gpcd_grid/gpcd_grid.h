@@ -25,8 +25,18 @@ struct MovingBoxes {
   Vec<D> margin;
 };
 
-/// Pairs among the objects of `a`, or between `a` and `b` if that is not null. The bodies are read before
-/// this returns. `interrupt` must outlive the grid. `space` saves fresh memory; null: the grid has its own.
+/// The whole grid in one step: pairs among the objects of `a`, or between `a` and `b` if that is not null.
+///
+/// Nothing is missed: every pair comes, once, whose boxes, each grown by its margin, meet at a moment of the
+/// horizon at which both objects exist. Others come only where their beams meet all the same: beams are
+/// straight and rounded outward. Any finite numbers are fine: what is too large or too small to compute with
+/// counts as near. The order is that of the stripes, not of time; it is the same for all vector instructions,
+/// any `space` and any number of helpers.
+///
+/// All objects are entered before this returns, and the bodies not read afterwards; pairs are found while
+/// they are pulled. `interrupt` is asked all the while and must outlive the grid. Throws Error where the
+/// objects of a side meet more than 2^32 stripes in all. `space` saves fresh memory; null: the grid has its
+/// own.
 template <int D>
 std::unique_ptr<Candidates> make_gpcd_grid(const MovingBoxes<D>& a, const MovingBoxes<D>* b,
                                            Interrupt& interrupt, std::shared_ptr<GridSpace> space = nullptr);
@@ -38,7 +48,7 @@ std::unique_ptr<DividedCandidates> make_divided_grid(const MovingBoxes<D>& a, co
                                                      std::size_t helpers, Interrupt& interrupt,
                                                      std::shared_ptr<GridSpace> space);
 
-/// Pairs among boxes at rest. The grid keeps no reference to them.
+/// The same for pairs among boxes at rest. The grid keeps no reference to them.
 template <int D>
 std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>> boxes, Interrupt& interrupt);
 

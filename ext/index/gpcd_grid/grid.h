@@ -28,6 +28,7 @@ class Grid {
  public:
   /// The objects of one side of the join.
   struct Side {
+    /// Enters every object of `source` into the stripes that its box meets, or among the giants.
     Side(const BeamSource<D>& source, const Frame<D>& frame, Columns columns, const Partition<D>& partition,
          GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
         : rows(source.count(), columns, source.objects(), memory.rows),
@@ -38,8 +39,9 @@ class Grid {
     Giants<D> giants;
   };
 
-  /// Of the objects of `a`, or of both if `b` is not null. What is read from them is kept in `space`, which
-  /// must outlive the grid. `helpers` are threads beside this one.
+  /// Enters the objects of `a`, or of both if `b` is not null; afterwards the sources are not needed. What is
+  /// read from them is kept in `space`, which must outlive the grid. `helpers` are threads beside this one;
+  /// the grid is the same for any number of them.
   Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, std::size_t helpers,
        Interrupt& interrupt);
 
@@ -63,13 +65,15 @@ class Grid {
 template <int D>
 class GridVisit final : public Candidates {
  public:
-  /// The stripes from `first` to before `last`. All must outlive the visit.
+  /// The stripes from `first` to before `last`; whoever visits stripe 0 also meets giants with giants. All
+  /// must outlive the visit.
   GridVisit(Grid<D>& grid, std::size_t first, std::size_t last, GridSpace::Visit& memory,
             Interrupt& interrupt);
   /// All stripes.
   GridVisit(Grid<D>& grid, GridSpace::Visit& memory, Interrupt& interrupt)
       : GridVisit(grid, 0, grid.partition().stripes(), memory, interrupt) {}
 
+  /// At most some 500 pairs, or what a millisecond of looking finds; in the order of the stripes.
   bool next(std::vector<Pair>& out) override;
   bool touching() const override { return touching_; }
   std::string describe() const override { return grid_.describe(); }
@@ -86,8 +90,12 @@ class GridVisit final : public Candidates {
 
   /// Puts the scans of the next stripe into scans_; false behind the last one.
   bool open_next();
+  /// The scan of giants among themselves, or of those of one side with those of the other.
   void open_giants();
+  /// The scans of a stripe: together they report the pairs that it answers for (lanes.h), each once.
   void open_stripe(std::size_t number);
+  /// Adds the scan of giants with the boxes of a stripe; where they cover many, as two: those, then the
+  /// others.
   void scan_giants(const LaneView<D>& crossing, const LaneView<D>& inside, bool swap);
 
   Grid<D>& grid_;

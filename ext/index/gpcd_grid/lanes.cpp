@@ -14,7 +14,7 @@ constexpr std::size_t ahead = 12;  // rows lie anywhere in memory: ask for them 
 
 }  // namespace
 
-/// A column for each place in a row, all in one block; a cache line's worth of sentinels behind each.
+// A column for each place in a row, all in one block; a cache line's worth of sentinels behind each.
 template <int D>
 void Lanes<D>::lay_out(std::size_t count, Columns columns) {
   constexpr std::size_t line = 16;
@@ -41,7 +41,7 @@ void Lanes<D>::lay_out(std::size_t count, Columns columns) {
   view_.from = view_.to = nullptr;
 }
 
-/// Rows as columns, in four by four places at a time.
+// Four by four places at a time.
 template <int D>
 template <int width>
 void Lanes<D>::copy_rows(const FloatRows<D>& rows, Interrupt& interrupt) {
@@ -79,7 +79,6 @@ void Lanes<D>::copy_rows(const FloatRows<D>& rows, Interrupt& interrupt) {
     for (int k = 0; k < width; ++k) floats_[i + static_cast<std::size_t>(k) * room_] = rows.row(ids_[i])[k];
 }
 
-/// What the test of time needs of each beam, once and not in every step.
 template <int D>
 void Lanes<D>::find_movers() {
   float* column = movers_;

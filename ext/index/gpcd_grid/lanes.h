@@ -40,10 +40,14 @@ class Lanes {
   const LaneView<D>& view() const { return view_; }
 
  private:
+  /// Fills the columns from the rows of `ids_`, each of so many floats.
   template <int width>
   void copy_rows(const FloatRows<D>& rows, Interrupt& interrupt);
+  /// Makes room for so many boxes; the view has their number and its columns.
   void lay_out(std::size_t count, Columns columns);
+  /// Fills in centre and extent, which the test of time needs, once and not in every step.
   void find_movers();
+  /// Fills in the classes of boxes that are seen from this stripe.
   void classify(const Partition<D>& partition, const int (&stripe)[D]);
 
   GridSpace::Visit::Lanes& memory_;

@@ -71,7 +71,9 @@ Scan<D> scan_between(const LaneView<D>& rows, const LaneView<D>& lanes, bool swa
 }
 
 /// Goes on with a scan until it is done, `room` has fewer than lanes_max places left, or `steps` is used up;
-/// writes the pairs to `out` and answers how many. A step is a row begun, or lanes_max boxes looked at.
+/// writes the pairs to `out` and answers how many. Of the pairs that share no class it writes each, once,
+/// that `keep` asks for and whose beams meet (boxes, where nothing moves); others only by rounding. A step is
+/// a row begun, or lanes_max boxes looked at.
 template <int D>
 using ScanKernel = std::size_t (*)(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps);
 

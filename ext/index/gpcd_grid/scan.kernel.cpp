@@ -57,7 +57,7 @@ template <class V, int D>
   }
 }
 
-/// Those that are at some time where the other is.
+/// Of the lanes in `kept` those whose beams meet at some moment.
 template <class V, int D, Time time>
 [[gnu::always_inline]] inline void keep_in_time(const Beams<V, D, time>& a, const Beams<V, D, time>& b,
                                                 typename V::Mask& kept) {
@@ -103,7 +103,7 @@ template <class V, int D, Time time>
   }
 }
 
-/// The first lane that can reach row i. Rows that are not clipped begin farther right, one after another.
+/// A lane before which none reaches row i. Rows that are not clipped begin farther right, one after another.
 template <int D>
 std::size_t first_lane(Scan<D>& scan, std::size_t i) {
   const LaneView<D>& lanes = *scan.lanes;
@@ -138,6 +138,7 @@ template <int D>
   __builtin_prefetch(object + objects.bytes - 1);
 }
 
+/// The scan kernel: row after row, each against the lanes that begin before it ends.
 template <class V, int D, Time time, Keep keep>
 std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
   const LaneView<D>& rows = *scan.rows;
@@ -182,6 +183,7 @@ std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
   return static_cast<std::size_t>(out - begin);
 }
 
+/// The same, whatever the scan keeps.
 template <class V, int D, Time time>
 std::size_t run_kept(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
   if (scan.keep == Keep::covered) return run_rows<V, D, time, Keep::covered>(scan, out, room, steps);
@@ -189,6 +191,7 @@ std::size_t run_kept(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
   return run_rows<V, D, time, Keep::all>(scan, out, room, steps);
 }
 
+/// The same, whatever columns the lanes have.
 template <int D>
 std::size_t run_scan(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& steps) {
   if (room < lanes_max) return 0;

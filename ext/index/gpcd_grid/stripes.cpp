@@ -45,7 +45,7 @@ void Stripes<D>::read(const BeamSource<D>& source, const Frame<D>& frame, std::s
   }
 }
 
-/// Appends what the lanes enter. Most boxes meet one stripe or two along an axis, which takes no branch.
+// Most boxes meet one stripe or two along an axis, which takes no branch.
 template <int D>
 void Stripes<D>::enter(const FloatLanes<D>& lanes, std::size_t first, std::size_t count,
                        GridSpace::Part& memory, Part& part) const {
@@ -81,7 +81,7 @@ void Stripes<D>::enter(const FloatLanes<D>& lanes, std::size_t first, std::size_
     if (lanes.giant[l]) part.giants.push_back(static_cast<std::uint32_t>(first + l));
 }
 
-/// Counts become the places of each part's first entry in each stripe.
+// Counts become the places of each part's first entry in each stripe.
 template <int D>
 void Stripes<D>::add_up(std::span<Part> parts) {
   for (const Part& part : parts) {

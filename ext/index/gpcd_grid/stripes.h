@@ -32,8 +32,9 @@ StripeRange stripe_range(const Partition<D>& partition, const FloatBox<D>& box, 
 template <int D>
 class Stripes {
  public:
-  /// Writes all rows. Requires: source.count() < 2^32; rows and memory outlive the stripes. Throws Error if
-  /// there are more entries than 2^32.
+  /// Enters all objects of the source: each box into every stripe that it meets, or among the giants; empty
+  /// ones nowhere. Writes all rows. Requires: source.count() < 2^32; rows and memory outlive the stripes.
+  /// Throws Error if there are more entries than 2^32.
   Stripes(const BeamSource<D>& source, const Frame<D>& frame, const Partition<D>& partition,
           FloatRows<D>& rows, GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt);
 
@@ -55,11 +56,15 @@ class Stripes {
     std::vector<std::uint32_t> giants;
   };
 
+  /// Writes the rows from `begin` to before `end` and collects what they enter, in their order.
   void read(const BeamSource<D>& source, const Frame<D>& frame, std::size_t begin, std::size_t end,
             GridSpace::Part& memory, Part& part, Interrupt& interrupt);
+  /// Appends what these lanes enter to the part: one entry for each stripe of a box, or a giant.
   void enter(const FloatLanes<D>& lanes, std::size_t first, std::size_t count, GridSpace::Part& memory,
              Part& part) const;
+  /// Gives each stripe its place in keys_, and each part's entries theirs in it, part after part.
   void add_up(std::span<Part> parts);
+  /// Puts a part's entries where add_up() says; several threads may do so side by side.
   void place(Part& part, Interrupt& interrupt);
 
   Partition<D> partition_;
