@@ -15,6 +15,7 @@ namespace foresee::contact {
 template <int D, int Degree>
 class SetContact : public Contact {
  public:
+  /// The setup's bodies must outlive the contact.
   SetContact(const Setup& setup, ContactSet set)
       : setup_(setup),
         set_(std::move(set)),
@@ -70,7 +71,7 @@ class SetContact : public Contact {
     __builtin_prefetch(row_b + doubles_per_line);
   }
 
-  /// `near`: only then can they touch, if at all.
+  /// Whether the pair touches, exactly. `near`: only then can it, if at all.
   [[gnu::noinline]] bool touches(const double* row_a, const double* row_b,
                                  const Period<double>& near = any_time) {
     const Moments moments = moments_of(setup_, row_a, row_b);
@@ -80,6 +81,7 @@ class SetContact : public Contact {
     return exactly<bool>(row_a, row_b, exact_touches);
   }
 
+  /// Whether and when the pair touches: the exact moments, each rounded once. `near`: as for touches().
   [[gnu::noinline]] bool first_contact(const double* row_a, const double* row_b, const Period<double>& near,
                                        TimesWanted wanted, ContactTimes& found) {
     const Moments moments = moments_of(setup_, row_a, row_b);
@@ -122,7 +124,8 @@ class SetContact : public Contact {
 
   Period<double> near(int l) const { return {lanes_.begin[l], lanes_.end[l]}; }
 
-  /// Visits the pairs that are not certainly apart, each with its lane.
+  /// Visits the pairs that are not certainly apart, in order, each with its lane: near(l) is when it could
+  /// touch, and where that is wanted lanes_.touches[l] whether it certainly does.
   template <class Visit>
   void in_lanes(std::span<const Pair> pairs, bool touches_wanted, Visit&& visit) {
     constexpr std::size_t width = SetLanes::width;
@@ -156,6 +159,7 @@ class SetContact : public Contact {
     return meets;
   }
 
+  /// The moment in the bracket at which the set begins or ceases to be met, rounded once, or unknown.
   template <Way way>
   Instant crossing(Advancement<D, Degree>& advancement, const Bracket& bracket, const double* row_a,
                    const double* row_b) {
@@ -165,6 +169,7 @@ class SetContact : public Contact {
         .instant();
   }
 
+  /// The exact stages' answer: they always have one.
   template <class Answer>
   [[gnu::noinline]] Answer exactly(const double* row_a, const double* row_b,
                                    Answer (*ask)(PairPolynomials&, const ExactMoments&)) const {

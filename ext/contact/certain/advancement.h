@@ -24,6 +24,7 @@ struct Bracket {
 template <int D, int Degree>
 class Advancement {
  public:
+  /// On the moments at which both exist: those asked about, rounded outward, and those that certainly count.
   /// `near`: only then can they touch, if at all.
   [[gnu::flatten]] Advancement(const ContactSet& set, const Setup& setup, const double* row_a,
                                const double* row_b, const Moments& moments, const Period<double>& near,
@@ -86,6 +87,7 @@ class Advancement {
   }
 
   static double room_from(double tau, double end) { return (end - tau) * (1 + 4 * unit_roundoff); }
+  /// CertainSet::apart(), up to near_end_.
   double apart(double tau) { return certain_.apart(tau, room_from(tau, near_end_)); }
 
   /// The moment up to which what `ask` tells stays certain; for_ever if it does for the whole of [tau, end].
@@ -103,7 +105,8 @@ class Advancement {
     return tau;
   }
 
-  /// Looks just behind bracket.before for a moment at which `ask` is certain.
+  /// Looks just behind bracket.before for a moment at which `ask` is certain: if there is one, it is
+  /// bracket.after.
   template <class Ask>
   bool witness(Ask&& ask, Bracket& bracket, double earliest) const {
     double step = bracket.before > 0 ? 0x1p-48 * bracket.before : 0x1p-60 * inner_end_;

@@ -23,6 +23,7 @@ CertainAxisMotion<double> axis_of_one_age(const AxisMotion<double>& a, const Axi
   return r;
 }
 
+/// On all axes, from `now` on. Where numbers overflow, nothing is certain.
 template <int D, int Degree>
 CertainMotion<D> certain_motion_of(const Setup& setup, const double* row_a, const double* row_b) {
   const double now = setup.horizon.now;

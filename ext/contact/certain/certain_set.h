@@ -59,6 +59,7 @@ class CertainSet {
     return greatest;
   }
 
+  /// The set is certainly met at tau.
   bool now_within(double tau) {
     look_from(tau);
     forget();
@@ -68,6 +69,7 @@ class CertainSet {
     });
   }
 
+  /// The set is certainly not met at tau.
   bool now_apart(double tau) {
     look_from(tau);
     forget();
@@ -109,6 +111,7 @@ class CertainSet {
     std::fill(scratch_.known.begin(), scratch_.known.end(), std::numeric_limits<double>::quiet_NaN());
   }
 
+  /// For how long one of these primitives certainly is not met, or not_certain; exact only below `enough`.
   double longest_apart(const ContactSet::Part& part, double enough, double room) {
     double longest = not_certain;
     for (const int i : set_.members(part)) {
@@ -118,6 +121,7 @@ class CertainSet {
     return longest;
   }
 
+  /// For how long all of these primitives certainly are met, or not_certain; exact only above `enough`.
   double shortest_within(const ContactSet::Part& part, double enough, double room) {
     double shortest = for_ever;
     for (const int i : set_.members(part)) {
@@ -127,6 +131,7 @@ class CertainSet {
     return shortest;
   }
 
+  /// For how long primitive i is certainly not met (side 1) or met (-1), or not_certain.
   [[gnu::flatten]] double lasts(int i, double side, double room) {
     const auto place = static_cast<std::size_t>(i);
     double& known = scratch_.known[place];
@@ -138,7 +143,7 @@ class CertainSet {
     return known = contact::with_polynomial<Degree>(primitive, x_, scratch_.lengths, tau_, wanted, take);
   }
 
-  /// 1: certainly outside, -1: certainly inside, 0: in doubt.
+  /// Primitive i at tau: 1: certainly outside, -1: certainly inside, 0: in doubt.
   [[gnu::flatten]] double value_now(int i) {
     const auto place = static_cast<std::size_t>(i);
     double& known = scratch_.known[place];

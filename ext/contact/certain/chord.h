@@ -20,7 +20,8 @@ namespace foresee::contact {
 template <int D, class Real = double>
 class Chord {
  public:
-  /// Requires: 0 <= end, which is h up to rounding.
+  /// The chord over [0, end] on each axis, and how far beside it the motion can be. Requires: 0 <= end, which
+  /// is h up to rounding.
   Chord(const CertainMotion<D, Real>& relative, const Real& end) {
     using std::abs;
     // The least slope that is divided by, and the least time that a crossing is off by where its product is
@@ -39,7 +40,8 @@ class Chord {
     }
   }
 
-  /// Of `asked`, the moments at which the pair may be between all `faces`, as those of a set's hull.
+  /// Of `asked`, the moments at which the pair may be between all `faces`, as those of a set's hull: at no
+  /// other is it.
   template <class Lengths>
   Period<Real> between(const Faces* faces, int count, const Lengths& lengths, Period<Real> asked) const {
     for (int i = 0; i < count; ++i) {

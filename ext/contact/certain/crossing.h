@@ -52,6 +52,7 @@ class Crossing {
     std::fill(scratch.asked.begin(), scratch.asked.end(), false);
   }
 
+  /// When the set begins or ceases to be met, or unknown.
   Instant instant() {
     Instant whole = outside;
     for (const ContactSet::Piece& piece : certain_.set().pieces()) whole = any(whole, of(piece));
@@ -71,7 +72,7 @@ class Crossing {
   }
   static bool is_outside(const Instant& instant) { return instant.dt == outside.dt; }
 
-  /// Outside of one primitive is outside, whatever cannot be told about the others.
+  /// When a piece does. Outside of one primitive is outside, whatever cannot be told about the others.
   Instant of(const ContactSet::Piece& piece) {
     Instant met = inside;
     for (const int i : certain_.set().members(piece.all)) {
@@ -82,6 +83,7 @@ class Crossing {
     return met;
   }
 
+  /// When primitive number i is crossed; computed once.
   Instant of(int i) {
     const auto place = static_cast<std::size_t>(i);
     if (!scratch_.asked[place]) {
@@ -96,6 +98,8 @@ class Crossing {
                                     [this, &primitive](const auto& p) { return this->of(primitive, p); });
   }
 
+  /// When its polynomial changes sign: `inside` or `outside` where it certainly has one sign in all the
+  /// bracket, else its root, rounded once, or unknown.
   template <std::size_t N>
   Instant of(const Primitive& primitive, const std::array<Bounded, N>& p) const {
     const double lost = certain_.lost(primitive), error = p[0].error_bound(lost);

@@ -49,6 +49,7 @@ inline std::size_t lanes_space(const ContactSet& set) {
 
 template <int D, int Degree>
 struct SetKernel {
+  /// Fills in what is found. Requires: each lane has rows.
   void (*look)(const LanesQuestion& question, SetLanes& lanes);
 };
 

@@ -44,6 +44,7 @@ struct Lives {
   }
 };
 
+/// A register of pairs, looked at. What is NaN proves nothing.
 template <int D, int Degree>
 class Look {
  public:
@@ -80,6 +81,7 @@ class Look {
   }
 
  private:
+  /// The relative motion, each number with a bound on its error, and where those bounds hold.
   void take_motion(const Rows& a, const Rows& b) {
     const Doubles s_a = q_.now - a(q_.a.t), s_b = q_.now - b(q_.b.t);
     usual_ = 1 + greater(abs(s_a), abs(s_b)) + q_.h <= usual_age;
@@ -96,6 +98,7 @@ class Look {
     return {number(at.x), number(at.v), Degree < 2 ? Doubles(0.0) : number(at.a)};
   }
 
+  /// All lengths of the set, with error bounds.
   void take_lengths(const Rows& a, const Rows& b) {
     const auto in_both = [&a, &b](int place_a, int place_b) {
       return BoundedDoubles{a(place_a)} + BoundedDoubles{b(place_b)};
@@ -108,6 +111,7 @@ class Look {
     }
   }
 
+  /// Certainly in all primitives of the piece.
   DoublesMask in_piece(const ContactSet::Piece& piece) const {
     DoublesMask in_all = Doubles(0.0) <= Doubles(0.0);
     for (auto i = piece.all.begin; i < piece.all.end; ++i)

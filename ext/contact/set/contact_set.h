@@ -97,6 +97,7 @@ class ContactSet {
   int half_space(std::span<const AxisPart> normal, const Size& size);
   int ball(std::span<const AxisPart> centre, const Size& radius);
 
+  /// The set is the union of all pieces that were added.
   void add_piece(const Conditions& conditions);
   /// Says that all pieces lie between these faces at all times: for the cheap answer (chord.h).
   void enclose(const Faces& faces) { hull_.push_back(faces); }
@@ -183,6 +184,7 @@ class AllLengths {
       if (!set.lengths()[i].varies) lengths_[i] = length_of<T>(set, nullptr, nullptr, static_cast<int>(i));
   }
 
+  /// From now on the lengths of this pair.
   void take(const ContactSet& set, const double* row_a, const double* row_b) {
     using E = Exactly<T>;
     T* const out = lengths_.data();

@@ -119,7 +119,7 @@ template <int K, class T>
   }
 }
 
-/// Over so many axes.
+/// The square of the distance from the centre, over so many axes, minus that of the radius.
 template <int Count, int K, class T, class Lengths, class Moment, class Wanted>
 [[gnu::always_inline]] inline Powers<T, 2 * K> ball_over(const Primitive& ball, const Powers<T, K>* x,
                                                          const Lengths& lengths, const Moment& tau,
@@ -146,6 +146,7 @@ template <int Count, int K, class T, class Lengths, class Moment, class Wanted>
   return p;
 }
 
+/// The same, over its axes.
 template <int K, class T, class Lengths, class Moment, class Wanted>
 Powers<T, 2 * K> ball_polynomial(const Primitive& ball, const Powers<T, K>* x, const Lengths& lengths,
                                  const Moment& tau, Wanted&& wanted) {

@@ -47,6 +47,7 @@ struct Moments {
   bool none;                    ///< the two never exist together during the horizon
 };
 
+/// Decided exactly: `none` is never a guess.
 inline Moments moments_of(const Setup& setup, const double* row_a, const double* row_b) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const double now = setup.horizon.now, h = setup.horizon.h;
@@ -93,6 +94,7 @@ RelativeAxisMotion<T> relative_axis_motion_of(const Setup& setup, const double* 
           v + (turn_b - turn_a), half_acceleration};
 }
 
+/// From `now` on, on all axes, in T's precision.
 template <class T, int D>
 RelativeMotion<T, D> relative_motion_of(const Setup& setup, const double* row_a, const double* row_b) {
   RelativeMotion<T, D> relative;

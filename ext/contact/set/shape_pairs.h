@@ -11,7 +11,8 @@ namespace foresee::contact {
 
 /// Boxes, points that coincide, and everything in one dimension: on every axis |x| <= H.
 ContactSet box_box_set(const Setup& setup);
-/// Discs and balls, and points that come within a distance: |x| <= R, all axes together.
+/// Discs and balls, and points that come within a distance: |x| <= R, all axes together; R is both radii and
+/// the distance, added.
 ContactSet ball_ball_set(const Setup& setup);
 /// A box and a disc, ball, or point that comes within a distance: Euclidean from the box to the surface.
 ContactSet box_ball_set(const Setup& setup);
