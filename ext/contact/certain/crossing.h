@@ -39,6 +39,7 @@ struct CrossingScratch {
 template <Way way, int D, int Degree>
 class Crossing {
  public:
+  /// Requires: an Advancement has found the bracket, for this pair and this way.
   Crossing(CertainSet<D, Degree>& certain, const RelativeMotion<DoubleDouble, D>& relative,
            const PairLengths<DoubleDouble>& lengths, const Bracket& bracket, double now,
            CrossingScratch& scratch)

@@ -48,6 +48,7 @@ struct Lives {
 template <int D, int Degree>
 class Look {
  public:
+  /// Computes lives, motions and lengths of these pairs. The question must outlive it.
   Look(const LanesQuestion& q, const Rows& a, const Rows& b)
       : q_(q),
         lives_(q, a, b),
@@ -127,6 +128,7 @@ class Look {
   double* const values_;  ///< of each primitive, at most
 };
 
+/// SetKernel::look, register by register.
 template <int D, int Degree>
 void look_here(const LanesQuestion& q, SetLanes& lanes) {
   for (int l = 0; l < lanes.width; l += register_width) {

@@ -32,6 +32,7 @@ std::vector<Beam<D>> sample_of(const BeamSource<D>& a, const BeamSource<D>* b) {
   return sample;
 }
 
+/// What either side needs; no travel where the frame's unit is too small for the test of time.
 template <int D>
 Columns columns_of(const BeamSource<D>& a, const BeamSource<D>* b, const Frame<D>& frame) {
   const Columns first = a.columns(), second = b ? b->columns() : Columns{};

@@ -60,6 +60,7 @@ Range range_of(std::span<const Key> keys, const Range& range) {
   return {std::max(lower_x(least), range.from), std::min(lower_x(most), range.to)};
 }
 
+/// The keys nearly in order, in `out`: those of a bucket along x together, buckets rising.
 void into_buckets(std::span<const Key> keys, const Range& range, Key* out, std::uint32_t* places,
                   Interrupt& interrupt) {
   const std::size_t size = keys.size();

@@ -49,6 +49,7 @@ class FunctionCall {
 
   Connection& connection() const { return connection_; }
 
+  /// Nothing where it was left out. Error for what is no number, and for an integer that no double holds.
   std::optional<double> number(int input) const;
   double required_number(int input) const;
   std::int64_t required_integer(int input) const;
@@ -58,7 +59,8 @@ class FunctionCall {
 
   /// The integer that the query wants `output` to be, if it does.
   std::optional<std::int64_t> only(int output) const;
-  /// What the query wants `output` to lie between, both ends included; infinite where it does not say.
+  /// What the query wants `output` to lie between, both ends included; infinite where it does not say. No
+  /// double that the query takes lies outside.
   struct Bounds {
     double least, most;
   };

@@ -19,6 +19,7 @@ class TableCursor : public sqlite3_vtab_cursor {
   TableCursor(const TableCursor&) = delete;
   TableCursor& operator=(const TableCursor&) = delete;
 
+  /// xFilter: to the first row of a plan, if it has any.
   void filter(TablePlan plan, sqlite3_value** arguments);
   void next();
   bool at_end() const { return position_ >= ids_.size(); }

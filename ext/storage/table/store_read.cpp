@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::int64_t no_number = std::numeric_limits<std::int64_t>::max();
 
+/// All of a leaf, behind what is there.
 void append(const LeafView& leaf, std::size_t record_size, std::vector<std::int64_t>& ids,
             std::vector<double>& records) {
   const std::size_t before = ids.size();
