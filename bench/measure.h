@@ -1,5 +1,5 @@
-// How long does it take, and how much memory? Processor time of this process, repeated, as a median; the peak
-// of a child process.
+// How long does it take, and how much memory? Processor time of this process, repeated, as a median and as a
+// ratio; the peak of a child process.
 #pragma once
 
 #include <sys/resource.h>
@@ -48,5 +48,16 @@ inline double median(std::vector<double> values) {
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
 }
+
+/// Both times and their ratio, one repetition after another.
+struct Comparison {
+  std::vector<double> ours, rivals, ratios;
+
+  void add(double our_seconds, double rival_seconds) {
+    ours.push_back(our_seconds);
+    rivals.push_back(rival_seconds);
+    ratios.push_back(rival_seconds / our_seconds);
+  }
+};
 
 }  // namespace foresee::bench

@@ -46,6 +46,13 @@ class Statement {
     db_.require_ok(sqlite3_reset(statement_));
     return false;
   }
+  /// Steps through all rows; how many they were.
+  std::int64_t step_all() {
+    std::int64_t rows = 0;
+    while (step()) ++rows;
+    return rows;
+  }
+  int columns() { return sqlite3_column_count(statement_); }
   std::int64_t integer(int column) { return sqlite3_column_int64(statement_, column); }
   double number(int column) { return sqlite3_column_double(statement_, column); }
 

@@ -39,22 +39,13 @@ std::vector<Row> rows_of(Statement& statement) {
   return rows;
 }
 
-/// Medians of both times and of their ratio, one repetition after another.
-struct Comparison {
-  std::vector<double> ours, rivals, ratios;
-
-  void add(double our_seconds, double rival_seconds) {
-    ours.push_back(our_seconds);
-    rivals.push_back(rival_seconds);
-    ratios.push_back(rival_seconds / our_seconds);
-  }
-  void print(const char* what, std::size_t count, double mark) const {
-    const double per_object = 1e9 / static_cast<double>(count);
-    std::printf("%-24s foresee %7.0f   rival %7.0f ns an object   %6.2fx (mark: %gx)\n", what,
-                median(ours) * per_object, median(rivals) * per_object, median(ratios), mark);
-    std::fflush(stdout);
-  }
-};
+/// Medians of both times and of their ratio.
+void print(const std::string& what, const Comparison& times, std::size_t count, double mark) {
+  const double per_object = 1e9 / static_cast<double>(count);
+  std::printf("%-24s foresee %7.0f   rival %7.0f ns an object   %6.2fx (mark: %gx)\n", what.c_str(),
+              median(times.ours) * per_object, median(times.rivals) * per_object, median(times.ratios), mark);
+  std::fflush(stdout);
+}
 
 /// False if the two answers differ.
 bool compare_joins(std::size_t count, int repetitions) {
@@ -71,23 +62,19 @@ bool compare_joins(std::size_t count, int repetitions) {
   std::sort(rival_rows.begin(), rival_rows.end());
   if (our_rows != rival_rows) return false;
 
-  auto step_all = [](Statement& statement) {
-    while (statement.step()) {
-    }
-  };
   Statement our_count(db, "SELECT count(*) FROM predictive_join(3)");
   Statement our_first(db, "SELECT a, b, t FROM predictive_join(3) WHERE dt > 0 ORDER BY t LIMIT 10");
   Comparison all, number, first;
   for (int i = 0; i < repetitions; ++i) {
-    const double ours = seconds_of([&] { step_all(our_join); }),
-                 counted = seconds_of([&] { step_all(our_count); }),
-                 earliest = seconds_of([&] { step_all(our_first); }),
-                 rivals = seconds_of([&] { step_all(rival_join); });
+    const double ours = seconds_of([&] { our_join.step_all(); }),
+                 counted = seconds_of([&] { our_count.step_all(); }),
+                 earliest = seconds_of([&] { our_first.step_all(); }),
+                 rivals = seconds_of([&] { rival_join.step_all(); });
     all.add(ours, rivals), number.add(counted, rivals), first.add(earliest, rivals);
   }
-  all.print(("join " + w.name).c_str(), count, 22);
-  number.print("  count(*)", count, 34);
-  first.print("  first ten", count, 60);
+  print("join " + w.name, all, count, 22);
+  print("  count(*)", number, count, 34);
+  print("  first ten", first, count, 60);
   std::printf("  %zu rows, equal\n", our_rows.size());
   return true;
 }
@@ -117,15 +104,10 @@ void compare_with_fresh(Database& updated, const Workload& w, int repetitions) {
   load_ours(fresh, stored(updated, w));
   const std::string sql = "SELECT a, b, t FROM predictive_join(3)";
   Statement of_updated(updated, sql), of_fresh(fresh, sql);
-  const auto seconds_of_all = [](Statement& join) {
-    return seconds_of([&] {
-      while (join.step()) {
-      }
-    });
-  };
   std::vector<double> ratios;
   for (int i = 0; i <= 3 * repetitions; ++i) {
-    const double seconds = seconds_of_all(of_updated), as_fresh = seconds_of_all(of_fresh);
+    const double seconds = seconds_of([&] { of_updated.step_all(); }),
+                 as_fresh = seconds_of([&] { of_fresh.step_all(); });
     if (i > 0) ratios.push_back(as_fresh / seconds);
   }
   std::printf("  then the join of %s, fresh / updated %.2fx (mark: 0.87x)\n", w.name.c_str(), median(ratios));
@@ -163,7 +145,7 @@ void compare_updates(std::size_t count, int repetitions) {
                      rival.move(object, box, row, dx, dy);
                    }));
   }
-  comparison.print(("update " + w.name).c_str(), updates, 4);
+  print("update " + w.name, comparison, updates, 4);
   compare_with_fresh(our_db, w, repetitions);
 }
 
@@ -197,7 +179,7 @@ void compare_loads(std::size_t count, int repetitions, bool into_file) {
     comparison.add(our_seconds, seconds_of([&] { rival.load(); }));
     if (into_file && i == 0) print_sizes(files.ours, files.theirs, w.count);
   }
-  comparison.print(("load " + w.name + (into_file ? ", file" : ", memory")).c_str(), count, 6);
+  print("load " + w.name + (into_file ? ", file" : ", memory"), comparison, count, 6);
 }
 
 int main_of(const Options& options) {

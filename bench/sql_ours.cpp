@@ -4,20 +4,24 @@
 
 namespace foresee::bench {
 
-std::string columns_of(const Workload& w) {
-  std::string columns;
+std::string columns_of(const Layout& layout) {
+  std::string columns = layout.has_t ? "t" : "";
   const auto add = [&](const char* prefix) {
-    for (int axis = 0; axis < w.layout.axes; ++axis)
+    for (int axis = 0; axis < layout.axes; ++axis)
       columns += (columns.empty() ? "" : ", ") + std::string(prefix) + "xyz"[axis];
   };
   add("");
   add("v");
-  if (w.layout.law == Law::accelerated) add("a");
-  const Shape shape = w.layout.shape;
+  if (layout.law == Law::accelerated) add("a");
+  const Shape shape = layout.shape;
   if (shape == Shape::box) add("h");
   if (shape == Shape::ball || shape == Shape::cylinder) columns += ", r";
   if (shape == Shape::cylinder) columns += ", hz";
   return columns;
+}
+
+std::string columns_of(const Workload& w) {
+  return columns_of(w.layout);
 }
 
 std::string places_for(const Workload& w) {

@@ -15,7 +15,9 @@ void create_ours(Database& db, const Workload& w);
 /// Prepared single-row INSERTs in one transaction; ids count from 1.
 void load_ours(Database& db, const Workload& w);
 
-/// "x, y, vx, vy, …": the columns that a workload's rows have, in their order. Without times.
+/// "t, x, y, vx, vy, …": the columns that rows of this layout, or of a workload, have, in their order.
+/// Without `until`.
+std::string columns_of(const Layout& layout);
 std::string columns_of(const Workload& w);
 
 /// "(?, ?, …)" for an id and those columns.

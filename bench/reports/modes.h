@@ -1,0 +1,14 @@
+// The modes of bench_sql_reports, one file each; sql_reports.cpp describes what they measure.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "program.h"
+
+namespace foresee::bench {
+
+/// Every mode throws Error where two sides that must agree do not.
+void measure_updates(const Options& options);
+
+}  // namespace foresee::bench

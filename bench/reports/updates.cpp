@@ -1,0 +1,114 @@
+// 100,000 reports of random objects in one transaction, against the R*Tree; every object once, against a load
+// and an ordinary table; one report a transaction, against the R*Tree.
+#include <cstdio>
+#include <functional>
+
+#include "files.h"
+#include "measure.h"
+#include "reports/modes.h"
+#include "reports/table.h"
+
+namespace foresee::bench {
+namespace {
+
+constexpr std::size_t reports_a_transaction = 100000;
+
+void print(const std::string& what, const Comparison& times, const char* rival, std::size_t count,
+           double mark) {
+  const double a_row = 1e6 / static_cast<double>(count);
+  std::printf("%-48s foresee %8.2f   %-14s %8.2f us a row   %6.2fx (mark: %gx)\n", what.c_str(),
+              median(times.ours) * a_row, rival, median(times.rivals) * a_row, median(times.ratios), mark);
+  std::fflush(stdout);
+}
+
+void require_same_rows(Table& ours, Table& rival, const Workload& w) {
+  if (!same_rows(ours, rival)) throw Error(w.name + ": the two tables hold other rows after the reports");
+}
+
+/// Both tables, loaded with the objects of a feed.
+struct Pair {
+  Pair(const Feed& feed, Medium medium, Table::Kind rival_kind)
+      : ours(Table::foresee, feed.objects(), medium, files.ours),
+        rival(rival_kind, feed.objects(), medium, files.theirs) {
+    const Writes all = writes_of(feed.objects());
+    ours.insert_all(all);
+    rival.insert_all(all);
+  }
+
+  const TwoFiles files;
+  Table ours, rival;
+};
+
+/// Many reports in one transaction.
+void compare_batches(const Workload& scene, Medium medium, int repetitions) {
+  Feed feed(scene);
+  Pair pair(feed, medium, Table::rtree);
+  Comparison times;
+  for (int i = 0; i < repetitions; ++i) {
+    const Writes writes = writes_of(feed.random_reports(reports_a_transaction), feed.objects());
+    const double ours = seconds_of([&] { pair.ours.update_all(writes); });
+    times.add(ours, seconds_of([&] { pair.rival.update_all(writes); }));
+  }
+  require_same_rows(pair.ours, pair.rival, scene);
+  print("100,000 reports, " + scene.name + ", " + name_of(medium), times, "R*Tree", reports_a_transaction,
+        scene.name == "S-100000" ? 6 : 5);
+}
+
+/// Every object once in one transaction; beside it a load in memory, or an ordinary table in a file.
+void compare_all_rows(const Workload& scene, Medium medium, int repetitions) {
+  Feed feed(scene);
+  Pair pair(feed, medium, Table::ordinary);
+  Comparison with_load, with_ordinary;
+  for (int i = 0; i < repetitions; ++i) {
+    const Writes writes = writes_of(feed.reports_of_all(), feed.objects());
+    const double ours = seconds_of([&] { pair.ours.update_all(writes); });
+    with_ordinary.add(ours, seconds_of([&] { pair.rival.update_all(writes); }));
+    const Writes rows = writes_of(feed.objects());
+    Table fresh(Table::foresee, feed.objects(), Medium::memory, "");
+    with_load.add(ours, seconds_of([&] { fresh.insert_all(rows); }));
+  }
+  require_same_rows(pair.ours, pair.rival, scene);
+  const std::string what = "all rows once, " + scene.name + ", " + name_of(medium);
+  print(what, with_load, "load in memory", scene.count, 1 / 1.5);
+  print(what, with_ordinary, "ordinary table", scene.count, 1);
+}
+
+/// One report a transaction.
+void compare_single_reports(const Workload& scene, Medium medium, int repetitions) {
+  constexpr std::size_t commits = 2000;
+  Feed feed(scene);
+  Pair pair(feed, medium, Table::rtree);
+  Comparison times;
+  for (int i = 0; i < repetitions; ++i) {
+    const Writes writes = writes_of(feed.random_reports(commits), feed.objects());
+    const auto one_by_one = [&](Table& table) {
+      return seconds_of([&] {
+        for (std::size_t k = 0; k < writes.size(); ++k) table.update_alone(writes, k);
+      });
+    };
+    const double ours = one_by_one(pair.ours);
+    times.add(ours, one_by_one(pair.rival));
+  }
+  require_same_rows(pair.ours, pair.rival, scene);
+  print("one report a transaction, " + scene.name + ", " + name_of(medium), times, "R*Tree", commits, 1);
+}
+
+}  // namespace
+
+void measure_updates(const Options& options) {
+  const bool quick = options.has("--quick");
+  const std::vector<std::string> few = {"S-100000", "P-zipf-5000"};
+  const std::vector<std::string> all = {"S-100000", "S-1000000", "P-zipf-5000", "L-30", "M-100000"};
+  for (const std::string& name : options.names(quick ? few : all)) {
+    const Workload scene = make_workload(name);
+    const int repetitions = quick || scene.count > 500000 ? 3 : 5;
+    for (const Medium medium : all_mediums) {
+      if (quick && medium != Medium::memory) continue;
+      compare_batches(scene, medium, repetitions);
+      compare_all_rows(scene, medium, repetitions);
+      compare_single_reports(scene, medium, 5);
+    }
+  }
+}
+
+}  // namespace foresee::bench
