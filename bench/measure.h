@@ -9,9 +9,11 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <exception>
 #include <vector>
 
 #include "all_rooms.h"
+#include "base/error.h"
 
 namespace foresee::bench {
 
@@ -29,19 +31,46 @@ double seconds_of(Work&& work) {
   return cpu_seconds() - begin;
 }
 
-/// The most memory, in bytes, of a process that only does `work`; this one should not have done much yet.
+struct Cost {
+  double seconds, peak_bytes;
+};
+
+/// What a child process took that only does `work`, which returns the seconds that count; this process should
+/// not have done much yet. Throws Error where the child failed.
 template <class Work>
-double peak_of(Work&& work) {
+Cost cost_in_child(Work&& work) {
   std::fflush(stdout);
+  int ends[2];
+  if (pipe(ends) != 0) throw Error("no pipe to a child process");
   const pid_t child = fork();
   if (child == 0) {
-    work();
-    _exit(0);
+    try {
+      const double seconds = work();
+      _exit(write(ends[1], &seconds, sizeof seconds) == sizeof seconds ? 0 : 1);
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "%s\n", error.what());
+      _exit(1);
+    }
   }
+  double seconds = 0;
+  close(ends[1]);
+  const bool done = read(ends[0], &seconds, sizeof seconds) == sizeof seconds;
+  close(ends[0]);
   int status = 0;
   rusage usage{};
   wait4(child, &status, 0, &usage);
-  return static_cast<double>(usage.ru_maxrss) * 1024;
+  if (!done) throw Error("a child process failed");
+  return {seconds, static_cast<double>(usage.ru_maxrss) * 1024};
+}
+
+/// The most memory, in bytes, of such a child.
+template <class Work>
+double peak_of(Work&& work) {
+  return cost_in_child([&] {
+           work();
+           return 0.0;
+         })
+      .peak_bytes;
 }
 
 inline double median(std::vector<double> values) {

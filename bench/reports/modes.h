@@ -8,7 +8,12 @@
 
 namespace foresee::bench {
 
-/// Every mode throws Error where two sides that must agree do not.
+/// Every mode prints as it goes and throws Error where two sides that must agree do not.
 void measure_updates(const Options& options);
+void measure_commits(const Options& options);
+void measure_loads(const Options& options);
+void measure_lookups(const Options& options);
+void measure_after(const Options& options);
+void measure_planner(const Options& options);
 
 }  // namespace foresee::bench

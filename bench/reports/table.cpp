@@ -8,7 +8,7 @@ namespace {
 
 template <int D>
 void add_swept_box(const Bodies& bodies, std::size_t i, double h, std::vector<double>& boxes) {
-  const Box<D> box = swept_box<D>(bodies, i, {bodies.row(i)[bodies.at.t], h}, Vec<D>::Zero());
+  const Box<D> box = swept_box<D>(bodies, i, {value_or(bodies.row(i), bodies.at.t, 0), h}, Vec<D>::Zero());
   for (int axis = 0; axis < D; ++axis) boxes.insert(boxes.end(), {box.lower[axis], box.upper[axis]});
 }
 
@@ -62,6 +62,14 @@ const char* name_of(Medium medium) {
   return names[static_cast<int>(medium)];
 }
 
+std::vector<Medium> mediums_of(const Options& options, std::vector<Medium> otherwise) {
+  std::vector<Medium> mediums;
+  if (options.has("--memory")) mediums.push_back(Medium::memory);
+  if (options.has("--journal")) mediums.push_back(Medium::journal);
+  if (options.has("--wal")) mediums.push_back(Medium::wal);
+  return mediums.empty() ? otherwise : mediums;
+}
+
 Writes writes_of(const Workload& w) {
   std::vector<std::int64_t> ids;
   for (std::size_t i = 1; i <= w.count; ++i) ids.push_back(static_cast<std::int64_t>(i));
@@ -95,13 +103,17 @@ Table::Table(Kind kind, const Workload& w, Medium medium, const std::string& pat
 }
 
 void Table::insert(const Writes& writes, std::size_t i) {
-  insert_->bind(1, writes.ids[i]);
-  bind(*insert_, 2, of(i, writes.rows, columns_), columns_);
-  insert_->step();
+  insert(writes.ids[i], of(i, writes.rows, columns_));
   if (!insert_box_) return;
   insert_box_->bind(1, writes.ids[i]);
   bind(*insert_box_, 2, of(i, writes.boxes, box_columns_), box_columns_);
   insert_box_->step();
+}
+
+void Table::insert(std::int64_t id, const double* row) {
+  insert_->bind(1, id);
+  bind(*insert_, 2, row, columns_);
+  insert_->step();
 }
 
 void Table::update(const Writes& writes, std::size_t i) {

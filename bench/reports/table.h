@@ -8,6 +8,7 @@
 
 #include <memory>
 
+#include "program.h"
 #include "reports/feed.h"
 #include "sql.h"
 
@@ -15,8 +16,9 @@ namespace foresee::bench {
 
 /// Where a table is, and how its commits are made safe.
 enum class Medium { memory, journal, wal };
-inline constexpr Medium all_mediums[] = {Medium::memory, Medium::journal, Medium::wal};
 const char* name_of(Medium medium);
+/// Those that the command names, --memory, --journal or --wal; without any, `otherwise`.
+std::vector<Medium> mediums_of(const Options& options, std::vector<Medium> otherwise);
 
 /// Rows to write with the boxes that they sweep, ready before the clock starts.
 struct Writes {
@@ -44,6 +46,8 @@ class Table {
   /// A prepared single-row INSERT, or UPDATE of all columns that say where and how an object moves, by id; of
   /// an R*Tree the box as well. No transaction of its own.
   void insert(const Writes& writes, std::size_t i);
+  /// Not of an R*Tree.
+  void insert(std::int64_t id, const double* row);
   void update(const Writes& writes, std::size_t i);
 
   /// All of `writes` in one transaction.

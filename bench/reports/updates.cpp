@@ -1,12 +1,10 @@
 // 100,000 reports of random objects in one transaction, against the R*Tree; every object once, against a load
 // and an ordinary table; one report a transaction, against the R*Tree.
 #include <cstdio>
-#include <functional>
 
-#include "files.h"
 #include "measure.h"
 #include "reports/modes.h"
-#include "reports/table.h"
+#include "reports/two_tables.h"
 
 namespace foresee::bench {
 namespace {
@@ -21,35 +19,17 @@ void print(const std::string& what, const Comparison& times, const char* rival, 
   std::fflush(stdout);
 }
 
-void require_same_rows(Table& ours, Table& rival, const Workload& w) {
-  if (!same_rows(ours, rival)) throw Error(w.name + ": the two tables hold other rows after the reports");
-}
-
-/// Both tables, loaded with the objects of a feed.
-struct Pair {
-  Pair(const Feed& feed, Medium medium, Table::Kind rival_kind)
-      : ours(Table::foresee, feed.objects(), medium, files.ours),
-        rival(rival_kind, feed.objects(), medium, files.theirs) {
-    const Writes all = writes_of(feed.objects());
-    ours.insert_all(all);
-    rival.insert_all(all);
-  }
-
-  const TwoFiles files;
-  Table ours, rival;
-};
-
 /// Many reports in one transaction.
 void compare_batches(const Workload& scene, Medium medium, int repetitions) {
   Feed feed(scene);
-  Pair pair(feed, medium, Table::rtree);
+  TwoTables tables(feed, medium, Table::rtree);
   Comparison times;
   for (int i = 0; i < repetitions; ++i) {
     const Writes writes = writes_of(feed.random_reports(reports_a_transaction), feed.objects());
-    const double ours = seconds_of([&] { pair.ours.update_all(writes); });
-    times.add(ours, seconds_of([&] { pair.rival.update_all(writes); }));
+    const double ours = seconds_of([&] { tables.ours.update_all(writes); });
+    times.add(ours, seconds_of([&] { tables.rival.update_all(writes); }));
   }
-  require_same_rows(pair.ours, pair.rival, scene);
+  tables.require_same_rows();
   print("100,000 reports, " + scene.name + ", " + name_of(medium), times, "R*Tree", reports_a_transaction,
         scene.name == "S-100000" ? 6 : 5);
 }
@@ -57,17 +37,17 @@ void compare_batches(const Workload& scene, Medium medium, int repetitions) {
 /// Every object once in one transaction; beside it a load in memory, or an ordinary table in a file.
 void compare_all_rows(const Workload& scene, Medium medium, int repetitions) {
   Feed feed(scene);
-  Pair pair(feed, medium, Table::ordinary);
+  TwoTables tables(feed, medium, Table::ordinary);
   Comparison with_load, with_ordinary;
   for (int i = 0; i < repetitions; ++i) {
     const Writes writes = writes_of(feed.reports_of_all(), feed.objects());
-    const double ours = seconds_of([&] { pair.ours.update_all(writes); });
-    with_ordinary.add(ours, seconds_of([&] { pair.rival.update_all(writes); }));
+    const double ours = seconds_of([&] { tables.ours.update_all(writes); });
+    with_ordinary.add(ours, seconds_of([&] { tables.rival.update_all(writes); }));
     const Writes rows = writes_of(feed.objects());
     Table fresh(Table::foresee, feed.objects(), Medium::memory, "");
     with_load.add(ours, seconds_of([&] { fresh.insert_all(rows); }));
   }
-  require_same_rows(pair.ours, pair.rival, scene);
+  tables.require_same_rows();
   const std::string what = "all rows once, " + scene.name + ", " + name_of(medium);
   print(what, with_load, "load in memory", scene.count, 1 / 1.5);
   print(what, with_ordinary, "ordinary table", scene.count, 1);
@@ -77,7 +57,7 @@ void compare_all_rows(const Workload& scene, Medium medium, int repetitions) {
 void compare_single_reports(const Workload& scene, Medium medium, int repetitions) {
   constexpr std::size_t commits = 2000;
   Feed feed(scene);
-  Pair pair(feed, medium, Table::rtree);
+  TwoTables tables(feed, medium, Table::rtree);
   Comparison times;
   for (int i = 0; i < repetitions; ++i) {
     const Writes writes = writes_of(feed.random_reports(commits), feed.objects());
@@ -86,10 +66,10 @@ void compare_single_reports(const Workload& scene, Medium medium, int repetition
         for (std::size_t k = 0; k < writes.size(); ++k) table.update_alone(writes, k);
       });
     };
-    const double ours = one_by_one(pair.ours);
-    times.add(ours, one_by_one(pair.rival));
+    const double ours = one_by_one(tables.ours);
+    times.add(ours, one_by_one(tables.rival));
   }
-  require_same_rows(pair.ours, pair.rival, scene);
+  tables.require_same_rows();
   print("one report a transaction, " + scene.name + ", " + name_of(medium), times, "R*Tree", commits, 1);
 }
 
@@ -99,11 +79,12 @@ void measure_updates(const Options& options) {
   const bool quick = options.has("--quick");
   const std::vector<std::string> few = {"S-100000", "P-zipf-5000"};
   const std::vector<std::string> all = {"S-100000", "S-1000000", "P-zipf-5000", "L-30", "M-100000"};
+  std::vector<Medium> mediums = {Medium::memory};
+  if (!quick) mediums.insert(mediums.end(), {Medium::journal, Medium::wal});
   for (const std::string& name : options.names(quick ? few : all)) {
     const Workload scene = make_workload(name);
     const int repetitions = quick || scene.count > 500000 ? 3 : 5;
-    for (const Medium medium : all_mediums) {
-      if (quick && medium != Medium::memory) continue;
+    for (const Medium medium : mediums_of(options, mediums)) {
       compare_batches(scene, medium, repetitions);
       compare_all_rows(scene, medium, repetitions);
       compare_single_reports(scene, medium, 5);
