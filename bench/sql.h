@@ -55,6 +55,7 @@ class Statement {
   int columns() { return sqlite3_column_count(statement_); }
   std::int64_t integer(int column) { return sqlite3_column_int64(statement_, column); }
   double number(int column) { return sqlite3_column_double(statement_, column); }
+  sqlite3_stmt* handle() { return statement_; }
 
  private:
   Database& db_;

@@ -149,8 +149,9 @@ void transactions_of(Table& table, const Writes& writes, std::size_t transaction
 
 void measure_after(const Options& options) {
   const bool quick = options.has("--quick");
-  for (const std::string& name : options.names({"S-100000"})) {
-    const int repetitions = quick ? 3 : 7;
+  const int repetitions = quick ? 3 : 7;
+  const std::vector<std::string> few = {"S-100000"}, all = {"S-100000", "S-1000000"};
+  for (const std::string& name : options.names(quick ? few : all)) {
     Feed feed(make_workload(name));
     Table reported(Table::foresee, feed.objects(), Medium::memory, "");
     reported.insert_all(writes_of(feed.objects()));

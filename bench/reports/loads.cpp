@@ -84,9 +84,9 @@ double print(const std::string& what, const Workload& w, const Cost& cost, doubl
 
 /// Loads in one transaction and in many, and what rewrites the whole table.
 double measure(const Workload& w, double first) {
-  const Loader loader(w);
   for (const bool shuffles : {false, true}) {
     const Order order = shuffles ? shuffled(w.count) : ascending(w.count);
+    const Loader loader(w);
     for (const std::size_t transactions : {1, 10, 20}) {
       const TwoFiles files;
       const auto print_file = [&](const std::string& what, const Cost& cost) {

@@ -87,6 +87,7 @@ Table::Table(Kind kind, const Workload& w, Medium medium, const std::string& pat
       moving_columns_(number_of(moving_columns_of(w.layout))),
       box_columns_(2 * w.layout.axes),
       db_(medium == Medium::memory ? ":memory:" : path) {
+  if (medium != Medium::memory) db_.run("PRAGMA synchronous = OFF");
   if (medium == Medium::wal) db_.run("PRAGMA journal_mode = WAL");
   const std::string columns = columns_of(w);
   if (kind == foresee)

@@ -14,7 +14,7 @@
 
 namespace foresee::bench {
 
-/// Where a table is, and how its commits are made safe.
+/// Where a table is, and how its commits are made safe. Nobody waits for the disk (synchronous = OFF).
 enum class Medium { memory, journal, wal };
 const char* name_of(Medium medium);
 /// Those that the command names, --memory, --journal or --wal; without any, `otherwise`.
