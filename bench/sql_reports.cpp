@@ -14,8 +14,8 @@
 //
 //   --updates  S-100000, S-1000000, P-zipf-5000, L-30, M-100000, each in every medium:
 //              100,000 reports of random objects in one transaction, against the R*Tree;
-//              one report of every object in random order in one transaction, against a load of the same rows
-//              in memory, and against the ordinary table alone;
+//              one report of every object in random order in one transaction: in memory against a load of the
+//              same rows, in a file against the ordinary table alone;
 //              one report a transaction, 2000 a repetition, against the R*Tree.
 //              (--quick: S-100000 and P-zipf-5000, in memory.)
 //   --commits  S-1000000 in a file, journal and WAL: 100,000 transactions of one report: the median and the
@@ -28,7 +28,7 @@
 //   --lookups  S-1000000, in memory: x of a fifth of the ids, drawn at random, in that or in rising order: by
 //   a
 //              prepared question, from a list table by CROSS JOIN, by IN; and the pairs of a join with
-//              horizon 10 joined to the table by id on one side or both. Against an ordinary table of the
+//              horizon 11 joined to the table by id on one side or both. Against an ordinary table of the
 //              same rows in the same database; what list or join take alone is taken off on both sides.
 //              (--quick: S-100000.)
 //   --after    S-100000 and S-1000000, in memory: every object reports ten times, each time in ten

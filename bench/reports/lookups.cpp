@@ -163,7 +163,7 @@ void measure_lookups(const Options& options) {
       std::printf("look-ups, %s, %s\n", name.c_str(), name_of(medium));
       Tables tables(w, medium, files.ours);
       compare_lists(tables, repetitions);
-      compare_joins(tables, 10, repetitions);
+      compare_joins(tables, 11, repetitions);
     }
 }
 

@@ -34,23 +34,28 @@ void compare_batches(const Workload& scene, Medium medium, int repetitions) {
         scene.name == "S-100000" ? 6 : 5);
 }
 
-/// Every object once in one transaction; beside it a load in memory, or an ordinary table in a file.
+double seconds_of_load(const Workload& w) {
+  const Writes rows = writes_of(w);
+  Table fresh(Table::foresee, w, Medium::memory, "");
+  return seconds_of([&] { fresh.insert_all(rows); });
+}
+
+/// Every object once in one transaction: in memory beside a load of the same rows, in a file beside an
+/// ordinary table.
 void compare_all_rows(const Workload& scene, Medium medium, int repetitions) {
   Feed feed(scene);
   TwoTables tables(feed, medium, Table::ordinary);
-  Comparison with_load, with_ordinary;
+  Comparison times;
   for (int i = 0; i < repetitions; ++i) {
     const Writes writes = writes_of(feed.reports_of_all(), feed.objects());
     const double ours = seconds_of([&] { tables.ours.update_all(writes); });
-    with_ordinary.add(ours, seconds_of([&] { tables.rival.update_all(writes); }));
-    const Writes rows = writes_of(feed.objects());
-    Table fresh(Table::foresee, feed.objects(), Medium::memory, "");
-    with_load.add(ours, seconds_of([&] { fresh.insert_all(rows); }));
+    const double ordinary = seconds_of([&] { tables.rival.update_all(writes); });
+    times.add(ours, medium == Medium::memory ? seconds_of_load(feed.objects()) : ordinary);
   }
   tables.require_same_rows();
-  const std::string what = "all rows once, " + scene.name + ", " + name_of(medium);
-  print(what, with_load, "load in memory", scene.count, 1 / 1.5);
-  print(what, with_ordinary, "ordinary table", scene.count, 1);
+  const bool in_memory = medium == Medium::memory;
+  print("all rows once, " + scene.name + ", " + name_of(medium), times, in_memory ? "load" : "ordinary table",
+        scene.count, in_memory ? 1 / 1.5 : 1);
 }
 
 /// One report a transaction.
