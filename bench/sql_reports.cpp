@@ -26,20 +26,17 @@
 //              --loads S-500000 S-10000000 shows how they grow. Then a load in one transaction against the
 //              R*Tree, for scenes up to a million. (--quick: S-100000.)
 //   --lookups  S-1000000, in memory: x of a fifth of the ids, drawn at random, in that or in rising order: by
-//   a
-//              prepared question, from a list table by CROSS JOIN, by IN; and the pairs of a join with
+//              a prepared question, from a list table by CROSS JOIN, by IN; and the pairs of a join with
 //              horizon 11 joined to the table by id on one side or both. Against an ordinary table of the
 //              same rows in the same database; what list or join take alone is taken off on both sides.
 //              (--quick: S-100000.)
 //   --after    S-100000 and S-1000000, in memory: every object reports ten times, each time in ten
-//   transactions
-//              of a random tenth; another table is loaded in twenty transactions. Then joins, windows of
-//              about 10, 100 and 1000, nearest and a = ?, against a fresh table of the same objects, and the
-//              size of both. Scenes of two axes. (--quick: S-100000.)
+//              transactions of a random tenth; another table is loaded in twenty transactions. Then joins,
+//              windows of about 10, 100 and 1000, nearest and a = ?, against a fresh table of the same
+//              objects, and the size of both. Scenes of two axes. (--quick: S-100000.)
 //   --planner  S-100000 and L-30: ships s JOIN predictive_join(60, 'ships') j ON j.a = s.id WHERE s.x < 100,
-//   and
-//              the same in the two orders that CROSS JOIN can prescribe; one that takes more than twice as
-//              long is stopped. (--quick: S-10000 and L-30.)
+//              and the same in the two orders that CROSS JOIN can prescribe; one that takes more than twice
+//              as long is stopped. (--quick: S-10000 and L-30.)
 //
 // Processor time, medians; a ratio is the other side's time over ours in the same repetition, unless it says
 // "times". Fails if two sides that must agree hold other rows or give other answers.
