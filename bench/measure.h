@@ -41,21 +41,21 @@ template <class Work>
 Cost cost_in_child(Work&& work) {
   std::fflush(stdout);
   int ends[2];
-  if (pipe(ends) != 0) throw Error("no pipe to a child process");
+  if (::pipe(ends) != 0) throw Error("no pipe to a child process");
   const pid_t child = fork();
   if (child == 0) {
     try {
       const double seconds = work();
-      _exit(write(ends[1], &seconds, sizeof seconds) == sizeof seconds ? 0 : 1);
+      _exit(::write(ends[1], &seconds, sizeof seconds) == sizeof seconds ? 0 : 1);
     } catch (const std::exception& error) {
       std::fprintf(stderr, "%s\n", error.what());
       _exit(1);
     }
   }
   double seconds = 0;
-  close(ends[1]);
-  const bool done = read(ends[0], &seconds, sizeof seconds) == sizeof seconds;
-  close(ends[0]);
+  ::close(ends[1]);
+  const bool done = ::read(ends[0], &seconds, sizeof seconds) == sizeof seconds;
+  ::close(ends[0]);
   int status = 0;
   rusage usage{};
   wait4(child, &status, 0, &usage);
