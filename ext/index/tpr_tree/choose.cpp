@@ -21,23 +21,90 @@ double typical_query(const Node& inner, const VisitCost<D>& cost) {
 }  // namespace
 
 template <int D>
-std::size_t choose_child(const Node& inner, const Bounds<D>& added, const VisitCost<D>& cost) {
-  const double query = typical_query(inner, cost);
+ChildChoice<D>::ChildChoice(const Node& inner, const VisitCost<D>& cost)
+    : children_(inner.size()),
+      cost_(cost),
+      query_(typical_query(inner, cost)),
+      faces_(children_ * faces * D),
+      widths_(children_ * faces / 2 * D),
+      product_(children_),
+      before_(children_),
+      after_(children_) {
+  for (std::size_t slot = 0; slot < children_; ++slot) {
+    const double* from = inner.values.data() + slot * entry_size(D) + times_size;
+    for (std::size_t part = 0; part < faces * D; ++part) faces_[part * children_ + slot] = from[part];
+  }
+  costs_with(Bounds<D>::nothing(), before_);
+}
+
+/// What each child costs with `added` in it: as VisitCost says, children side by side.
+template <int D>
+void ChildChoice<D>::costs_with(const Bounds<D>& added, std::vector<double>& costs) {
+  const Vec<D>* ends[] = {&added.x_lower, &added.x_upper, &added.v_lower,
+                          &added.v_upper, &added.a_lower, &added.a_upper};
+  for (int part = 0; part < faces; part += 2) {
+    const double more = part == x_lower ? query_ : 0, share = part == a_lower ? 0.5 : 1;
+    for (int axis = 0; axis < D; ++axis) {
+      const double *least = face(part, axis), *most = face(part + 1, axis);
+      const double low = (*ends[part])[axis], high = (*ends[part + 1])[axis];
+      double* width = widths_.data() + static_cast<std::size_t>(part / 2 * D + axis) * children_;
+      for (std::size_t slot = 0; slot < children_; ++slot)
+        width[slot] =
+            ((most[slot] > high ? most[slot] : high) - (least[slot] < low ? least[slot] : low)) * share +
+            more;
+    }
+  }
+  std::fill(costs.begin(), costs.end(), 0.0);
+  for (int moment = 0; moment < 3; ++moment) {
+    const double s = cost_.elapsed(moment);
+    std::fill(product_.begin(), product_.end(), moment == 1 ? 4.0 : 1.0);
+    for (int axis = 0; axis < D; ++axis) {
+      const double* x = widths_.data() + static_cast<std::size_t>(axis) * children_;
+      const double *v = x + D * children_, *a = v + D * children_;
+      for (std::size_t slot = 0; slot < children_; ++slot)
+        product_[slot] *= VisitCost<D>::within_reason(x[slot] + s * (v[slot] + s * a[slot]));
+    }
+    for (std::size_t slot = 0; slot < children_; ++slot) costs[slot] += product_[slot];
+  }
+}
+
+template <int D>
+std::size_t ChildChoice<D>::choose(const Bounds<D>& added) {
+  costs_with(added, after_);
   std::size_t best = 0;
   double least_growth = std::numeric_limits<double>::infinity(), least_cost = least_growth;
-  for (std::size_t slot = 0; slot < inner.size(); ++slot) {
-    const Bounds<D> before = bounds_at<D>(inner, slot);
-    Bounds<D> after = before;
-    after.include(added);
-    const double cost_before = cost(before, query), growth = cost(after, query) - cost_before;
-    if (growth < least_growth || (growth == least_growth && cost_before < least_cost))
-      best = slot, least_growth = growth, least_cost = cost_before;
+  for (std::size_t slot = 0; slot < children_; ++slot) {
+    const double growth = after_[slot] - before_[slot];
+    if (growth < least_growth || (growth == least_growth && before_[slot] < least_cost))
+      best = slot, least_growth = growth, least_cost = before_[slot];
   }
   return best;
 }
 
-template std::size_t choose_child<1>(const Node&, const Bounds<1>&, const VisitCost<1>&);
-template std::size_t choose_child<2>(const Node&, const Bounds<2>&, const VisitCost<2>&);
-template std::size_t choose_child<3>(const Node&, const Bounds<3>&, const VisitCost<3>&);
+template <int D>
+std::size_t closest_sibling(const TreeState<D>& state, const Node& above, NodeNumber number) {
+  const VisitCost<D> cost = state.cost(above.epoch);
+  const std::size_t own_slot = slot_of(above, number);
+  const Bounds<D> own = bounds_at<D>(above, own_slot);
+  const double query = 0.1 * cost.mean_width(own);
+  std::size_t best = own_slot;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t slot = 0; slot < above.size(); ++slot) {
+    if (slot == own_slot) continue;
+    Bounds<D> both = bounds_at<D>(above, slot);
+    const double apart = cost(both, query);
+    both.include(own);
+    const double more = cost(both, query) - apart;
+    if (more < least) best = slot, least = more;
+  }
+  return best;
+}
+
+template class ChildChoice<1>;
+template class ChildChoice<2>;
+template class ChildChoice<3>;
+template std::size_t closest_sibling(const TreeState<1>&, const Node&, NodeNumber);
+template std::size_t closest_sibling(const TreeState<2>&, const Node&, NodeNumber);
+template std::size_t closest_sibling(const TreeState<3>&, const Node&, NodeNumber);
 
 }  // namespace foresee::index

@@ -14,6 +14,9 @@ namespace foresee::index {
 
 class WriteClock {
  public:
+  /// How many writes it knows of.
+  static constexpr std::size_t memory = 15;
+
   double now() const { return now_; }
   /// False until something has been written.
   bool runs() const { return count_ > 0; }
@@ -31,7 +34,7 @@ class WriteClock {
   void set(double t) { recent_.fill(t), now_ = t, count_ = recent_.size(); }
 
  private:
-  std::array<double, 15> recent_{};
+  std::array<double, memory> recent_{};
   std::size_t count_ = 0;
   double now_ = 0;
 };

@@ -42,11 +42,15 @@ class VisitCost {
 
   /// Seconds between the epoch and the middle of the look-ahead.
   double middle() const { return elapsed_[1]; }
+  /// … and its begin (0), middle (1) and end (2).
+  double elapsed(int moment) const { return elapsed_[static_cast<std::size_t>(moment)]; }
+
+  /// Stored bounds may be anything: widths that are not numbers, or negative.
+  static double within_reason(double width) { return width < widest ? (width > 0 ? width : 0) : widest; }
 
  private:
   static constexpr double widest = 1e100;  // its cube is a double
 
-  /// Stored bounds may be anything: widths that are not numbers, or negative.
   static Vec<D> within_reason(const Vec<D>& widths) {
     return (widths < widest).select(widths.max(0.0), widest);
   }

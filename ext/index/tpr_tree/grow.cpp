@@ -16,7 +16,7 @@ NodeNumber choose_node(TreeState<D>& state, NodeNumber number, int level, const 
     throw BrokenTree("a tree's root has no place for what it should take in");
   while (node->level > level) {
     const Bounds<D> bounds = added.entry(node->epoch).bounds;
-    const std::size_t slot = choose_child<D>(*node, bounds, state.cost(node->epoch));
+    const std::size_t slot = ChildChoice<D>(*node, state.cost(node->epoch)).choose(bounds);
     const Unread child = unread_child(number, *node, slot);
     node = read(state.pages, child);
     number = child.number;
@@ -24,7 +24,8 @@ NodeNumber choose_node(TreeState<D>& state, NodeNumber number, int level, const 
   return number;
 }
 
-/// A new root one level up, with the old one as its only child.
+}  // namespace
+
 template <int D>
 NodeNumber put_root_above(TreeState<D>& state, NodeNumber old_root) {
   const NodeNumber number = state.pages.allocate();
@@ -37,6 +38,8 @@ NodeNumber put_root_above(TreeState<D>& state, NodeNumber old_root) {
   state.pages.set_root(number);
   return number;
 }
+
+namespace {
 
 /// Has the epoch become a bad one for this child? Then much of its width stems from the time since.
 template <int D>
@@ -93,7 +96,8 @@ void move_slots(Node& node, std::span<const std::uint32_t> slots, Node& to, std:
   for (auto slot = slots.rbegin(); slot != slots.rend(); ++slot) remove_slot(node, *slot, stride);
 }
 
-/// Gives a node that hangs where `from` says another parent.
+}  // namespace
+
 template <int D>
 void hang_below(TreeState<D>& state, const Unread& from, NodeNumber parent) {
   Node& node = state.pages.modify(from.number);
@@ -101,9 +105,8 @@ void hang_below(TreeState<D>& state, const Unread& from, NodeNumber parent) {
   node.parent = parent;
 }
 
-/// Splits an overfull node; both halves have entries in the parent afterwards, which may be overfull then.
 template <int D>
-void split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_number) {
+NodeNumber split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_number) {
   const NodeNumber sibling_number = state.pages.allocate();
   Node& node = state.pages.modify(number);
   Node& sibling = state.pages.modify(sibling_number);
@@ -127,9 +130,8 @@ void split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_number
   };
   set_entry(parent, slot, entry_for(node));
   add_entry(parent, sibling_number, entry_for(sibling));
+  return sibling_number;
 }
-
-}  // namespace
 
 template <int D, class Added>
 void fit_upward(TreeState<D>& state, NodeNumber number, const Added& added) {
@@ -194,6 +196,15 @@ void insert_branch(TreeState<D>& state, const Branch<D>& branch) {
   fit_upward(state, number, branch);
 }
 
+template NodeNumber put_root_above<1>(TreeState<1>&, NodeNumber);
+template void hang_below<1>(TreeState<1>&, const Unread&, NodeNumber);
+template NodeNumber split_node<1>(TreeState<1>&, NodeNumber, NodeNumber);
+template NodeNumber put_root_above<2>(TreeState<2>&, NodeNumber);
+template void hang_below<2>(TreeState<2>&, const Unread&, NodeNumber);
+template NodeNumber split_node<2>(TreeState<2>&, NodeNumber, NodeNumber);
+template NodeNumber put_root_above<3>(TreeState<3>&, NodeNumber);
+template void hang_below<3>(TreeState<3>&, const Unread&, NodeNumber);
+template NodeNumber split_node<3>(TreeState<3>&, NodeNumber, NodeNumber);
 template void insert_object<1>(TreeState<1>&, const NewObject<1>&, NodeNumber, NodeNumber);
 template void insert_object<2>(TreeState<2>&, const NewObject<2>&, NodeNumber, NodeNumber);
 template void insert_object<3>(TreeState<3>&, const NewObject<3>&, NodeNumber, NodeNumber);

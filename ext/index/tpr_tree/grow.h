@@ -29,4 +29,19 @@ void renew_entries(TreeState<D>& state, NodeNumber inner);
 template <int D>
 bool freshen(TreeState<D>& state, NodeNumber inner, std::size_t slot);
 
+// --- what a change of many objects does by itself
+
+/// A new root with one child, the old one. Its number.
+template <int D>
+NodeNumber put_root_above(TreeState<D>& state, NodeNumber old_root);
+
+/// Splits an overfull node; both halves have entries in the parent afterwards, which may be overfull then.
+/// The new half's number.
+template <int D>
+NodeNumber split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_number);
+
+/// Gives a node that hangs where `from` says another parent.
+template <int D>
+void hang_below(TreeState<D>& state, const Unread& from, NodeNumber parent);
+
 }  // namespace foresee::index

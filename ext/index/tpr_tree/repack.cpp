@@ -2,7 +2,9 @@
 
 #include <cmath>
 
+#include "index/tpr_tree/choose.h"
 #include "index/tpr_tree/grow.h"
+#include "index/tpr_tree/leaf_pack.h"
 #include "index/tpr_tree/order.h"
 #include "index/tpr_tree/shrink.h"
 
@@ -21,7 +23,11 @@ template <int D>
 class Repack {
  public:
   Repack(TreeState<D>& state, std::vector<NodeNumber> parents)
-      : state_(state), now_(state.clock.now()), cost_(state.cost(now_)), parents_(std::move(parents)) {
+      : state_(state),
+        now_(state.clock.now()),
+        cost_(state.cost(now_)),
+        parents_(std::move(parents)),
+        pack_(state) {
     for (const NodeNumber parent : parents_) read_entries(*state.pages.read(parent));
   }
 
@@ -40,8 +46,11 @@ class Repack {
     before_.clear();
     for (const NodeNumber parent : parents_) {
       const auto node = state_.pages.read(parent);
-      for (std::size_t slot = 0; slot < node->size(); ++slot)
-        collect(*read_below(state_.pages, parent, *node, slot));
+      for (std::size_t slot = 0; slot < node->size(); ++slot) {
+        const auto leaf = read_below(state_.pages, parent, *node, slot);
+        before_.push_back(summary(*leaf, state_.reader, now_));
+        pack_.add(node->keys[slot], *leaf);
+      }
     }
     arrange();
     double width = 0;
@@ -54,34 +63,16 @@ class Repack {
 
  private:
   void read_entries(const Node& parent) {
-    numbers_.insert(numbers_.end(), parent.keys.begin(), parent.keys.end());
     for (std::size_t slot = 0; slot < parent.size(); ++slot)
       before_.push_back({times_at<D>(parent, slot), carried(bounds_at<D>(parent, slot), parent.epoch, now_)});
   }
 
-  void collect(const Node& leaf) {
-    before_.push_back(summary(leaf, state_.reader, now_));
-    ids_.insert(ids_.end(), leaf.keys.begin(), leaf.keys.end());
-    records_.insert(records_.end(), leaf.values.begin(), leaf.values.end());
-  }
-
   void arrange() {
     const auto roomy = static_cast<std::size_t>(fill * static_cast<double>(state_.pages.leaf_capacity()));
-    const std::size_t needed = (ids_.size() + roomy - 1) / roomy, size = state_.reader.record_size();
-    const std::size_t least = std::min(numbers_.size(), parents_.size() * state_.least_size(1));
-    leaves_.resize(std::clamp(needed, least, numbers_.size()));
-    NeverInterrupt never;
-    const auto order = leaf_order(state_, records_, {leaves_.size(), parents_.size(), 1}, never);
-    for (std::size_t i = 0; i < leaves_.size(); ++i) {
-      Node& leaf = leaves_[i];
-      const std::size_t last = first_child(i + 1, leaves_.size(), order.size());
-      for (std::size_t place = first_child(i, leaves_.size(), order.size()); place < last; ++place) {
-        const double* record = records_.data() + order[place] * size;
-        leaf.keys.push_back(ids_[order[place]]);
-        leaf.values.insert(leaf.values.end(), record, record + size);
-      }
-      after_.push_back(summary(leaf, state_.reader, now_));
-    }
+    const std::size_t needed = (pack_.objects() + roomy - 1) / roomy;
+    const std::size_t least = std::min(before_.size(), parents_.size() * state_.least_size(1));
+    pack_.arrange(std::clamp(needed, least, before_.size()), parents_.size());
+    after_ = pack_.summaries(now_);
   }
 
   double total(const std::vector<Entry<D>>& entries, double query) const {
@@ -95,46 +86,19 @@ class Repack {
       Node& parent = state_.pages.modify(parents_[p]);
       parent.epoch = now_;
       parent.keys.clear(), parent.values.clear();
-      for (const std::size_t last = first_child(p + 1, parents_.size(), leaves_.size()); i < last; ++i) {
-        add_entry(parent, numbers_[i], after_[i]);
-        leaves_[i].parent = parents_[p];
-        state_.pages.place(leaves_[i].keys, numbers_[i]);
-        state_.pages.modify(numbers_[i]) = std::move(leaves_[i]);
-      }
+      for (const std::size_t last = first_child(p + 1, parents_.size(), after_.size()); i < last; ++i)
+        add_entry(parent, pack_.write(i, parents_[p]), after_[i]);
     }
-    for (std::size_t i = leaves_.size(); i < numbers_.size(); ++i) state_.pages.free(numbers_[i]);
+    pack_.free_rest();
   }
 
   TreeState<D>& state_;
   const double now_;
   VisitCost<D> cost_;
-  std::vector<NodeNumber> parents_, numbers_;  ///< numbers: of their leaves
-  std::vector<std::int64_t> ids_;
-  std::vector<double> records_;
-  std::vector<Node> leaves_;  ///< the new ones
+  std::vector<NodeNumber> parents_;
+  LeafPack<D> pack_;
   std::vector<Entry<D>> before_, after_;
 };
-
-/// The slot of the sibling that a node overlaps most: together they would cost least more than apart. Its own
-/// if it has no sibling.
-template <int D>
-std::size_t closest_sibling(const TreeState<D>& state, const Node& above, NodeNumber number) {
-  const VisitCost<D> cost = state.cost(above.epoch);
-  const std::size_t own_slot = slot_of(above, number);
-  const Bounds<D> own = bounds_at<D>(above, own_slot);
-  const double query = 0.1 * cost.mean_width(own);
-  std::size_t best = own_slot;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t slot = 0; slot < above.size(); ++slot) {
-    if (slot == own_slot) continue;
-    Bounds<D> both = bounds_at<D>(above, slot);
-    const double apart = cost(both, query);
-    both.include(own);
-    const double more = cost(both, query) - apart;
-    if (more < least) best = slot, least = more;
-  }
-  return best;
-}
 
 /// Entries for nodes that hold other leaves than before, and all their siblings', at the clock's time.
 template <int D>

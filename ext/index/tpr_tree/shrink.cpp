@@ -48,27 +48,6 @@ void dissolve(TreeState<D>& state, NodeNumber number, NodeNumber parent_number, 
   state.pages.free(number);
 }
 
-/// A root with one child makes room for it; one with nothing goes.
-template <int D>
-void lower_root(TreeState<D>& state) {
-  for (;;) {
-    const NodeNumber number = state.pages.find_root();
-    NodeNumber child = 0;
-    {
-      const auto root = state.pages.read(number);
-      if (root->size() > 1 || (root->is_leaf() && root->size() == 1)) return;
-      if (root->size() == 1) {
-        child = root->keys[0];
-        read_below(state.pages, number, *root, 0);
-      }
-    }
-    state.pages.set_root(child);
-    state.pages.free(number);
-    if (child == 0) return;
-    state.pages.modify(child).parent = 0;
-  }
-}
-
 /// From a node that has just lost something up to the root. True if that node is still there.
 template <int D>
 bool condense(TreeState<D>& state, NodeNumber first, Orphans<D>& orphans) {
@@ -104,6 +83,26 @@ void insert_again(TreeState<D>& state, const Orphans<D>& orphans) {
 }
 
 }  // namespace
+
+template <int D>
+void lower_root(TreeState<D>& state) {
+  for (;;) {
+    const NodeNumber number = state.pages.find_root();
+    NodeNumber child = 0;
+    {
+      const auto root = state.pages.read(number);
+      if (root->size() > 1 || (root->is_leaf() && root->size() == 1)) return;
+      if (root->size() == 1) {
+        child = root->keys[0];
+        read_below(state.pages, number, *root, 0);
+      }
+    }
+    state.pages.set_root(child);
+    state.pages.free(number);
+    if (child == 0) return;
+    state.pages.modify(child).parent = 0;
+  }
+}
 
 template <int D>
 bool take_out(TreeState<D>& state, NodeNumber leaf, std::size_t slot) {
@@ -152,6 +151,9 @@ void refresh_newest(TreeState<D>& state, NodeNumber number) {
   }
 }
 
+template void lower_root<1>(TreeState<1>&);
+template void lower_root<2>(TreeState<2>&);
+template void lower_root<3>(TreeState<3>&);
 template bool take_out<1>(TreeState<1>&, NodeNumber, std::size_t);
 template bool take_out<2>(TreeState<2>&, NodeNumber, std::size_t);
 template bool take_out<3>(TreeState<3>&, NodeNumber, std::size_t);

@@ -10,6 +10,10 @@ namespace foresee::index {
 template <int D>
 bool take_out(TreeState<D>& state, NodeNumber leaf, std::size_t slot);
 
+/// A root with one child makes room for it; one with nothing goes.
+template <int D>
+void lower_root(TreeState<D>& state);
+
 /// Makes the entries above a node as tight as the nodes beneath them allow.
 template <int D>
 void tighten_upward(TreeState<D>& state, NodeNumber number);

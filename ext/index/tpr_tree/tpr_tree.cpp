@@ -4,11 +4,17 @@
 #include "base/steps.h"
 #include "index/tpr_tree/bulk_load.h"
 #include "index/tpr_tree/grow.h"
+#include "index/tpr_tree/merge.h"
 #include "index/tpr_tree/repack.h"
 #include "index/tpr_tree/shrink.h"
 
 namespace foresee::index {
 namespace {
+
+/// Fewer objects than these are merged one by one.
+constexpr std::size_t few = 32;
+/// Of how many updates one looks for loose leaves around.
+constexpr std::size_t between_repacks = 128;
 
 template <int D>
 class Tree final : public TprTree {
@@ -34,7 +40,7 @@ class Tree final : public TprTree {
       insert_object(state_, object, leaf_stays ? ancestor_containing(*leaf, object) : 0,
                     leaf_stays ? *leaf : 0);
     }
-    if (++updates_ % 128 == 0) repack_around(state_, *state_.pages.find_leaf(id));
+    if (++updates_ % between_repacks == 0) repack_around(state_, *state_.pages.find_leaf(id));
     return true;
   }
 
@@ -54,8 +60,37 @@ class Tree final : public TprTree {
     collect_objects(state_.pages, old_ids, old_records, interrupt);
     Steps step(interrupt);
     for (const std::int64_t id : old_ids) step(), state_.pages.forget(id);
-    free_all(state_.pages, interrupt);
     state_.clock = {};
+    free_all(state_.pages, interrupt);
+    bulk_load_tree(state_, ids, records, interrupt);
+  }
+
+  void merge(std::span<const std::int64_t> ids, std::span<const double> records,
+             Interrupt& interrupt) override {
+    if (ids.empty()) return;
+    if (state_.pages.find_root() == 0) return bulk_load_tree(state_, ids, records, interrupt);
+    const std::size_t size = state_.reader.record_size();
+    if (ids.size() < few || state_.pages.read(state_.pages.find_root())->is_leaf()) {
+      Steps step(interrupt);
+      for (std::size_t i = 0; i < ids.size(); ++i) {
+        step();
+        const auto record = records.subspan(i * size, size);
+        if (!update(ids[i], record)) insert(ids[i], record);
+      }
+      return;
+    }
+    see_newest(records);
+    merge_objects(state_, ids, records, interrupt);
+    for (std::size_t i = 0; i < ids.size(); i += between_repacks) {
+      interrupt.check();
+      repack_around(state_, *state_.pages.find_leaf(ids[i]));
+    }
+  }
+
+  void load_anew(std::span<const std::int64_t> ids, std::span<const double> records,
+                 Interrupt& interrupt) override {
+    see_newest(records);
+    free_all(state_.pages, interrupt);
     bulk_load_tree(state_, ids, records, interrupt);
   }
 
@@ -68,6 +103,13 @@ class Tree final : public TprTree {
   }
 
  private:
+  /// The records that were written last are the last ones.
+  void see_newest(std::span<const double> records) {
+    const std::size_t size = state_.reader.record_size(), all = records.size() / size;
+    for (std::size_t i = all - std::min(all, WriteClock::memory); i < all; ++i)
+      state_.clock.saw(state_.reader.t(records.data() + i * size));
+  }
+
   static std::size_t slot_in_leaf(const Node& leaf, std::int64_t id) {
     if (!leaf.is_leaf()) throw BrokenTree("an object is not in a leaf of the tree");
     return slot_of(leaf, id);

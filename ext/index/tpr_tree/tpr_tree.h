@@ -51,6 +51,13 @@ class TprTree {
   /// consecutive numbers. Ids are unique.
   virtual void bulk_load(std::span<const std::int64_t> ids, std::span<const double> records,
                          Interrupt& interrupt) = 0;
+  /// Each object is in the tree afterwards as its record says, whether or not it was before: as many insert()
+  /// and update(), where there are many at far less cost each (merge.h). Ids are unique.
+  virtual void merge(std::span<const std::int64_t> ids, std::span<const double> records,
+                     Interrupt& interrupt) = 0;
+  /// bulk_load() of objects among which are all that the tree has, those that were written last at the end.
+  virtual void load_anew(std::span<const std::int64_t> ids, std::span<const double> records,
+                         Interrupt& interrupt) = 0;
   /// bulk_load() with the objects that the tree has.
   virtual void rebuild(Interrupt& interrupt) = 0;
 };

@@ -38,6 +38,26 @@ struct TreeModel {
     tree->bulk_load(scene.ids, scene.records, never);
   }
 
+  /// Merges `count` objects, some of which the tree has, with records of `scene`.
+  void merge(const RandomScene& scene, std::size_t count, Random& random) {
+    const std::size_t size = scene.records.size() / scene.size();
+    std::map<std::int64_t, std::vector<double>> batch;
+    while (batch.size() < count) {
+      const auto from =
+          scene.records.begin() + static_cast<std::ptrdiff_t>(random.below(scene.size()) * size);
+      batch[static_cast<std::int64_t>(1 + random.below(2 * scene.size()))].assign(
+          from, from + static_cast<std::ptrdiff_t>(size));
+    }
+    std::vector<std::int64_t> ids;
+    std::vector<double> records;
+    for (const auto& [id, record] : batch) {
+      ids.push_back(id);
+      records.insert(records.end(), record.begin(), record.end());
+      objects[id] = record;
+    }
+    tree->merge(ids, records, never);
+  }
+
   /// Inserts, updates and erases at random with records of `scene`, whose t advance with `clock`.
   void churn(const RandomScene& scene, int steps, Random& random, double& clock) {
     const std::size_t size = scene.records.size() / scene.size();

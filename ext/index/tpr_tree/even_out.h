@@ -1,0 +1,25 @@
+// What becomes of nodes that many objects have entered or left at once? Their parent's entries become true,
+// the empty ones go, and those that are too full or too empty share with a neighbour or are split.
+//
+//   even_out(state, parent, changed_children);       // from the leaves up, parent by parent
+//   even_out_root(state);                            // at the end
+//
+// Leaves: a leaf that is too full, or less than a quarter full, is packed anew together with the sibling that
+// overlaps it most, in as few leaves as hold both; where a third of the leaves beneath a node are too full,
+// all of them are. Inner nodes are split in two, or taken up by that sibling.
+#pragma once
+
+#include "index/tpr_tree/state.h"
+
+namespace foresee::index {
+
+/// Requires: nodes beneath `children` are in order; `parent` has them all. The parent may be too full, too
+/// empty, or without children afterwards, and its own entry is stale.
+template <int D>
+void even_out(TreeState<D>& state, NodeNumber parent, std::span<const NodeNumber> children);
+
+/// A root that is too full gets another one above it; one that leads to a single node goes.
+template <int D>
+void even_out_root(TreeState<D>& state);
+
+}  // namespace foresee::index

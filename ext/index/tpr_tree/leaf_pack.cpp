@@ -1,0 +1,72 @@
+#include "index/tpr_tree/leaf_pack.h"
+
+#include "index/tpr_tree/order.h"
+
+namespace foresee::index {
+
+template <int D>
+void LeafPack<D>::add(NodeNumber number, const Node& leaf) {
+  ids_.insert(ids_.end(), leaf.keys.begin(), leaf.keys.end());
+  records_.insert(records_.end(), leaf.values.begin(), leaf.values.end());
+  from_.resize(ids_.size(), static_cast<std::uint32_t>(numbers_.size()));
+  numbers_.push_back(number);
+}
+
+template <int D>
+void LeafPack<D>::arrange(std::size_t leaves, std::size_t parents) {
+  NeverInterrupt never;
+  const auto order = leaf_order(state_, records_, {leaves, parents, 1}, never);
+  const std::size_t size = state_.reader.record_size();
+  leaves_.resize(leaves);
+  for (std::size_t i = 0; i < leaves; ++i) {
+    const std::size_t first = first_child(i, leaves, order.size()),
+                      last = first_child(i + 1, leaves, order.size());
+    Node& leaf = leaves_[i].node;
+    for (std::size_t place = first; place < last; ++place) {
+      const double* record = records_.data() + order[place] * size;
+      leaf.keys.push_back(ids_[order[place]]);
+      leaf.values.insert(leaf.values.end(), record, record + size);
+    }
+    take_number(leaves_[i], std::span(order).subspan(first, last - first));
+  }
+}
+
+template <int D>
+void LeafPack<D>::take_number(Leaf& leaf, std::span<const std::uint32_t> objects) {
+  std::vector<std::size_t> shares(numbers_.size());
+  for (const std::uint32_t object : objects)
+    if (numbers_[from_[object]] != 0) ++shares[from_[object]];
+  const auto most = static_cast<std::size_t>(std::max_element(shares.begin(), shares.end()) - shares.begin());
+  if (shares[most] > 0) leaf.number = std::exchange(numbers_[most], 0);
+  for (const std::uint32_t object : objects)
+    if (leaf.number == 0 || from_[object] != most) leaf.arriving.push_back(ids_[object]);
+}
+
+template <int D>
+std::vector<Entry<D>> LeafPack<D>::summaries(double epoch) const {
+  std::vector<Entry<D>> all;
+  for (const Leaf& leaf : leaves_) all.push_back(summary(leaf.node, state_.reader, epoch));
+  return all;
+}
+
+template <int D>
+NodeNumber LeafPack<D>::write(std::size_t i, NodeNumber parent) {
+  Leaf& leaf = leaves_[i];
+  if (leaf.number == 0) leaf.number = state_.pages.allocate();
+  state_.pages.place(leaf.arriving, leaf.number);
+  leaf.node.parent = parent;
+  state_.pages.modify(leaf.number) = std::move(leaf.node);
+  return leaf.number;
+}
+
+template <int D>
+void LeafPack<D>::free_rest() {
+  for (const NodeNumber number : numbers_)
+    if (number != 0) state_.pages.free(number);
+}
+
+template class LeafPack<1>;
+template class LeafPack<2>;
+template class LeafPack<3>;
+
+}  // namespace foresee::index

@@ -1,0 +1,53 @@
+// How are the objects of some leaves packed into other leaves? As a bulk load would, in as many as wanted.
+//
+//   LeafPack<2> pack(state);
+//   pack.add(7, *leaf7), pack.add(9, *leaf9);
+//   pack.arrange(3, 1);                          // into three leaves beneath one parent; nothing is written
+//   yet pack.summaries(epoch)                        // what the parent would say of each pack.write(0,
+//   parent), pack.write(1, parent), pack.write(2, parent);       // their numbers pack.free_rest();
+//
+// A new leaf takes the number of the old one that most of its objects come from: what stays where it was
+// costs the page map nothing.
+#pragma once
+
+#include <vector>
+
+#include "index/tpr_tree/state.h"
+
+namespace foresee::index {
+
+template <int D>
+class LeafPack {
+ public:
+  explicit LeafPack(TreeState<D>& state) : state_(state) {}
+
+  void add(NodeNumber number, const Node& leaf);
+  std::size_t objects() const { return ids_.size(); }
+
+  /// Leaves are shared out evenly among the parents, and objects among leaves. Requires: objects.
+  void arrange(std::size_t leaves, std::size_t parents);
+  std::vector<Entry<D>> summaries(double epoch) const;
+
+  /// Writes new leaf i, once; the number that it has.
+  NodeNumber write(std::size_t i, NodeNumber parent);
+  /// Frees the old leaves whose number no new one has taken.
+  void free_rest();
+
+ private:
+  /// A leaf of before, or one to come.
+  struct Leaf {
+    Node node;
+    NodeNumber number = 0;  ///< 0: a new one
+    std::vector<std::int64_t> arriving;
+  };
+  void take_number(Leaf& leaf, std::span<const std::uint32_t> objects);
+
+  TreeState<D>& state_;
+  std::vector<NodeNumber> numbers_;  ///< of the old leaves; 0: taken
+  std::vector<std::int64_t> ids_;
+  std::vector<double> records_;
+  std::vector<std::uint32_t> from_;  ///< which old leaf each object comes from
+  std::vector<Leaf> leaves_;
+};
+
+}  // namespace foresee::index

@@ -1,0 +1,193 @@
+#include "index/tpr_tree/merge.h"
+
+#include <map>
+
+#include "base/steps.h"
+#include "index/tpr_tree/choose.h"
+#include "index/tpr_tree/even_out.h"
+#include "index/tpr_tree/grow.h"
+#include "index/tpr_tree/repack.h"
+#include "index/tpr_tree/shrink.h"
+
+namespace foresee::index {
+namespace {
+
+template <int D>
+class Merge {
+ public:
+  Merge(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
+        Interrupt& interrupt)
+      : state_(state), ids_(ids), records_(records), step_(interrupt), homes_(ids.size()) {}
+
+  void run() {
+    const auto root = read(state_.pages, unread_root(state_.pages));
+    levels_.resize(static_cast<std::size_t>(root->level) + 1);
+    levels_.back().try_emplace(state_.pages.find_root());
+    write_reports();
+    for (std::size_t level = 1; level + 1 < levels_.size(); ++level) rise(level);
+    for (std::size_t level = levels_.size(); level-- > 1;) sink(level);
+    settle_leaves();
+    for (std::size_t level = 1; level < levels_.size(); ++level)
+      for (auto& [number, visit] : levels_[level]) step_(), even_out(state_, number, visit.children);
+    even_out_root(state_);
+  }
+
+ private:
+  /// A node that this merge has to do with.
+  struct Visit {
+    NodeNumber parent = 0;
+    std::vector<NodeNumber> children = {};    ///< … and which of its children it has to do with, too
+    std::vector<std::uint32_t> objects = {};  ///< those that look for a leaf beneath this node, or in it
+  };
+
+  NewObject<D> object(std::uint32_t i) const {
+    const std::size_t size = state_.reader.record_size();
+    const auto record = records_.subspan(i * size, size);
+    return {ids_[i], record, Mover<D>(state_.reader, record.data())};
+  }
+
+  /// A child of a node that was visited.
+  Visit& visit_below(NodeNumber parent, const Node& node, std::size_t slot) {
+    const auto [place, is_new] =
+        levels_[static_cast<std::size_t>(node.level) - 1].try_emplace(node.keys[slot]);
+    if (is_new) {
+      read_below(state_.pages, parent, node, slot);
+      place->second.parent = parent;
+      levels_[static_cast<std::size_t>(node.level)].at(parent).children.push_back(node.keys[slot]);
+    }
+    return place->second;
+  }
+
+  /// A node and all above it; the visit of its parent.
+  Visit& visit_upward(NodeNumber number, const Node& node) {
+    const auto parent = read_above(state_.pages, number, node);
+    if (!parent || static_cast<std::size_t>(parent->level) >= levels_.size())
+      throw BrokenTree("an object is in a leaf that is too high or too low");
+    auto& above = levels_[static_cast<std::size_t>(parent->level)];
+    if (!above.contains(node.parent)) visit_upward(node.parent, *parent);
+    visit_below(node.parent, *parent, slot_of(*parent, number));
+    return above.at(node.parent);
+  }
+
+  /// Would the entry of this child stay true? Greatest t apart, which settling mends.
+  static Entry<D> without_newest(Entry<D> entry) {
+    entry.times.t_greatest = std::numeric_limits<double>::infinity();
+    return entry;
+  }
+
+  /// Overwrites the objects that stay in their leaves; the others leave them.
+  void write_reports() {
+    std::vector<std::pair<NodeNumber, std::uint32_t>> found;
+    Visit& root = levels_.back().begin()->second;
+    for (std::uint32_t i = 0; i < ids_.size(); ++i) {
+      step_();
+      if (const auto leaf = state_.pages.find_leaf(ids_[i]))
+        found.emplace_back(*leaf, i), homes_[i] = *leaf;
+      else
+        root.objects.push_back(i);
+    }
+    std::sort(found.begin(), found.end(), [&](const auto& a, const auto& b) { return step_(), a < b; });
+    for (std::size_t first = 0, last; first < found.size(); first = last) {
+      for (last = first; last < found.size() && found[last].first == found[first].first;) ++last;
+      write_reports_of(found[first].first, std::span(found).subspan(first, last - first));
+    }
+  }
+
+  void write_reports_of(NodeNumber number, std::span<const std::pair<NodeNumber, std::uint32_t>> reports) {
+    Visit* parent;
+    Entry<D> entry;
+    double epoch;
+    {
+      const auto leaf = state_.pages.read(number);
+      if (!leaf->is_leaf()) throw BrokenTree("an object is not in a leaf of the tree");
+      parent = &visit_upward(number, *leaf);
+      const auto above = state_.pages.read(leaf->parent);
+      entry = without_newest(entry_at<D>(*above, slot_of(*above, number))), epoch = above->epoch;
+    }
+    Node& leaf = state_.pages.modify(number);
+    for (const auto& [home, i] : reports) {
+      step_();
+      const NewObject<D> report = object(i);
+      const std::size_t slot = slot_of(leaf, report.id), size = report.record.size();
+      if (entry.contains(report.entry(epoch))) {
+        std::copy(report.record.begin(), report.record.end(),
+                  leaf.values.begin() + static_cast<std::ptrdiff_t>(slot * size));
+      } else {
+        remove_slot(leaf, slot, size);
+        parent->objects.push_back(i);
+      }
+    }
+  }
+
+  /// Objects that a node of this level does not contain go on to the one above.
+  void rise(std::size_t level) {
+    for (auto& [number, visit] : levels_[level]) {
+      if (visit.objects.empty()) continue;
+      const auto above = state_.pages.read(visit.parent);
+      const Entry<D> entry = without_newest(entry_at<D>(*above, slot_of(*above, number)));
+      const auto stays = [&](std::uint32_t i) {
+        return step_(), entry.contains(object(i).entry(above->epoch));
+      };
+      const auto rising = std::stable_partition(visit.objects.begin(), visit.objects.end(), stays);
+      auto& higher = levels_[level + 1].at(visit.parent).objects;
+      higher.insert(higher.end(), rising, visit.objects.end());
+      visit.objects.erase(rising, visit.objects.end());
+    }
+  }
+
+  /// Objects that look for a leaf beneath a node of this level go on to one of its children.
+  void sink(std::size_t level) {
+    for (auto& [number, visit] : levels_[level]) {
+      if (visit.objects.empty()) continue;
+      const auto node = state_.pages.read(number);
+      if (node->size() == 0) throw BrokenTree("an inner node of a tree is empty");
+      ChildChoice<D> choice(*node, state_.cost(node->epoch));
+      for (const std::uint32_t i : std::exchange(visit.objects, {})) {
+        step_();
+        const std::size_t slot = choice.choose(object(i).entry(node->epoch).bounds);
+        visit_below(number, *node, slot).objects.push_back(i);
+      }
+    }
+  }
+
+  void settle_leaves() {
+    std::vector<std::int64_t> arriving;
+    for (auto& [number, visit] : levels_[0]) {
+      if (visit.objects.empty()) continue;
+      Node& leaf = state_.pages.modify(number);
+      arriving.clear();
+      for (const std::uint32_t i : visit.objects) {
+        step_();
+        const NewObject<D> added = object(i);
+        leaf.keys.push_back(added.id);
+        leaf.values.insert(leaf.values.end(), added.record.begin(), added.record.end());
+        if (homes_[i] != number) arriving.push_back(added.id);
+      }
+      state_.pages.place(arriving, number);
+    }
+  }
+
+  TreeState<D>& state_;
+  std::span<const std::int64_t> ids_;
+  std::span<const double> records_;
+  Steps step_;
+  std::vector<NodeNumber> homes_;                    ///< the leaf that each object was in; 0: none
+  std::vector<std::map<NodeNumber, Visit>> levels_;  ///< leaves first
+};
+
+}  // namespace
+
+template <int D>
+void merge_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
+                   Interrupt& interrupt) {
+  Merge<D>(state, ids, records, interrupt).run();
+}
+
+template void merge_objects<1>(TreeState<1>&, std::span<const std::int64_t>, std::span<const double>,
+                               Interrupt&);
+template void merge_objects<2>(TreeState<2>&, std::span<const std::int64_t>, std::span<const double>,
+                               Interrupt&);
+template void merge_objects<3>(TreeState<3>&, std::span<const std::int64_t>, std::span<const double>,
+                               Interrupt&);
+
+}  // namespace foresee::index
