@@ -6,7 +6,7 @@
 // Between SQLite and the rows stand a TPR-tree, and before it what a write transaction has changed but not
 // written yet:
 //
-//   insert ─► PendingInserts ─► tree over NodeCache (nodes, MapChanges) ─► shadow rows, once a transaction
+//   write  ─► PendingObjects ─► tree over NodeCache (nodes, MapChanges) ─► shadow rows, once a transaction
 //   read   ─► pending, else the cache, else the tables
 //
 // Every double comes back bit for bit. All state lives in SQLite's tables, so transactions, WAL readers,
@@ -31,7 +31,7 @@
 #include "storage/nodes/memory_budget.h"
 #include "storage/nodes/node_cache.h"
 #include "storage/nodes/object_changes.h"
-#include "storage/nodes/pending_inserts.h"
+#include "storage/nodes/pending_objects.h"
 #include "storage/rows/store_error.h"
 
 namespace foresee::storage {
@@ -186,6 +186,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   /// The stamp that read_version() tells: a flush, which changes no object, does not move it.
   std::int64_t shown(std::int64_t stored_stamp) const;
   void about_to_change(std::int64_t id);
+  [[noreturn]] void throw_missing(std::int64_t id) const;
   void take_out(std::int64_t id);
   void add(std::int64_t id, std::span<const double> record);
   /// Asks the map once a transaction.
@@ -194,9 +195,10 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   // from memory to the tables (store_flush.cpp)
   /// All objects are in the tree from now on: in memory, as far as there is room. Costs nothing where none is
   /// pending.
-  void insert_pending();
-  void insert_one_by_one(Interrupt& interrupt);
-  void bulk_load_anew(Interrupt& interrupt);
+  void merge_pending();
+  void merge_into_tree(Interrupt& interrupt);
+  void load_anew(Interrupt& interrupt);
+  void append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records) const;
   void flush();
   void collect_stored(std::vector<std::int64_t>& ids, std::vector<double>& records, Interrupt& interrupt);
   void pack(Interrupt& interrupt);
@@ -206,7 +208,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
     int level;
     UndoLog::Handle mark;
     std::size_t map_position;
-    std::shared_ptr<PendingInserts> pending;
+    std::shared_ptr<PendingObjects> pending;
     std::size_t pending_position;
     std::size_t changes_position;
     Largest largest;
@@ -235,7 +237,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   MemoryShare share_;
   NodeCache cache_;
   std::unique_ptr<TprTree> tree_;
-  std::shared_ptr<PendingInserts> pending_;  ///< shared with savepoints that would take it back
+  std::shared_ptr<PendingObjects> pending_;  ///< shared with savepoints that would take it back
   ObjectChanges object_changes_;             ///< empty where nobody wants them
   bool keeps_changes_ = false, wants_changes_ = false;
 

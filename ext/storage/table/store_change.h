@@ -68,7 +68,7 @@ class Store::AtomicChange {
  private:
   OwnStatements own_;
   Store& store_;
-  std::shared_ptr<PendingInserts> pending_;
+  std::shared_ptr<PendingObjects> pending_;
   std::size_t pending_position_, changes_position_;
   Largest largest_;
   bool done_ = false;

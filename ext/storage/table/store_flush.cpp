@@ -1,4 +1,4 @@
-// From memory to the tables: pending inserts into the tree, and all that waits into the rows. And the tree
+// From memory to the tables: pending objects into the tree, and all that waits into the rows. And the tree
 // anew: 'rebuild' and 'optimize'.
 #include <algorithm>
 
@@ -18,19 +18,19 @@ constexpr double most_loaded = 1 << 30;  // bytes of records in memory at once
 
 }  // namespace
 
-void Store::insert_pending() {
+void Store::merge_pending() {
   if (pending_->count() == 0) return;
   shadow_rows();
   StatementInterrupt interrupt(db_);
-  auto none = std::make_shared<PendingInserts>(static_cast<std::size_t>(format_.at.size));
+  auto none = std::make_shared<PendingObjects>(static_cast<std::size_t>(format_.at.size));
   AtomicChange atomic_change(*this);
   with_sound_tree([&] {
     const double pending = static_cast<double>(pending_->count()), stored = estimate_objects(cache_);
     const bool fits = (pending + stored) * static_cast<double>(format_.record_size) < most_loaded;
     if (stored == 0 || (pending > stored * worth_loading && fits))
-      bulk_load_anew(interrupt);
+      load_anew(interrupt);
     else
-      insert_one_by_one(interrupt);
+      merge_into_tree(interrupt);
   });
   const std::uint64_t undo_position = undo_position_;
   const bool differs = differs_from_version_;
@@ -40,30 +40,46 @@ void Store::insert_pending() {
   differs_from_version_ = differs;  // the same objects as before
 }
 
-void Store::insert_one_by_one(Interrupt& interrupt) {
-  unsigned inserted = 0;
-  pending_->for_each([&](std::int64_t id, std::span<const double> record) {
-    if (++inserted % 256 == 0) interrupt.check();
-    tree_->insert(id, record);
-  });
+void Store::merge_into_tree(Interrupt& interrupt) {
+  if (!pending_->has_holes()) return tree_->merge(pending_->all_ids(), pending_->all_records(), interrupt);
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  append_pending(ids, records);
+  tree_->merge(ids, records, interrupt);
 }
 
-void Store::bulk_load_anew(Interrupt& interrupt) {
+void Store::load_anew(Interrupt& interrupt) {
   std::vector<std::int64_t> ids;
   std::vector<double> records;
   collect_objects(cache_, ids, records, interrupt);
   expect_objects(ids.size());
-  if (ids.empty() && !pending_->has_holes()) {
-    tree_->bulk_load(pending_->all_ids(), pending_->all_records(), interrupt);
-    return;
+  if (ids.empty() && !pending_->has_holes())
+    return tree_->bulk_load(pending_->all_ids(), pending_->all_records(), interrupt);
+  const auto size = static_cast<std::size_t>(format_.at.size);
+  std::size_t kept = 0;
+  Steps step(interrupt);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    step();
+    if (pending_->find(ids[i])) continue;
+    if (kept != i) {
+      ids[kept] = ids[i];
+      std::copy_n(records.begin() + static_cast<std::ptrdiff_t>(i * size), size,
+                  records.begin() + static_cast<std::ptrdiff_t>(kept * size));
+    }
+    ++kept;
   }
+  ids.resize(kept), records.resize(kept * size);
+  append_pending(ids, records);
+  tree_->load_anew(ids, records, interrupt);
+}
+
+void Store::append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records) const {
   ids.reserve(ids.size() + pending_->count());
   records.reserve(records.size() + pending_->count() * static_cast<std::size_t>(format_.at.size));
   pending_->for_each([&](std::int64_t id, std::span<const double> record) {
     ids.push_back(id);
     records.insert(records.end(), record.begin(), record.end());
   });
-  tree_->bulk_load(ids, records, interrupt);
 }
 
 // If it fails half-way what was not written waits on: writing the same again does no harm. The new stamp
@@ -75,7 +91,7 @@ void Store::flush() {
     stamped_ = false;
     return;
   }
-  insert_pending();
+  merge_pending();
   shadow_rows();
   const OwnStatements own(*this);
   ++undo_position_;

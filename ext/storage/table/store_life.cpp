@@ -56,7 +56,7 @@ Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const Nod
       share_(*memory_, *this),
       cache_(format_, name_, share_),
       tree_(make_tpr_tree(cache_, declaration_.horizon)),
-      pending_(std::make_shared<PendingInserts>(static_cast<std::size_t>(format_.at.size))),
+      pending_(std::make_shared<PendingObjects>(static_cast<std::size_t>(format_.at.size))),
       in_transaction_(is_new),
       table_at_begin_(name_.table) {
   cache_.connect(*shadow_rows_);
@@ -100,7 +100,7 @@ std::int64_t Store::shown(std::int64_t stored_stamp) const {
 
 std::shared_ptr<NodeSource> Store::take_snapshot() {
   believe_only_this_stamp();
-  insert_pending();
+  merge_pending();
   return std::make_shared<TreeSnapshot>(shared_from_this());
 }
 

@@ -92,7 +92,7 @@ void Store::read_leaves(Interrupt& interrupt, const std::function<void(const Lea
 }
 
 void Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt) {
-  insert_pending();
+  merge_pending();
   ids.clear();
   rows.clear();
   const bool waits = cache_.waits();
@@ -128,7 +128,7 @@ void Store::expect_objects(std::size_t found) {
 
 std::int64_t Store::next_leaf(std::int64_t after, std::vector<std::int64_t>& ids,
                               std::vector<double>& records) {
-  if (after == 0) insert_pending();
+  if (after == 0) merge_pending();
   ids.clear();
   records.clear();
   const auto size = static_cast<std::size_t>(format_.at.size);
@@ -158,7 +158,7 @@ void Store::result_auxiliary(sqlite3_context* context, std::int64_t id, int colu
 
 double Store::read_newest_t() {
   believe_only_this_stamp();
-  insert_pending();
+  merge_pending();
   return with_sound_tree([&] { return index::read_newest_t(nodes()); });
 }
 

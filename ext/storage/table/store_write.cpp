@@ -89,11 +89,14 @@ void Store::add(std::int64_t id, std::span<const double> record) {
   if (!last || *last <= id) largest_ = {true, true, id};
 }
 
+void Store::throw_missing(std::int64_t id) const {
+  throw StoreError(SQLITE_ERROR, name_.table + ": there is no object " + std::to_string(id));
+}
+
 void Store::take_out(std::int64_t id) {
-  if (pending_->find(id))
-    pending_->erase(id);
-  else if (!tree_->erase(id))
-    throw StoreError(SQLITE_ERROR, name_.table + ": there is no object " + std::to_string(id));
+  const bool is_pending = pending_->find(id) != nullptr;
+  if (is_pending) pending_->erase(id);
+  if (!tree_->erase(id) && !is_pending) throw_missing(id);
   if (largest_.id == id) largest_.exact = false;
 }
 
@@ -119,8 +122,9 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
       add(new_id, record);
     } else if (pending_->find(id)) {
       pending_->replace(id, record);
-    } else if (!tree_->update(id, record)) {
-      throw StoreError(SQLITE_ERROR, name_.table + ": there is no object " + std::to_string(id));
+    } else {
+      if (!read(id)) throw_missing(id);
+      pending_->add(id, record);
     }
   });
   if (has_auxiliaries()) shadow_rows().update_auxiliaries(id, new_id, auxiliaries);

@@ -1,4 +1,4 @@
-#include "storage/nodes/pending_inserts.h"
+#include "storage/nodes/pending_objects.h"
 
 #include <gtest/gtest.h>
 
@@ -7,14 +7,14 @@ namespace {
 
 const std::vector<double> record{1, 2, 3};
 
-std::vector<std::int64_t> ids_in(const PendingInserts& pending) {
+std::vector<std::int64_t> ids_in(const PendingObjects& pending) {
   std::vector<std::int64_t> ids;
   pending.for_each([&](std::int64_t id, std::span<const double>) { ids.push_back(id); });
   return ids;
 }
 
-TEST(PendingInserts, ObjectsThatComeAndGoTakeNoMemory) {
-  PendingInserts pending(record.size());
+TEST(PendingObjects, ObjectsThatComeAndGoTakeNoMemory) {
+  PendingObjects pending(record.size());
   pending.add(-1, record);
   for (std::int64_t id = 0; id < 20000; ++id) {
     pending.add(id, record);

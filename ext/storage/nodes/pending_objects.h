@@ -1,12 +1,13 @@
-// Which objects were inserted and are not in the tree yet?
+// Which objects were written and are not in the tree yet?
 //
 //   pending.add(42, record);
 //   pending.find(42)                           // its record, or null
 //   const auto position = pending.position();  // … and back to it: pending.rewind(position)
 //
-// Inserted objects wait here so that many of them, in however many statements, are bulk loaded. Objects are
-// only ever appended; one that is erased or replaced leaves a hole, so that going back is cutting off the end
-// and filling holes again.
+// What INSERT and UPDATE write waits here, so that many objects, of however many statements, go into the tree
+// together; of an object that was updated the tree still has what it was. Objects are only ever appended; one
+// that is erased or replaced leaves a hole, so that going back is cutting off the end and filling holes
+// again.
 #pragma once
 
 #include <span>
@@ -15,9 +16,9 @@
 
 namespace foresee::storage {
 
-class PendingInserts {
+class PendingObjects {
  public:
-  explicit PendingInserts(std::size_t record_size) : record_size_(record_size) {}
+  explicit PendingObjects(std::size_t record_size) : record_size_(record_size) {}
 
   std::size_t count() const { return count_; }
   std::size_t memory() const;

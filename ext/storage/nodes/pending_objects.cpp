@@ -1,4 +1,4 @@
-#include "storage/nodes/pending_inserts.h"
+#include "storage/nodes/pending_objects.h"
 
 #include <algorithm>
 #include <new>
@@ -14,25 +14,25 @@ void reserve_more(std::vector<T>& values, std::size_t more) {
 
 }  // namespace
 
-std::size_t PendingInserts::memory() const {
+std::size_t PendingObjects::memory() const {
   return ids_.size() * sizeof(std::int64_t) + records_.size() * sizeof(double) + slots_.memory() +
          log_.size() * sizeof(Change);
 }
 
-const double* PendingInserts::find(std::int64_t id) const noexcept {
+const double* PendingObjects::find(std::int64_t id) const noexcept {
   const std::int64_t slot = slots_.find(id);
   return slot == IdHashMap::unknown ? nullptr
                                     : records_.data() + static_cast<std::size_t>(slot) * record_size_;
 }
 
-void PendingInserts::reserve(std::int64_t id, std::size_t changes) {
+void PendingObjects::reserve(std::int64_t id, std::size_t changes) {
   reserve_more(ids_, 1);
   reserve_more(records_, record_size_);
   reserve_more(log_, changes);
   slots_.prepare(id);
 }
 
-void PendingInserts::add(std::int64_t id, std::span<const double> record) {
+void PendingObjects::add(std::int64_t id, std::span<const double> record) {
   reserve(id, 1);
   const std::size_t slot = ids_.size();
   ids_.push_back(id);
@@ -42,25 +42,25 @@ void PendingInserts::add(std::int64_t id, std::span<const double> record) {
   ++count_;
 }
 
-void PendingInserts::erase(std::int64_t id) {
+void PendingObjects::erase(std::int64_t id) {
   reserve_more(log_, 1);
   log_.push_back({static_cast<std::uint32_t>(slots_.find(id)), false});
   slots_.set(id, IdHashMap::unknown);
   --count_;
 }
 
-void PendingInserts::replace(std::int64_t id, std::span<const double> record) {
+void PendingObjects::replace(std::int64_t id, std::span<const double> record) {
   reserve(id, 2);
   erase(id);
   add(id, record);
 }
 
-void PendingInserts::forget_past() noexcept {
+void PendingObjects::forget_past() noexcept {
   log_.clear();
   constexpr std::size_t few = 64;
   if (ids_.size() < few || ids_.size() < 2 * count_) return;
   try {
-    PendingInserts fresh(record_size_);
+    PendingObjects fresh(record_size_);
     for_each([&](std::int64_t id, std::span<const double> record) { fresh.add(id, record); });
     fresh.log_.clear();
     *this = std::move(fresh);
@@ -69,7 +69,7 @@ void PendingInserts::forget_past() noexcept {
   }
 }
 
-void PendingInserts::clear() noexcept {
+void PendingObjects::clear() noexcept {
   ids_.clear();
   records_.clear();
   slots_.clear();
@@ -77,7 +77,7 @@ void PendingInserts::clear() noexcept {
   count_ = 0;
 }
 
-void PendingInserts::rewind(std::size_t position) noexcept {
+void PendingObjects::rewind(std::size_t position) noexcept {
   for (; log_.size() > position; log_.pop_back()) {
     const Change& change = log_.back();
     const std::int64_t id = ids_[change.slot];
