@@ -26,5 +26,33 @@ TEST(SharedCache, AReaderOfUncommittedRowsIsNotStaleAfterTheCommit) {
   EXPECT_EQ(counts(), "3 3 3");
 }
 
+TEST(SharedCache, LookUpsOfUncommittedRowsLeaveNothingBehindThatARollbackTookBack) {
+  TemporaryFile file;
+  const std::string shared = "file:" + file.path() + "?cache=shared";
+  Database writer(shared), reader(shared);
+  writer.exec(
+      "CREATE VIRTUAL TABLE ships USING moving_objects(id, x); CREATE TABLE list(id INTEGER PRIMARY KEY);"
+      "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 1000)"
+      "INSERT INTO ships SELECT i, i FROM n; INSERT INTO list SELECT id FROM ships");
+  reader.exec("PRAGMA read_uncommitted = 1");
+  const std::string sum = "SELECT sum(x) FROM list l CROSS JOIN ships s ON s.id = l.id";
+  EXPECT_EQ(reader.rows(sum), "500500.0");
+  for (const char* end : {"ROLLBACK", "COMMIT"}) {
+    sqlite3_stmt* under_way = nullptr;
+    sqlite3_prepare_v2(reader.handle(), "SELECT x FROM list l CROSS JOIN ships s ON s.id = l.id", -1,
+                       &under_way, nullptr);
+    EXPECT_EQ(sqlite3_step(under_way), SQLITE_ROW);
+    // 'rebuild' and an id to be assigned write before the end.
+    writer.exec(
+        "BEGIN; UPDATE ships SET x = 0; INSERT INTO ships(ships) VALUES('rebuild');"
+        "INSERT INTO ships(x) VALUES(0); UPDATE ships SET x = 1 WHERE id < 500");
+    reader.rows(sum);
+    while (sqlite3_step(under_way) == SQLITE_ROW) continue;
+    writer.exec(end);
+    sqlite3_finalize(under_way);
+    EXPECT_EQ(reader.rows(sum), std::string(end) == "COMMIT" ? "499.0" : "500500.0");
+  }
+}
+
 }  // namespace
 }  // namespace foresee::testing

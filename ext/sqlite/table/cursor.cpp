@@ -47,10 +47,10 @@ void TableCursor::seek_object(sqlite3_value* value) {
   if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) return;
   const std::int64_t id = sqlite3_value_int64(value);
   if (type == SQLITE_FLOAT && static_cast<double>(id) != sqlite3_value_double(value)) return;
-  if (auto record = table_.store().read(id)) {
-    ids_.push_back(id);
-    records_ = std::move(*record);
-  }
+  const std::span<const double> record = table_.store().find(id, belief_);
+  if (record.empty()) return;
+  ids_.push_back(id);
+  records_.assign(record.begin(), record.end());
 }
 
 void TableCursor::require_handle_word(sqlite3_value* word) const {

@@ -50,10 +50,11 @@ void NodeCache::evict_if_full() {
   share_.budget().evict();
 }
 
-NodeCache::Slot& NodeCache::fetch(NodeNumber number) {
+/// Null if there is no such node.
+NodeCache::Slot* NodeCache::fetch_if_stored(NodeNumber number) {
   if (Slot* slot = in_memory(number)) {
     slot->used = use_;
-    return *slot;
+    return slot;
   }
   const auto found = slots_.find(number);
   const bool gone = found != slots_.end() && found->second.state.dirty;
@@ -66,40 +67,16 @@ NodeCache::Slot& NodeCache::fetch(NodeNumber number) {
       const bool is_leaf = blob[NodeFormat::level_at] == std::byte{0};
       node = std::make_shared<Node>(is_leaf ? decode_leaf(format_, blob) : decode_inner(format_, blob));
     });
-  if (!node) damaged("node " + std::to_string(number) + " is missing");
+  if (!node) return nullptr;
   Slot& slot = slots_[number];
   slot = {.state = {std::move(node), false}, .used = use_};
   if (!hints_.empty()) learn(number, slot);
-  return slot;
+  return &slot;
 }
 
-void NodeCache::learn(NodeNumber number, Slot& slot) {
-  if (slot.learned || !slot.state.node->is_leaf()) return;
-  hints_.reserve(slots_.size() * format_.leaf_capacity);
-  hints_.learn(slot.state.node->keys, number);
-  slot.learned = true;
-}
-
-std::optional<NodeNumber> NodeCache::find_leaf(std::int64_t id) {
-  const std::int64_t leaf = map_.find(id);
-  if (leaf == MapChanges::erased) return std::nullopt;
-  if (leaf != MapChanges::unknown) return leaf;
-  if (last_found_ && last_found_->first == id) return last_found_->second;
-  if (const NodeNumber hint = hints_.find(id))
-    if (const Slot* slot = in_memory(hint); slot && slot->state.node->is_leaf()) {
-      const std::vector<std::int64_t>& ids = slot->state.node->keys;
-      if (std::find(ids.begin(), ids.end(), id) != ids.end()) {
-        last_found_ = {id, hint};
-        return hint;
-      }
-    }
-  const std::optional<std::int64_t> stored = shadow_rows_->find_leaf(id);
-  if (!stored) return stored;
-  last_found_ = {id, *stored};
-  hints_.reserve(1);
-  hints_.learn(id, *stored);
-  if (Slot* slot = in_memory(*stored)) learn(*stored, *slot);
-  return stored;
+NodeCache::Slot& NodeCache::fetch(NodeNumber number) {
+  if (Slot* slot = fetch_if_stored(number)) return *slot;
+  damaged("node " + std::to_string(number) + " is missing");
 }
 
 std::optional<std::shared_ptr<const Node>> NodeCache::waiting(NodeNumber number) const {

@@ -46,6 +46,10 @@ class NodeCache final : public Pages {
   void free(NodeNumber number) override;
   void set_root(NodeNumber number) override;
   std::optional<NodeNumber> find_leaf(std::int64_t id) override;
+  /// The record of an object; null: there is none. Good until the cache is called again.
+  const double* find_record(std::int64_t id);
+  /// The same, where memory alone can tell; null: it cannot.
+  const double* find_record_in_memory(std::int64_t id);
   void place(std::span<const std::int64_t> ids, NodeNumber leaf) override;
   void forget(std::int64_t id) override { map_.set(id, MapChanges::erased); }
 
@@ -109,8 +113,17 @@ class NodeCache final : public Pages {
   };
 
   [[noreturn]] void damaged(const std::string& what) const;
+  struct Place {
+    NodeNumber leaf = 0;  ///< 0: nobody knows
+    Slot* slot = nullptr;
+    std::size_t record = 0;
+  };
+  const double* record_at(const Place& place);
+  Place find_by_hint(std::int64_t id);
+
   /// Null if its node would have to be read.
   Slot* in_memory(NodeNumber number);
+  Slot* fetch_if_stored(NodeNumber number);
   /// The node in memory; read, checked and decoded if it was not. SQLITE_CORRUPT_VTAB if it is damaged or
   /// gone.
   Slot& fetch(NodeNumber number);

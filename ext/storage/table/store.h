@@ -46,6 +46,13 @@ struct ContentVersion {
 
 class LeafView;
 
+/// What one statement knows of a table that it reads: in which transaction of the connection it has compared
+/// memory with the stamp. Of use only while SQLite holds the statement's read transaction on the table's
+/// database, which keeps other connections' commits from it.
+struct StatementBelief {
+  std::uint64_t transaction = 0;  ///< 0: not yet
+};
+
 class Store final : private MemoryHolder, public std::enable_shared_from_this<Store> {
  public:
   /// Makes the shadow tables of a new table.
@@ -66,6 +73,9 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   bool contains(std::int64_t id);
   /// The record of `id`, or nothing.
   std::optional<std::vector<double>> read(std::int64_t id);
+  /// The same for a statement that reads the table, again and again: empty if there is none, and good until
+  /// the store is called again. Cost: the stamp once a statement; where the leaf is in memory some 100 ns.
+  std::span<const double> find(std::int64_t id, StatementBelief& belief);
   /// All ids and rows (row_from_record of each record), leaf by leaf, as this connection sees them now.
   /// SQLITE_CORRUPT_VTAB for a damaged leaf, and as expect_objects() says.
   void read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt);
@@ -165,6 +175,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   /// Forgets all nodes if another connection has committed since they were read. Cost: one look-up, none
   /// where this connection is writing.
   void believe_only_this_stamp();
+  bool read_stored(std::int64_t id, std::vector<double>& record);
 
   // reading (store_read.cpp)
   /// As the cache knows it while this connection writes, else as the rows say: not for pending inserts.
@@ -248,6 +259,8 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   int own_statements_ = 0;    ///< our own statements under way: callbacks that come now are about them
   bool rolled_back_ = false;  ///< … SQLite rolled everything back among them
   std::vector<Savepoint> savepoints_;
+  std::uint64_t transaction_ = 1;               ///< moves whenever one ends
+  std::vector<double> first_found_;             ///< what find() read past the cache, if it ever did
   std::optional<std::int64_t> believed_stamp_;  ///< the cache is as the tables were under this stamp
   std::optional<std::int64_t> stamp_before_;    ///< … before this transaction
   std::optional<std::int64_t> own_stamp_;       ///< what this transaction has written last and not taken back

@@ -121,6 +121,7 @@ void Store::sync() {
 void Store::end_transaction() noexcept {
   give_up_savepoints(0);
   in_transaction_ = writing_ = stamped_ = torn_ = false;
+  ++transaction_;
   largest_ = {};
   own_stamp_.reset();
   pending_->clear();

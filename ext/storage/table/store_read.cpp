@@ -41,18 +41,38 @@ bool Store::contains(std::int64_t id) {
 
 std::optional<std::vector<double>> Store::read(std::int64_t id) {
   const auto size = static_cast<std::size_t>(format_.at.size);
-  if (const double* record = pending_->find(id)) return std::vector<double>(record, record + size);
-  const std::optional<std::int64_t> number = find_leaf(id);
-  if (!number) return std::nullopt;
-  const std::string where = "node " + std::to_string(*number);
-  if (writing_) {
-    const std::shared_ptr<const Node> leaf = cache_.read(*number);
-    const auto found = std::find(leaf->keys.begin(), leaf->keys.end(), id);
-    if (found == leaf->keys.end() || !leaf->is_leaf()) damaged(where + " lacks object " + std::to_string(id));
-    const double* record = leaf->values.data() + static_cast<std::size_t>(found - leaf->keys.begin()) * size;
-    return std::vector<double>(record, record + size);
+  const double* waiting = pending_->find(id);
+  if (!waiting && writing_) waiting = nodes().find_record(id);
+  if (waiting) return std::vector<double>(waiting, waiting + size);
+  std::vector<double> record;
+  if (writing_ || !read_stored(id, record)) return std::nullopt;
+  return record;
+}
+
+std::span<const double> Store::find(std::int64_t id, StatementBelief& belief) {
+  const auto size = static_cast<std::size_t>(format_.at.size);
+  const auto found = [size](const double* record) { return std::span(record, record ? size : 0); };
+  if (const double* record = pending_->find(id)) return found(record);
+  if (writing_) return found(nodes().find_record(id));
+  if (belief.transaction == transaction_) {
+    if (const double* record = nodes().find_record_in_memory(id)) return found(record);
+    if (!cache_.find_leaf(id)) return found(nullptr);
   }
-  std::vector<double> record(size);
+  // The first row after opening should not wait for one more statement to be compiled.
+  if (!believed_stamp_ && first_found_.empty())
+    return read_stored(id, first_found_) ? found(first_found_.data()) : found(nullptr);
+  // Before a node is read too: to who reads uncommitted rows (shared cache) it may be one of another stamp.
+  believe_only_this_stamp();
+  belief.transaction = transaction_;
+  return found(cache_.find_record(id));
+}
+
+/// Past the cache.
+bool Store::read_stored(std::int64_t id, std::vector<double>& record) {
+  const std::optional<std::int64_t> number = shadow_rows().find_leaf(id);
+  if (!number) return false;
+  const std::string where = "node " + std::to_string(*number);
+  record.resize(static_cast<std::size_t>(format_.at.size));
   int slot = -1;
   const bool found = shadow_rows().read_node(*number, [&](std::span<const std::byte> blob) {
     read_stored_leaf(*number, blob, [&](const LeafView& leaf) {
@@ -62,7 +82,7 @@ std::optional<std::vector<double>> Store::read(std::int64_t id) {
   });
   if (!found) damaged(where + " of object " + std::to_string(id) + " is missing");
   if (slot < 0) damaged(where + " lacks object " + std::to_string(id));
-  return record;
+  return true;
 }
 
 bool Store::read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,

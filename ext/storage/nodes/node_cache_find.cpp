@@ -1,0 +1,72 @@
+// Where is this object? By what memory knows, else by the map.
+#include <algorithm>
+
+#include "storage/nodes/node_cache.h"
+
+namespace foresee::storage {
+
+void NodeCache::learn(NodeNumber number, Slot& slot) {
+  if (slot.learned || !slot.state.node->is_leaf()) return;
+  hints_.reserve(2 * slots_.size() * format_.leaf_capacity);
+  hints_.learn(slot.state.node->keys, number);
+  slot.learned = true;
+}
+
+std::optional<NodeNumber> NodeCache::find_leaf(std::int64_t id) {
+  const std::int64_t leaf = map_.find(id);
+  if (leaf == MapChanges::erased) return std::nullopt;
+  if (leaf != MapChanges::unknown) return leaf;
+  if (last_found_ && last_found_->first == id) return last_found_->second;
+  if (const Place place = find_by_hint(id); place.leaf != 0) {
+    last_found_ = {id, place.leaf};
+    return place.leaf;
+  }
+  const std::optional<std::int64_t> stored = shadow_rows_->find_leaf(id);
+  if (!stored) return stored;
+  last_found_ = {id, *stored};
+  hints_.reserve(1);
+  hints_.learn(id, *stored);
+  if (Slot* slot = in_memory(*stored)) learn(*stored, *slot);
+  return stored;
+}
+
+NodeCache::Place NodeCache::find_by_hint(std::int64_t id) {
+  const LeafHints::Hint hint = hints_.find(id);
+  if (hint.leaf == 0) return {};
+  Slot* slot = in_memory(hint.leaf);
+  if (!slot || !slot->state.node->is_leaf()) return {};
+  const std::vector<std::int64_t>& ids = slot->state.node->keys;
+  const std::size_t record = hint.slot_in(ids, id);
+  return record < ids.size() ? Place{hint.leaf, slot, record} : Place{};
+}
+
+const double* NodeCache::record_at(const Place& place) {
+  place.slot->used = use_;
+  return place.slot->state.node->values.data() + place.record * static_cast<std::size_t>(format_.at.size);
+}
+
+// A leaf in memory is as it is now, and a hint is looked up there. But where the object has moved in this
+// transaction its old leaf may not know.
+const double* NodeCache::find_record_in_memory(std::int64_t id) {
+  if (map_.find(id) != MapChanges::unknown) return nullptr;
+  const Place place = find_by_hint(id);
+  return place.leaf == 0 ? nullptr : record_at(place);
+}
+
+const double* NodeCache::find_record(std::int64_t id) {
+  if (const double* record = find_record_in_memory(id)) return record;
+  const std::optional<NodeNumber> number = find_leaf(id);
+  if (!number) return nullptr;
+  const auto where = [&] { return "node " + std::to_string(*number); };
+  Slot* slot = fetch_if_stored(*number);
+  if (!slot) damaged(where() + " of object " + std::to_string(id) + " is missing");
+  const std::vector<std::int64_t>& ids = slot->state.node->keys;
+  const auto found = std::find(ids.begin(), ids.end(), id);
+  if (found == ids.end() || !slot->state.node->is_leaf())
+    damaged(where() + " lacks object " + std::to_string(id));
+  const Place place{*number, slot, static_cast<std::size_t>(found - ids.begin())};
+  if (!hints_.empty()) hints_.learn(id, place.leaf, place.record);
+  return record_at(place);
+}
+
+}  // namespace foresee::storage
