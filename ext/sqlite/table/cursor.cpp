@@ -47,7 +47,9 @@ void TableCursor::seek_object(sqlite3_value* value) {
   if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) return;
   const std::int64_t id = sqlite3_value_int64(value);
   if (type == SQLITE_FLOAT && static_cast<double>(id) != sqlite3_value_double(value)) return;
-  const std::span<const double> record = table_.store().find(id, belief_);
+  Store& store = table_.store();
+  if (const auto first = rising_.next(id)) store.fetch_ahead(*first, RisingIds::batch);
+  const std::span<const double> record = store.find(id, belief_);
   if (record.empty()) return;
   ids_.push_back(id);
   records_.assign(record.begin(), record.end());

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sqlite/table/moving_objects_table.h"
+#include "sqlite/table/rising_ids.h"
 #include "sqlite/table/table_plan.h"
 
 namespace foresee::sqlite {
@@ -46,6 +47,7 @@ class TableCursor : public sqlite3_vtab_cursor {
   std::size_t found_ = 0;  ///< objects of all leaves so far
   bool by_leaf_ = false;   ///< more leaves may follow
   StatementBelief belief_;
+  RisingIds rising_;
   bool handle_ = false;  ///< the one row holds the table's number
   bool aborted_ = false;
 };

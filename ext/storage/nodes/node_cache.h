@@ -50,6 +50,8 @@ class NodeCache final : public Pages {
   const double* find_record(std::int64_t id);
   /// The same, where memory alone can tell; null: it cannot.
   const double* find_record_in_memory(std::int64_t id);
+  /// Asks the processor for what it will need to find these ids in memory. Requires: no id is too large.
+  void fetch_ahead(std::int64_t first, std::int64_t many);
   void place(std::span<const std::int64_t> ids, NodeNumber leaf) override;
   void forget(std::int64_t id) override { map_.set(id, MapChanges::erased); }
 

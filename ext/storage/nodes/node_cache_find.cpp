@@ -1,5 +1,6 @@
 // Where is this object? By what memory knows, else by the map.
 #include <algorithm>
+#include <array>
 
 #include "storage/nodes/node_cache.h"
 
@@ -51,6 +52,26 @@ const double* NodeCache::find_record_in_memory(std::int64_t id) {
   if (map_.find(id) != MapChanges::unknown) return nullptr;
   const Place place = find_by_hint(id);
   return place.leaf == 0 ? nullptr : record_at(place);
+}
+
+// Ids that count up lead all over memory, from hint to slot to node to record, and each step would wait for
+// the one before it. Many ids take a step at a time, so that the processor waits for all of them at once.
+void NodeCache::fetch_ahead(std::int64_t first, std::int64_t many) {
+  constexpr std::int64_t most = 16;
+  std::array<LeafHints::Hint, most> hints;
+  std::array<const Slot*, most> slots;
+  const auto count = static_cast<std::size_t>(std::min(many, most));
+  for (std::size_t i = 0; i < count; ++i) hints[i] = hints_.find(first + static_cast<std::int64_t>(i));
+  for (std::size_t i = 0; i < count; ++i) slots[i] = hints[i].leaf == 0 ? nullptr : in_memory(hints[i].leaf);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!slots[i]) continue;
+    const Node& node = *slots[i]->state.node;
+    if (!node.is_leaf() || hints[i].slot >= node.size()) continue;
+    const double* record = node.values.data() + hints[i].slot * static_cast<std::size_t>(format_.at.size);
+    __builtin_prefetch(node.keys.data() + hints[i].slot);
+    __builtin_prefetch(record);
+    __builtin_prefetch(record + format_.at.size - 1);
+  }
 }
 
 const double* NodeCache::find_record(std::int64_t id) {

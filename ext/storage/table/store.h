@@ -76,6 +76,9 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   /// The same for a statement that reads the table, again and again: empty if there is none, and good until
   /// the store is called again. Cost: the stamp once a statement; where the leaf is in memory some 100 ns.
   std::span<const double> find(std::int64_t id, StatementBelief& belief);
+  /// So many ids from `first` on will probably be looked up soon: what memory has of them comes near to the
+  /// processor. Changes nothing.
+  void fetch_ahead(std::int64_t first, std::int64_t many) { cache_.fetch_ahead(first, many); }
   /// All ids and rows (row_from_record of each record), leaf by leaf, as this connection sees them now.
   /// SQLITE_CORRUPT_VTAB for a damaged leaf, and as expect_objects() says.
   void read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt);
@@ -178,9 +181,9 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   bool read_stored(std::int64_t id, std::vector<double>& record);
 
   // reading (store_read.cpp)
-  /// As the cache knows it while this connection writes, else as the rows say: not for pending inserts.
+  /// As the cache knows it while this connection writes, else as the rows say: not for pending objects.
   std::optional<std::int64_t> find_leaf(std::int64_t id);
-  /// Every leaf once by ascending number, pending inserts apart: as it waits in memory, or else as it is
+  /// Every leaf once by ascending number, pending objects apart: as it waits in memory, or else as it is
   /// stored, checked. SQLITE_CORRUPT_VTAB for a damaged one.
   void read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
                    const std::function<void(const Node&)>& waiting);

@@ -33,7 +33,7 @@ class Store::OwnStatements {
 };
 
 /// One change, and own statements all the while. Unless it is done(), its end takes back all that memory
-/// knows: nodes, map, pending inserts, the log of changed objects, the largest id. Where rows were written
+/// knows: nodes, map, pending objects, the log of changed objects, the largest id. Where rows were written
 /// during the change that does not help: the store is torn, and refuses everything until SQLite rolls back.
 /// Cost: a few positions; a node is copied when it is changed, not before.
 class Store::AtomicChange {

@@ -1,0 +1,61 @@
+// Rising ids: each batch is named once, before it is asked for; of other orders nothing is named.
+#include "sqlite/table/rising_ids.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+#include <vector>
+
+namespace foresee::sqlite {
+namespace {
+
+/// The ids that are named while these are asked for; none of them twice.
+std::set<std::int64_t> named(const std::vector<std::int64_t>& asked) {
+  RisingIds rising;
+  std::set<std::int64_t> all;
+  for (const std::int64_t id : asked)
+    if (const auto first = rising.next(id)) {
+      EXPECT_GT(*first, id);
+      for (std::int64_t i = 0; i < RisingIds::batch; ++i) EXPECT_TRUE(all.insert(*first + i).second);
+    }
+  return all;
+}
+
+TEST(RisingIds, EveryIdAfterTheSecondIsNamedBeforeItIsAskedFor) {
+  for (const std::int64_t gap : {1, 2, 3, 4})
+    for (const std::int64_t start : {std::int64_t{-500}, std::int64_t{0}, std::int64_t{1} << 40}) {
+      RisingIds rising;
+      std::set<std::int64_t> known;
+      for (std::int64_t n = 0; n < 1000; ++n) {
+        const std::int64_t id = start + n * gap;
+        EXPECT_TRUE(n < 2 || known.contains(id)) << id;
+        if (const auto first = rising.next(id))
+          for (std::int64_t i = 0; i < RisingIds::batch; ++i) known.insert(*first + i);
+      }
+    }
+}
+
+TEST(RisingIds, OtherOrdersNameNothing) {
+  EXPECT_TRUE(named({5, 5, 5, 5}).empty());
+  EXPECT_TRUE(named({9, 8, 7, 6}).empty());
+  EXPECT_TRUE(named({1, 10, 100, 1000}).empty());
+  EXPECT_TRUE(named({7}).empty());
+}
+
+TEST(RisingIds, ANewRiseBeginsAnew) {
+  const auto all = named({1, 2, 3, 1000, 1001, 1002});
+  EXPECT_TRUE(all.contains(4));
+  EXPECT_TRUE(all.contains(1003));
+  EXPECT_FALSE(all.contains(500));
+}
+
+TEST(RisingIds, TheEndsOfAllIdsAreNoRise) {
+  constexpr auto least = std::numeric_limits<std::int64_t>::min(),
+                 most = std::numeric_limits<std::int64_t>::max();
+  EXPECT_TRUE(named({most - 2, most - 1, most, least, most, least}).empty());
+  EXPECT_TRUE(named({least, least + 1}).contains(least + 2));
+}
+
+}  // namespace
+}  // namespace foresee::sqlite
