@@ -100,13 +100,14 @@ void TableCursor::keep_ids() {
   std::vector<std::int64_t> rest(ids_.begin() + static_cast<std::ptrdiff_t>(position_), ids_.end());
   std::vector<std::int64_t> ids;
   std::vector<double> records;
+  std::size_t found = found_;  // a copy: where a leaf cannot be read, the scan goes on as it was
   for (std::int64_t leaf = leaf_; (leaf = table_.store().next_leaf(leaf, ids, records)) != 0;) {
     rest.insert(rest.end(), ids.begin(), ids.end());
-    found_ += ids.size();
+    found += ids.size();
     ids.clear();
     records.clear();
   }
-  table_.store().expect_objects(found_);
+  table_.store().expect_objects(found);
   const std::size_t size = records_.size() / ids_.size();
   records.assign(records_.begin() + static_cast<std::ptrdiff_t>(position_ * size),
                  records_.begin() + static_cast<std::ptrdiff_t>((position_ + 1) * size));

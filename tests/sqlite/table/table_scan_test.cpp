@@ -158,6 +158,22 @@ TEST_F(TableScanWrites, RefusedWritesLeaveTheScanAlone) {
             500);
 }
 
+TEST_F(TableScanWrites, AWriteThatCannotReadTheRestLeavesTheScanAlone) {
+  db.exec("CREATE TABLE whole AS SELECT * FROM ships_node; BEGIN");
+  sqlite3_stmt* statement = nullptr;
+  sqlite3_prepare_v2(db.handle(), "SELECT id FROM ships", -1, &statement, nullptr);
+  EXPECT_EQ(sqlite3_step(statement), SQLITE_ROW);
+  db.exec("UPDATE ships_node SET data = x'00' WHERE nodeno = (SELECT max(nodeno) FROM whole)");
+  EXPECT_EQ(db.code_of("INSERT INTO ships(x) VALUES(1)") & 0xff, SQLITE_CORRUPT);
+  db.exec("REPLACE INTO ships_node SELECT * FROM whole");
+  int rows = 1, rc;
+  while ((rc = sqlite3_step(statement)) == SQLITE_ROW) ++rows;
+  EXPECT_EQ(rc, SQLITE_DONE) << sqlite3_errmsg(db.handle());
+  EXPECT_EQ(rows, 500);
+  sqlite3_finalize(statement);
+  db.exec("ROLLBACK");
+}
+
 TEST_F(TableScanWrites, ARollbackBeneathAScanEndsIt) {
   db.exec("BEGIN; UPDATE ships SET x = x + 1");
   sqlite3_stmt* statement = nullptr;
