@@ -1,7 +1,8 @@
 // When do two touch? The room's one door: a pair of layouts and a question become typed code, once per
 // statement.
 //
-//   auto contact = make_contact(ships, ships, {.horizon = {.now = 600, .h = 600}, .within = 926});
+//   const ContactQuestion question{.horizon = {.now = 600, .h = 600}, .within = 926};
+//   auto contact = make_contact(ships, ships, question, "ships", "ships");
 //   contact->decide(candidates, hits);        // keeps the pairs that touch at some moment of the horizon
 //   contact->first_contacts(candidates, TimesWanted::both, hits, times);        // and says when, in one go
 //

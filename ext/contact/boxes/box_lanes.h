@@ -3,7 +3,7 @@
 //
 //   const BoxKernel<2, 1>& kernel = box_kernel<2, 1>();   // of this CPU
 //   rows.a.rows[l] = …, rows.b.rows[l] = …; lanes.end[l] = h;        // pair number l of at most `width`
-//   kernel.settle_rows(rows, lanes);
+//   kernel.settle_rows(rows, true, lanes);                // with motions, as ends are asked for too
 //   lanes.misses[l] > 0, lanes.meets_first[l] > 0;        // or neither
 //
 // The guess is a textbook's: on every axis on which the boxes are apart, the first root of a quadratic; the

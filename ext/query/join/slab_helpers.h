@@ -1,7 +1,7 @@
 // One time slab of a join, answered by helper threads and the caller: candidates, contact and rows part by
 // part.
 //
-//   SlabHelpers helpers(question, slab, reach, interrupt);
+//   SlabHelpers helpers(question, slab, sorts, reach, interrupt);
 //   while (helpers.next(batch)) …                        // in the order of one thread
 //
 // Helpers never call SQLite. Each takes the next part of the grid; a part that is not yet read waits once it
