@@ -36,10 +36,7 @@ const Word& motion_word(const Argument& argument) {
   const std::string_view near = nearest_word(argument.name);
   if (!near.empty()) why += "; did you mean " + std::string(near) + "?";
   refuse(argument,
-         why +
-             "; known are id, t, x, y, z, vx, vy, vz, ax, ay, az, fx, fy, fz, m, hx, hy, hz, r, until;"
-             " a column of your own is written +" +
-             argument.name);
+         why + "; known are " + known_words() + "; a column of your own is written +" + argument.name);
 }
 
 double positive_number(const Argument& argument) {

@@ -54,6 +54,12 @@ std::string_view word_for(Quantity quantity, int axis) {
   return found == words.end() ? "" : found->name;
 }
 
+std::string known_words() {
+  std::string list = "id";
+  for (const Word& word : words) list += ", " + std::string(word.name);
+  return list;
+}
+
 std::string_view nearest_word(std::string_view name) {
   // A word of one letter is near to every other: only names of two letters and more have a neighbour, and at
   // least half of a name must be right.

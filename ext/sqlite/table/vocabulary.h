@@ -21,9 +21,9 @@ enum class Quantity : std::uint8_t {
   mass,
   half_extent,
   radius,
-  until,
+  until,  // the last one
 };
-constexpr int quantity_count = 9;
+constexpr int quantity_count = static_cast<int>(Quantity::until) + 1;
 
 struct Word {
   std::string_view name;
@@ -36,6 +36,9 @@ const Word* find_word(std::string_view name);
 
 /// The word for a quantity along an axis, e.g. "vy".
 std::string_view word_for(Quantity quantity, int axis);
+
+/// "id" and all words, as messages list them: "id, t, x, …".
+std::string known_words();
 
 /// The known word (or "id") that differs from `name` by one letter or two, or "" if none is that near.
 std::string_view nearest_word(std::string_view name);
