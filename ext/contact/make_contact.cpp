@@ -15,6 +15,19 @@ bool is_ball_of_size(const Bodies& bodies) {
   return false;
 }
 
+/// Whether a distance is measured from its faces; from the centre otherwise.
+bool is_box(const Bodies& bodies) {
+  switch (bodies.layout.shape) {
+    case Shape::box:
+      return true;
+    case Shape::point:
+    case Shape::ball:
+    case Shape::cylinder:
+      return false;
+  }
+  throw Error("contact of a shape that this version does not know");
+}
+
 bool has(const Bodies& a, const Bodies& b, Shape shape) {
   return a.layout.shape == shape || b.layout.shape == shape;
 }
@@ -50,7 +63,7 @@ std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const Co
   if (question.within_z) require_cylinders_or_points(a, b);
   const double within = question.within;
   const int degree = std::max(degree_of(a.layout.law), degree_of(b.layout.law));
-  const bool box = has(a, b, Shape::box);
+  const bool box_a = is_box(a), box_b = is_box(b), box = box_a || box_b;
   if (has(a, b, Shape::cylinder) || question.within_z) {
     require_no_ball_with_cylinder(a, b, name_a, name_b);
     const Setup upright{a, b, question.horizon, within, question.within_z.value_or(0)};
@@ -59,9 +72,8 @@ std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const Co
   }
   const Setup setup{a, b, question.horizon, within, within};
   const bool round = is_ball_of_size(a) || is_ball_of_size(b) || within > 0;
-  const bool both_boxes = a.layout.shape == Shape::box && b.layout.shape == Shape::box;
   // Per axis: boxes among themselves, anything in one dimension, and where nothing is round.
-  if (both_boxes || a.layout.axes == 1 || !round) return make_box_contact(setup, degree);
+  if ((box_a && box_b) || a.layout.axes == 1 || !round) return make_box_contact(setup, degree);
   return make_set_contact(setup, box ? box_ball_set(setup) : ball_ball_set(setup), degree);
 }
 

@@ -1,8 +1,25 @@
 #include "contact/window_contact.h"
 
+#include "base/error.h"
 #include "contact/set/shape_pairs.h"
 
 namespace foresee::contact {
+namespace {
+
+ContactSet window_set(const Setup& setup) {
+  switch (setup.b.layout.shape) {
+    case Shape::cylinder:
+      return window_cylinder_set(setup);
+    case Shape::ball:
+      return setup.b.layout.axes > 1 ? window_ball_set(setup) : window_box_set(setup);
+    case Shape::point:
+    case Shape::box:
+      return window_box_set(setup);
+  }
+  throw Error("contact of a window and a shape that this version does not know");
+}
+
+}  // namespace
 
 MovingWindow::MovingWindow(const WindowFaces& faces, int axes, double now) : faces_(faces) {
   const Layout layout{.axes = axes, .law = Law::uniform, .shape = Shape::point, .has_t = true};
@@ -17,11 +34,7 @@ MovingWindow::MovingWindow(const WindowFaces& faces, int axes, double now) : fac
 std::unique_ptr<Contact> make_window_contact(const MovingWindow& window, const Bodies& objects,
                                              const Horizon& horizon) {
   const Setup setup{.a = window.bodies(), .b = objects, .horizon = horizon, .window = &window.faces()};
-  const int degree = degree_of(objects.layout.law);
-  const Shape shape = objects.layout.shape;
-  if (shape == Shape::cylinder) return make_set_contact(setup, window_cylinder_set(setup), degree);
-  const bool round = shape == Shape::ball && objects.layout.axes > 1;
-  return make_set_contact(setup, round ? window_ball_set(setup) : window_box_set(setup), degree);
+  return make_set_contact(setup, window_set(setup), degree_of(objects.layout.law));
 }
 
 }  // namespace foresee::contact

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "contact/pair_by_hand.h"
+#include "contact/window_contact.h"
 
 namespace foresee::contact {
 namespace {
@@ -157,6 +158,17 @@ TEST(Door, ErrorsNameTheTablesAndSayWhatToDo) {
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("between a (cylinders) and b (balls"), std::string::npos);
   }
+}
+
+TEST(Door, ShapesOfALaterVersionAreRefused) {
+  const double row[] = {0, 0};
+  const Bodies points({.axes = 2}, row, 1);
+  Bodies later = points;
+  later.layout.shape = static_cast<Shape>(99);
+  EXPECT_THROW(make_contact(points, later, asked(1), "a", "b"), Error);
+  EXPECT_THROW(make_contact(later, points, asked(1, 1), "a", "b"), Error);
+  const MovingWindow window({}, 2, 0);
+  EXPECT_THROW(make_window_contact(window, later, {0, 1}), Error);
 }
 
 TEST(Answers, DoNotDependOnTheHostsRoundingMode) {
