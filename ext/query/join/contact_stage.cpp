@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "query/join/question.h"
-
 namespace foresee::query {
 
 ContactStage::ContactStage(const JoinQuestion& question, Interrupt& interrupt)

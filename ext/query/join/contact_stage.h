@@ -10,6 +10,7 @@
 // Keeps scratch space: used by one thread at a time; several may share a question.
 #pragma once
 
+#include "index/candidates.h"
 #include "query/join/time_slabs.h"
 
 namespace foresee::query {

@@ -9,7 +9,6 @@
 #include "index/paper_grid/thread_clock.h"
 #include "query/join/join_candidates.h"
 #include "query/join/join_plan.h"
-#include "query/join/question.h"
 
 namespace foresee::query {
 namespace {

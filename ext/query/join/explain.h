@@ -22,7 +22,8 @@
 #include <string>
 #include <vector>
 
-#include "query/join/join.h"
+#include "base/error.h"
+#include "query/join/question.h"
 
 namespace foresee::query {
 

@@ -1,42 +1,15 @@
 #include "query/join/join.h"
 
 #include <cmath>
-#include <string>
 #include <utility>
 
 #include "base/float_environment.h"
 #include "query/join/join_candidates.h"
 #include "query/join/join_plan.h"
-#include "query/join/question.h"
 #include "query/join/slab_helpers.h"
 #include "query/join/sorted_hits.h"
 
 namespace foresee::query {
-
-JoinMethod join_method(std::string_view name) {
-  if (name == "auto") return JoinMethod::automatic;
-  if (name == "grid") return JoinMethod::grid;
-  if (name == "tree") return JoinMethod::tree;
-  if (name == "scan") return JoinMethod::scan;
-  if (name == "gpcd") return JoinMethod::gpcd;
-  throw Error("method must be 'auto', 'grid', 'tree', 'scan' or 'gpcd', not '" + std::string(name) + "'");
-}
-
-const char* name_of(JoinMethod method) {
-  switch (method) {
-    case JoinMethod::automatic:
-      return "auto";
-    case JoinMethod::grid:
-      return "grid";
-    case JoinMethod::tree:
-      return "tree";
-    case JoinMethod::scan:
-      return "scan";
-    case JoinMethod::gpcd:
-      return "gpcd";
-  }
-  return "";
-}
 
 /// A question and how far it is answered.
 struct Join::Progress {

@@ -9,7 +9,6 @@
 #include "index/one_with_all.h"
 #include "index/paper_grid/paper_candidates.h"
 #include "index/tpr_tree/tree_join.h"
-#include "query/join/question.h"
 
 namespace foresee::query {
 namespace {

@@ -1,7 +1,8 @@
 // Stage one of a join: which pairs are worth a look?
 #pragma once
 
-#include "query/join/join.h"
+#include "index/candidates.h"
+#include "query/join/question.h"
 
 namespace foresee::query {
 

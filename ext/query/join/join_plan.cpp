@@ -5,7 +5,6 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
-#include "query/join/question.h"
 
 namespace foresee::query {
 namespace {

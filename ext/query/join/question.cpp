@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/error.h"
 #include "query/require.h"
 
 namespace foresee::query {
@@ -13,6 +14,31 @@ std::string axes_of(const Scene& scene) {
 }
 
 }  // namespace
+
+JoinMethod join_method(std::string_view name) {
+  if (name == "auto") return JoinMethod::automatic;
+  if (name == "grid") return JoinMethod::grid;
+  if (name == "tree") return JoinMethod::tree;
+  if (name == "scan") return JoinMethod::scan;
+  if (name == "gpcd") return JoinMethod::gpcd;
+  throw Error("method must be 'auto', 'grid', 'tree', 'scan' or 'gpcd', not '" + std::string(name) + "'");
+}
+
+const char* name_of(JoinMethod method) {
+  switch (method) {
+    case JoinMethod::automatic:
+      return "auto";
+    case JoinMethod::grid:
+      return "grid";
+    case JoinMethod::tree:
+      return "tree";
+    case JoinMethod::scan:
+      return "scan";
+    case JoinMethod::gpcd:
+      return "gpcd";
+  }
+  return "";
+}
 
 void require_valid(const JoinQuestion& question) {
   require_not_negative("h", question.h);

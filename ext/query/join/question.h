@@ -1,14 +1,86 @@
-// What every answer to a JoinQuestion begins with: is it in order, and which contact does it ask about?
+// What is asked of a join, and what does a row of its answer hold? The words in which join, plan, stages and
+// SQL's functions speak of it.
+//
+//   JoinQuestion question{.a = ships, .b = ferries, .now = 600, .h = 600, .within = 926};
+//   require_valid(question);
+//   auto contact = contact_of(question);
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <memory>
+#include <optional>
+#include <string_view>
 
-#include "query/join/join.h"
+#include "contact/contact.h"
+#include "index/gpcd_grid/work_space.h"
+#include "query/scene.h"
 
 namespace foresee::query {
 
-/// Throws Error as Join's constructor says.
+enum class JoinMethod : std::uint8_t { automatic, grid, tree, scan, gpcd };
+
+/// Throws Error for an unknown name, listing the known ones.
+JoinMethod join_method(std::string_view name);
+const char* name_of(JoinMethod method);
+
+struct JoinWants {
+  bool contact = true;   ///< t, dt
+  bool ends = true;      ///< t_end, dt_end; only together with contact
+  bool approach = true;  ///< t_cpa, dt_cpa, d_cpa
+};
+
+/// Both ends included. Rows outside are left out.
+struct AskedTimes {
+  double least = -std::numeric_limits<double>::infinity();
+  double most = std::numeric_limits<double>::infinity();
+
+  bool holds(double time) const { return least <= time && time <= most; }
+  bool are_all() const { return least == AskedTimes{}.least && most == AskedTimes{}.most; }
+};
+
+/// By dt that is above 0: pairs that touch already are left out.
+inline constexpr AskedTimes after_now{std::numeric_limits<double>::denorm_min()};
+
+inline constexpr std::size_t all_rows = std::numeric_limits<std::size_t>::max();
+
+enum class JoinOrder : std::uint8_t {
+  any,
+  by_t,  ///< rising
+  by_dt,
+  by_t_and_ids,  ///< by t, a, b
+};
+
+struct JoinQuestion {
+  std::shared_ptr<const Scene> a;
+  std::shared_ptr<const Scene> b = nullptr;  ///< null: pairs within a, each once
+  double now = 0;
+  double h = 0;
+  double within = 0;
+  std::optional<double> within_z = {};
+  JoinMethod method = JoinMethod::automatic;  ///< tree: both scenes have levels
+  std::optional<std::int64_t> only_a = {};  ///< only pairs whose column a has this id: linear in the objects
+  std::optional<std::int64_t> only_b = {};
+  AskedTimes asked_t = {}, asked_dt = {};
+  JoinOrder order = JoinOrder::any;
+  std::size_t likely_rows = all_rows;  ///< that will be read; of more, in an order, some are found twice
+  JoinWants wants = {};
+  std::size_t helpers = 0;                     ///< threads that the grid may use beside the caller's
+  std::shared_ptr<GridSpace> space = nullptr;  ///< memory kept between joins, not shared by two at a time
+
+  bool asks_about_all_times() const { return asked_t.are_all() && asked_dt.are_all(); }
+};
+
+struct JoinRow {
+  JoinRow() {}  // not even zeros in columns that are not wanted
+  std::int64_t a, b;
+  ContactTimes contact;
+  ClosestApproach approach;
+};
+
+/// Throws Error for h, within or within_z that is negative or not finite, for now that is not finite, and for
+/// different axes.
 void require_valid(const JoinQuestion& question);
 
 /// The contact that decides this question's pairs: make_contact() with its scenes, which must outlive the

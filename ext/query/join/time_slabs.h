@@ -16,7 +16,7 @@
 
 #include <optional>
 
-#include "query/join/join.h"
+#include "query/join/question.h"
 
 namespace foresee::query {
 

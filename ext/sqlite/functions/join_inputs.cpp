@@ -4,7 +4,6 @@
 
 #include "base/float_environment.h"
 #include "query/join/probe.h"
-#include "query/join/question.h"
 #include "sqlite/names/open_table.h"
 #include "storage/rows/text.h"
 

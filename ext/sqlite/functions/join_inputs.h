@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "query/join/join.h"
+#include "query/join/question.h"
 #include "sqlite/functions/function_call.h"
 
 namespace foresee::sqlite {

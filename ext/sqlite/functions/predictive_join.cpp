@@ -1,4 +1,5 @@
 // predictive_join(h, …) in SQL: which outputs are read, and its rows.
+#include "query/join/join.h"
 #include "sqlite/functions/join_inputs.h"
 #include "sqlite/functions/table_functions.h"
 
