@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
@@ -11,6 +12,9 @@
 #include "scenes.h"
 
 namespace foresee::testing {
+
+/// By dt that is above 0: pairs that touch already are left out.
+inline constexpr AskedTimes after_now{std::numeric_limits<double>::denorm_min()};
 
 inline std::shared_ptr<const Scene> scene_of(const RandomScene& random, const std::string& name = "ships") {
   auto scene = std::make_shared<Scene>();

@@ -40,9 +40,6 @@ struct AskedTimes {
   bool are_all() const { return least == AskedTimes{}.least && most == AskedTimes{}.most; }
 };
 
-/// By dt that is above 0: pairs that touch already are left out.
-inline constexpr AskedTimes after_now{std::numeric_limits<double>::denorm_min()};
-
 inline constexpr std::size_t all_rows = std::numeric_limits<std::size_t>::max();
 
 enum class JoinOrder : std::uint8_t {

@@ -45,9 +45,6 @@ class TimeSlabs {
   /// exactly one.
   std::optional<TimeSlab> next();
 
-  /// From the first to the last moment asked about; negative if there is none.
-  double length() const { return end_ - begin_; }
-
  private:
   /// What holds the t from `begin` to before `end`, and in its horizon every moment that rounds to one.
   TimeSlab slab(double begin, double end, bool last) const;

@@ -10,6 +10,7 @@
 namespace foresee::query {
 namespace {
 
+using testing::after_now;
 using testing::all_layouts;
 using testing::all_scene_kinds;
 using testing::name_of;

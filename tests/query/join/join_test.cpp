@@ -7,6 +7,7 @@
 namespace foresee::query {
 namespace {
 
+using testing::after_now;
 using testing::IdPairs;
 using testing::pairs_of;
 using testing::rows_of;
