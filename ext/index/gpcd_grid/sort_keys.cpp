@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/steps.h"
+
 namespace foresee::index::gpcd {
 namespace {
 
@@ -25,11 +27,8 @@ float lower_x(Key key) {
 
 /// std::sort that can be stopped; used for keys without order only, so the price of counting is small.
 void full_sort(std::span<Key> keys, Interrupt& interrupt) {
-  std::size_t comparisons = 0;
-  std::sort(keys.begin(), keys.end(), [&](Key a, Key b) {
-    if (++comparisons % (std::size_t{1} << 18) == 0) interrupt.check();
-    return a < b;
-  });
+  Steps steps(interrupt);
+  std::sort(keys.begin(), keys.end(), [&](Key a, Key b) { return steps(), a < b; });
 }
 
 /// A few keys, no two equal: the place of each is the number of smaller ones.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/steps.h"
+
 namespace foresee::query {
 
 void SortedHits::add(const Hits& hits, Interrupt& interrupt) {
@@ -25,17 +27,11 @@ bool SortedHits::precedes(const Found& l, const Found& r) const {
   return l_a != r_a ? l_a < r_a : b.ids[l.pair.b] < b.ids[r.pair.b];
 }
 
-/// Looks for an interrupt now and then.
-bool SortedHits::compare(const Found& l, const Found& r, Interrupt& interrupt) {
-  constexpr std::size_t comparisons_per_check = 1 << 16;
-  if (++comparisons_ % comparisons_per_check == 0) interrupt.check();
-  return precedes(l, r);
-}
-
 void SortedHits::keep_first(Interrupt& interrupt) {
+  Steps steps(interrupt);
   const auto last = found_.begin() + static_cast<std::ptrdiff_t>(room_ - 1);
   std::nth_element(found_.begin(), last, found_.end(),
-                   [&](const Found& l, const Found& r) { return compare(l, r, interrupt); });
+                   [&](const Found& l, const Found& r) { return steps(), precedes(l, r); });
   last_ = *last;
   found_.resize(room_);
   cut_ = true;
@@ -43,8 +39,9 @@ void SortedHits::keep_first(Interrupt& interrupt) {
 
 void SortedHits::sort(Interrupt& interrupt) {
   if (found_.size() > room_) keep_first(interrupt);
+  Steps steps(interrupt);
   std::sort(found_.begin(), found_.end(),
-            [&](const Found& l, const Found& r) { return compare(l, r, interrupt); });
+            [&](const Found& l, const Found& r) { return steps(), precedes(l, r); });
   sorted_ = found_.size();
 }
 

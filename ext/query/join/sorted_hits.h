@@ -51,13 +51,12 @@ class SortedHits {
   };
   /// In the question's order, which ids or row numbers make strict: no two hits are equal.
   bool precedes(const Found& l, const Found& r) const;
-  bool compare(const Found& l, const Found& r, Interrupt& interrupt);
   void keep_first(Interrupt& interrupt);
 
   const JoinQuestion& question_;
   std::size_t room_;
   std::vector<Found> found_;
-  std::size_t sorted_ = 0, given_ = 0, comparisons_ = 0;
+  std::size_t sorted_ = 0, given_ = 0;
   bool cut_ = false;            ///< hits behind `last_` have been left out
   Found last_{};                ///< of those that were kept
   std::optional<Found> after_;  ///< the last one that was taken, where a slab is answered again
