@@ -95,14 +95,11 @@ bool all_exist_throughout(const Bodies& bodies, const Horizon& horizon, Interrup
   for (std::size_t i = 0; i < bodies.count && !partly; ++i) {
     if (i % objects_per_check == 0) interrupt.check();
     const double* row = bodies.row(i);
-    const double t = at.t == Offsets::absent ? 0 : row[at.t];
+    const double t = value_or(row, at.t, 0);
     const bool late = t > horizon.now;
     const bool early = at.until != Offsets::absent && row[at.until] - horizon.now < horizon.h;
-    partly =
-        (late || early) &&
-        !life_of(t, at.until == Offsets::absent ? std::numeric_limits<double>::infinity() : row[at.until],
-                 horizon)
-             .none;
+    partly = (late || early) &&
+             !life_of(t, value_or(row, at.until, std::numeric_limits<double>::infinity()), horizon).none;
   }
   return !partly;
 }

@@ -37,8 +37,8 @@ Motion<D> motion_of(const Bodies& bodies, std::size_t i) {
   auto vector_at = [row](int place) -> Vec<D> {
     return place == Offsets::absent ? Vec<D>(Vec<D>::Zero()) : Vec<D>(Eigen::Map<const Vec<D>>(row + place));
   };
-  return {at.t == Offsets::absent ? 0.0 : row[at.t], vector_at(at.x), vector_at(at.v), vector_at(at.a),
-          at.until == Offsets::absent ? std::numeric_limits<double>::infinity() : row[at.until]};
+  return {value_or(row, at.t, 0), vector_at(at.x), vector_at(at.v), vector_at(at.a),
+          value_or(row, at.until, std::numeric_limits<double>::infinity())};
 }
 
 }  // namespace foresee::shape

@@ -21,14 +21,13 @@ class LeafReader {
   std::size_t record_size() const { return static_cast<std::size_t>(at_.size); }
 
   Motion<D> motion(const double* record) const {
-    Motion<D> motion{
-        t(record), vector(record, at_.x), vector(record, at_.v), vector(record, at_.a),
-        at_.until == Offsets::absent ? std::numeric_limits<double>::infinity() : record[at_.until]};
+    Motion<D> motion{t(record), vector(record, at_.x), vector(record, at_.v), vector(record, at_.a),
+                     value_or(record, at_.until, std::numeric_limits<double>::infinity())};
     if (at_.force != Offsets::absent) motion.a = vector(record, at_.force) / record[at_.mass];
     return motion;
   }
   Extents<D> extents(const double* record) const { return extents_of<D>(shape_, record, at_); }
-  double t(const double* record) const { return at_.t == Offsets::absent ? 0 : record[at_.t]; }
+  double t(const double* record) const { return value_or(record, at_.t, 0); }
   const double* record(const Node& leaf, std::size_t slot) const {
     return leaf.values.data() + slot * record_size();
   }

@@ -92,7 +92,7 @@ double Values::stored(const Column& column, std::int64_t id, sqlite3_value* valu
 }
 
 void Values::require_motion_to_last(std::int64_t id) const {
-  const double t = at_.t == Offsets::absent ? 0 : record_[static_cast<std::size_t>(at_.t)];
+  const double t = value_or(record_.data(), at_.t, 0);
   const double until = record_[static_cast<std::size_t>(at_.until)];
   if (until < t)
     refuse("until", id, shown(until),
