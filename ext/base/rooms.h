@@ -11,8 +11,8 @@
 // told by the includes alone.
 //
 // Directives, which are bad manners elsewhere, open here our own namespaces to each other: in the order of
-// the includes, at this one place, never std, Eigen or Boost. No two rooms define a type of one name (a
-// test), so that numbers:: and motion:: before every other word would tell nothing.
+// the includes, at this one place, never std, Eigen or Boost. No two rooms define a type of one name in
+// their headers (a test), so that numbers:: and motion:: before every other word would tell nothing.
 //
 // To know: a function hides those of its name to the right, unless an argument's type leads there;
 // base::shown(x) says which is meant. And looking up by arguments follows no directives: a template called on
