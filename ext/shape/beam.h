@@ -20,7 +20,6 @@
 
 #include <cstddef>
 
-#include "base/error.h"
 #include "motion/beam_lanes.h"
 #include "motion/box.h"
 #include "shape/bodies.h"
@@ -60,11 +59,5 @@ void put(const Beam<D>& beam, BeamLanes<D>& lanes, std::size_t l) {
 template <int D>
 void beams(const Bodies& bodies, std::size_t first, std::size_t count, const Horizon& horizon,
            const Vec<D>& margin, BeamLanes<D>& out);
-
-/// Whether every body that exists during the horizon is there when it begins.
-bool all_exist_at_begin(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt);
-
-/// Whether every body that exists during the horizon does so at each of its moments.
-bool all_exist_throughout(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt);
 
 }  // namespace foresee::shape
