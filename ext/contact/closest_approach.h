@@ -7,6 +7,7 @@
 // microsecond, tens of them in exact arithmetic.
 #pragma once
 
+#include "contact/contact.h"
 #include "contact/set/relative_motion.h"
 
 namespace foresee::contact {

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "contact/contact.h"
 #include "contact/set/shape_pairs.h"
+#include "contact/typed_contact.h"
 
 namespace foresee::contact {
 namespace {

@@ -1,6 +1,5 @@
 #include "contact/set_contact.h"
 
-#include "contact/set/shape_pairs.h"
 #include "contact/typed_contact.h"
 
 namespace foresee::contact {

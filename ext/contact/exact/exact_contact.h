@@ -8,6 +8,7 @@
 
 #include <optional>
 
+#include "contact/contact.h"
 #include "contact/exact/pair_polynomials.h"
 
 namespace foresee::contact {

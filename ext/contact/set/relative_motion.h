@@ -8,9 +8,9 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/contact.h"
 #include "motion/axis_motion.h"
 #include "numbers/exactly.h"
+#include "shape/bodies.h"
 
 namespace foresee::contact {
 

@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "contact/window_contact.h"
+#include "contact/set/window_faces.h"
 
 namespace foresee::contact {
 namespace {

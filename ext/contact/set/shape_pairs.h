@@ -2,8 +2,6 @@
 // two tables declare and what the question asks; the numbers of a pair come later.
 #pragma once
 
-#include <memory>
-
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 
@@ -30,10 +28,5 @@ ContactSet window_box_set(const Setup& setup);
 ContactSet window_ball_set(const Setup& setup);
 /// An upright cylinder: a rounded rectangle in x and y, an interval along z.
 ContactSet window_cylinder_set(const Setup& setup);
-
-/// Answers by a set. `degree`: of the relative motion, at most 2.
-std::unique_ptr<Contact> make_set_contact(const Setup& setup, ContactSet set, int degree);
-/// Answers by box_box_set(), sixteen pairs at once.
-std::unique_ptr<Contact> make_box_contact(const Setup& setup, int degree);
 
 }  // namespace foresee::contact

@@ -10,7 +10,7 @@
 #include "contact/exact/exact_contact.h"
 #include "contact/oracle.h"
 #include "contact/pair_by_hand.h"
-#include "contact/set/shape_pairs.h"
+#include "contact/typed_contact.h"
 
 namespace foresee::contact {
 namespace {
