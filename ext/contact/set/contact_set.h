@@ -142,26 +142,8 @@ struct PairLengths {
   T operator[](int number) const { return length_of<T>(set, row_a, row_b, number); }
 };
 
-/// One length of a pair, from nothing.
-template <class T>
-T length_of(const ContactSet& set, const double* row_a, const double* row_b, int number) {
-  using E = Exactly<T>;
-  const Length& length = set.lengths()[static_cast<std::size_t>(number)];
-  switch (length.from) {
-    case Length::From::both_rows:
-      return E::number(value_or(row_a, length.a, 0)) + E::number(value_or(row_b, length.b, 0));
-    case Length::From::given:
-      return E::number(length.number);
-    case Length::From::sum:
-      return length_of<T>(set, row_a, row_b, length.a) + length_of<T>(set, row_a, row_b, length.b);
-    default:
-      return length_at<T>(PairLengths<T>{set, row_a, row_b}, length.a) -
-             length_of<T>(set, row_a, row_b, length.b);
-  }
-}
-
-/// A length that varies, from `known`, those before it; `in_both` gives what the rows have at two places,
-/// added.
+/// A length that is not given, from `known`, those before it; `in_both` gives what the rows have at two
+/// places, added.
 template <class T, class Lengths, class InBoth>
 T varying_length(const Length& length, const Lengths& known, InBoth&& in_both) {
   switch (length.from) {
@@ -172,6 +154,22 @@ T varying_length(const Length& length, const Lengths& known, InBoth&& in_both) {
     default:
       return length_at<T>(known, length.a) - known[length.b];
   }
+}
+
+/// Such an `in_both`; what a row does not have is 0.
+template <class T>
+auto in_both_rows(const double* row_a, const double* row_b) {
+  return [row_a, row_b](int place_a, int place_b) {
+    return Exactly<T>::number(value_or(row_a, place_a, 0)) + Exactly<T>::number(value_or(row_b, place_b, 0));
+  };
+}
+
+/// One length of a pair, from nothing.
+template <class T>
+T length_of(const ContactSet& set, const double* row_a, const double* row_b, int number) {
+  const Length& length = set.lengths()[static_cast<std::size_t>(number)];
+  if (length.from == Length::From::given) return Exactly<T>::number(length.number);
+  return varying_length<T>(length, PairLengths<T>{set, row_a, row_b}, in_both_rows<T>(row_a, row_b));
 }
 
 /// All lengths of one pair after another, in the order of their numbers; what is the same for all is computed
@@ -186,11 +184,8 @@ class AllLengths {
 
   /// From now on the lengths of this pair.
   void take(const ContactSet& set, const double* row_a, const double* row_b) {
-    using E = Exactly<T>;
     T* const out = lengths_.data();
-    const auto in_both = [row_a, row_b](int place_a, int place_b) {
-      return E::number(value_or(row_a, place_a, 0)) + E::number(value_or(row_b, place_b, 0));
-    };
+    const auto in_both = in_both_rows<T>(row_a, row_b);
     for (const int i : set.varying())
       out[i] = varying_length<T>(set.lengths()[static_cast<std::size_t>(i)], out, in_both);
   }
