@@ -43,18 +43,16 @@ class ExactPair {
   /// When do all conditions of the piece hold?
   TimeIntervals held(const ContactSet::Piece& piece) {
     const ContactSet& set = polynomials_.set();
-    auto all = set.members(piece.all);
+    const auto all = set.members(piece.all);
     const auto around = set.members(piece.around), beyond = set.members(piece.beyond);
-    const bool round = around.size() + beyond.size() > 0;
-    const int ball = round ? all.back() : 0;
-    if (round) all = all.first(all.size() - 1);
     TimeIntervals met{{&begin_, &end_}};
-    for (std::size_t i = 0; i < all.size() && !met.empty(); ++i) met = common(met, inside(all[i]));
-    if (!round) return met;
+    for (std::size_t i = 0; i < all.size() && !met.empty(); ++i)
+      if (all[i] != piece.ball) met = common(met, inside(all[i]));
+    if (piece.ball < 0) return met;
     for (std::size_t i = 0; i < beyond.size() && !met.empty(); ++i)
       met = common(met, outside(inside(beyond[i]), {begin_, end_}));
     if (met.empty()) return met;
-    LazyPolynomial& polynomial = polynomials_.polynomial(polynomials_.number_of(ball));
+    LazyPolynomial& polynomial = polynomials_.polynomial(polynomials_.number_of(piece.ball));
     TimeIntervals near = met;
     if (is_bent(polynomial))
       for (std::size_t i = 0; i < around.size() && !near.empty(); ++i) near = common(near, inside(around[i]));

@@ -54,7 +54,7 @@ int ContactSet::ball(std::span<const AxisPart> centre, const Size& radius) {
 
 void ContactSet::add_piece(const Conditions& conditions) {
   const Part all = add(conditions.all), around = add(conditions.around), beyond = add(conditions.beyond);
-  pieces_.push_back({all, around, beyond});
+  pieces_.push_back({all, around, beyond, conditions.ball});
 }
 
 int ContactSet::degree() const {

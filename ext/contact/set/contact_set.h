@@ -38,10 +38,11 @@ struct Length {
 
 /// One piece: where the primitives `all` are at most 0. Two lists change no piece and save work: where the
 /// piece holds, those `around` it hold too; and of the union nothing is lost if `beyond` must be at least 0,
-/// as elsewhere another piece covers this one. Where there are such lists, the last of `all` is a ball that
-/// no other piece has.
+/// as elsewhere another piece covers this one. `ball` is one of `all` that no other piece has: its roots
+/// are costly, so the exact stage looks for them last, and only when the rest holds.
 struct Conditions {
   std::vector<int> all, around = {}, beyond = {};
+  int ball = -1;  ///< -1: none
 };
 
 /// Both faces of a box across one axis: -x <= below and x <= above, each a length, or 0, if it is there.
@@ -59,6 +60,7 @@ class ContactSet {
   };
   struct Piece {
     Part all, around, beyond;
+    int ball;
   };
 
   /// All of it, for kernels.

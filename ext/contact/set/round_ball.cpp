@@ -17,7 +17,8 @@ void add_ball(ContactSet& set, int axes, int radius, const Faces* along_z) {
     set.enclose(around);
     for (const int bound : between(set, {&around, 1})) piece.around.push_back(bound);
   }
-  piece.all.push_back(set.ball(centre, {radius}));
+  piece.ball = set.ball(centre, {radius});
+  piece.all.push_back(piece.ball);
   set.add_piece(piece);
 }
 

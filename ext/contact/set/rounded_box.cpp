@@ -77,7 +77,8 @@ class RoundedBox {
       piece.around.push_back(face.grown);
       piece.beyond.push_back(face.bound);
     }
-    piece.all.push_back(set_.ball(centre, {radius_}));
+    piece.ball = set_.ball(centre, {radius_});
+    piece.all.push_back(piece.ball);
     set_.add_piece(piece);
   }
 

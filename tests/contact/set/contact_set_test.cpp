@@ -73,7 +73,8 @@ ContactSet set_of(std::span<const Disc> discs) {
   for (const Disc& disc : discs) {
     const int x = set.given(disc.x), y = set.given(disc.y), r = set.given(disc.r);
     const AxisPart centre[] = {{.axis = 0, .at = {x}}, {.axis = 1, .at = {y}}};
-    Conditions piece{.all = {set.ball(centre, {r})}};
+    const int ball = set.ball(centre, {r});
+    Conditions piece{.all = {ball}, .ball = ball};
     for (const AxisPart& part : centre) {
       piece.around.push_back(set.bound(part.axis, 1, {set.sum(part.at.value, r)}));
       piece.around.push_back(set.bound(part.axis, -1, {set.difference(r, part.at.value)}));
@@ -199,7 +200,8 @@ ContactSet growing_disc(double r, double rate, double bend) {
   ContactSet set;
   const Size radius{set.given(r), set.given(rate), set.given(bend)};
   const AxisPart centre[] = {{.axis = 0}, {.axis = 1}};
-  Conditions piece{.all = {set.ball(centre, radius)}};
+  const int ball = set.ball(centre, radius);
+  Conditions piece{.all = {ball}, .ball = ball};
   for (const AxisPart& part : centre)
     for (const int sign : {1, -1}) piece.around.push_back(set.bound(part.axis, sign, radius));
   set.add_piece(piece);
