@@ -35,8 +35,9 @@ class SetContact : public Contact {
 
   void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) override {
     const FloatEnvironment environment;
-    in_lanes(pairs, true, [&](const Pair& pair, int l) {
-      if (lanes_.touches[l] > 0 || touches(lanes_.a[l], lanes_.b[l], near(l))) hits.push_back(pair);
+    in_set_lanes(pairs, true, [&](const Pair& pair, int l) {
+      if (set_lanes_.touches[l] > 0 || touches(set_lanes_.a[l], set_lanes_.b[l], near(l)))
+        hits.push_back(pair);
     });
   }
 
@@ -44,8 +45,8 @@ class SetContact : public Contact {
                       std::vector<ContactTimes>& times) override {
     const FloatEnvironment environment;
     ContactTimes found;
-    in_lanes(pairs, false, [&](const Pair& pair, int l) {
-      if (!first_contact(lanes_.a[l], lanes_.b[l], near(l), wanted, found)) return;
+    in_set_lanes(pairs, false, [&](const Pair& pair, int l) {
+      if (!first_contact(set_lanes_.a[l], set_lanes_.b[l], near(l), wanted, found)) return;
       hits.push_back(pair);
       times.push_back(found);
     });
@@ -122,12 +123,12 @@ class SetContact : public Contact {
     return {set_, setup_, row_a, row_b, moments, near, certain_scratch_};
   }
 
-  Period<double> near(int l) const { return {lanes_.begin[l], lanes_.end[l]}; }
+  Period<double> near(int l) const { return {set_lanes_.begin[l], set_lanes_.end[l]}; }
 
   /// Visits the pairs that are not certainly apart, in order, each with its lane: near(l) is when it could
   /// touch, and where that is wanted lanes_.touches[l] whether it certainly does.
   template <class Visit>
-  void in_lanes(std::span<const Pair> pairs, bool touches_wanted, Visit&& visit) {
+  void in_set_lanes(std::span<const Pair> pairs, bool touches_wanted, Visit&& visit) {
     constexpr std::size_t width = SetLanes::width;
     question_.touches_wanted = touches_wanted;
     for (std::size_t begin = 0; begin < pairs.size(); begin += width) {
@@ -135,11 +136,11 @@ class SetContact : public Contact {
       for (std::size_t l = 0; l < width; ++l) {
         fetch_ahead(pairs, begin + l);
         const Pair& pair = some[std::min(l, some.size() - 1)];  // lanes without a pair repeat the last one
-        lanes_.a[l] = setup_.a.row(pair.a), lanes_.b[l] = setup_.b.row(pair.b);
+        set_lanes_.a[l] = setup_.a.row(pair.a), set_lanes_.b[l] = setup_.b.row(pair.b);
       }
-      kernel_.look(question_, lanes_);
+      set_kernel_.look(question_, set_lanes_);
       for (std::size_t l = 0; l < some.size(); ++l)
-        if (!(lanes_.begin[l] > lanes_.end[l])) visit(some[l], static_cast<int>(l));
+        if (!(set_lanes_.begin[l] > set_lanes_.end[l])) visit(some[l], static_cast<int>(l));
     }
   }
 
@@ -182,8 +183,8 @@ class SetContact : public Contact {
   CrossingScratch crossing_scratch_;
   std::vector<LanesLine> space_;
   LanesQuestion question_;
-  SetLanes lanes_;
-  const SetKernel<D, Degree>& kernel_ = set_kernel<D, Degree>();
+  SetLanes set_lanes_;
+  const SetKernel<D, Degree>& set_kernel_ = set_kernel<D, Degree>();
 };
 
 extern template class SetContact<1, 1>;
