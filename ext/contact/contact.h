@@ -49,7 +49,10 @@ struct ClosestApproach {
 
 class Contact {
  public:
+  Contact() = default;
   virtual ~Contact() = default;
+  Contact(const Contact&) = delete;
+  Contact& operator=(const Contact&) = delete;
 
   /// Appends to `hits` those of `pairs` that touch, in their order. No pair is wrong: decided is what the
   /// real numbers do that the stored doubles are, without a tolerance, and whichever stage tells
