@@ -7,13 +7,14 @@
 
 namespace foresee::sqlite {
 
-std::string findings_of(MovingObjectsTable& table) {
+void require_integrity(MovingObjectsTable& table) {
   constexpr std::size_t most = 5;
   const std::vector<std::string> findings = table.store().integrity_check(table.connection->interrupt());
+  if (findings.empty()) return;
   std::string text;
   for (std::size_t i = 0; i < findings.size() && i < most; ++i) text += (i == 0 ? "" : "; ") + findings[i];
   if (findings.size() > most) text += "; and " + std::to_string(findings.size() - most) + " more";
-  return text;
+  throw StoreError(SQLITE_CORRUPT_VTAB, table.name + ": " + text);
 }
 
 void run_command(MovingObjectsTable& table, sqlite3_value* command) {
@@ -23,8 +24,7 @@ void run_command(MovingObjectsTable& table, sqlite3_value* command) {
   } else if (word == "optimize") {
     table.store().optimize(table.connection->interrupt());
   } else if (word == "integrity-check") {
-    const std::string findings = findings_of(table);
-    if (!findings.empty()) throw StoreError(SQLITE_CORRUPT_VTAB, table.name + ": " + findings);
+    require_integrity(table);
   } else {
     throw Error(table.name + ": no command " + shown(command) +
                 "; known are 'rebuild', 'optimize' and 'integrity-check'");

@@ -12,7 +12,7 @@ namespace foresee::sqlite {
 /// Throws Error for an unknown command, listing the known.
 void run_command(MovingObjectsTable& table, sqlite3_value* command);
 
-/// The first findings of the integrity check, joined; "" if there is nothing to find.
-std::string findings_of(MovingObjectsTable& table);
+/// Throws StoreError with the first findings of the integrity check, if there are any.
+void require_integrity(MovingObjectsTable& table);
 
 }  // namespace foresee::sqlite

@@ -159,11 +159,7 @@ int is_shadow_name(const char* suffix) noexcept {
 
 /// PRAGMA integrity_check, from SQLite 3.44 on: what is wrong comes as text, not as a result code.
 int table_integrity(sqlite3_vtab* base, const char*, const char*, int, char** finding) noexcept {
-  const int rc = guarded(finding, [&] {
-    MovingObjectsTable& table = table_of(base);
-    const std::string findings = findings_of(table);
-    if (!findings.empty()) throw StoreError(SQLITE_CORRUPT_VTAB, table.name + ": " + findings);
-  });
+  const int rc = guarded(finding, [&] { require_integrity(table_of(base)); });
   return (rc & 0xff) == SQLITE_CORRUPT && *finding != nullptr ? SQLITE_OK : rc;
 }
 
