@@ -14,12 +14,4 @@ int register_moving_objects(sqlite3* db,
 int register_table_functions(sqlite3* db,
                              const std::shared_ptr<Connection>& connection);  // table_functions.cpp
 
-/// Registers a module that shares the connection's state through pAux and lets go of it when SQLite destroys
-/// the module.
-int register_module(sqlite3* db, const char* name, const sqlite3_module* module,
-                    const std::shared_ptr<Connection>& connection);
-
-/// The state behind a module's pAux.
-const std::shared_ptr<Connection>& connection_of(void* aux);
-
 }  // namespace foresee::sqlite

@@ -42,6 +42,8 @@ Declaration declaration_of(OpenStore open, sqlite3* db, const std::string& schem
   throw;
 }
 
+using Holder = std::shared_ptr<Connection>;  // what pAux points to
+
 int connect(OpenStore open, sqlite3* db, void* aux, int argc, const char* const* argv, sqlite3_vtab** table,
             char** message) noexcept {
   return guarded(message, [&] {
@@ -52,8 +54,8 @@ int connect(OpenStore open, sqlite3* db, void* aux, int argc, const char* const*
     sqlite3_vtab_config(db, SQLITE_VTAB_INNOCUOUS);
     const int rc = sqlite3_declare_vtab(db, declared_schema(declaration, name).c_str());
     if (rc != SQLITE_OK) throw StoreError(rc, name + ": " + sqlite3_errmsg(db));
-    *table = new MovingObjectsTable(connection_of(aux), declaration, open(db, schema, name, declaration),
-                                    schema, name);
+    *table = new MovingObjectsTable(*static_cast<Holder*>(aux), declaration,
+                                    open(db, schema, name, declaration), schema, name);
     return SQLITE_OK;
   });
 }
@@ -203,7 +205,9 @@ constexpr ModuleWithIntegrity moving_objects_module = {{
 }  // namespace
 
 int register_moving_objects(sqlite3* db, const std::shared_ptr<Connection>& connection) {
-  return register_module(db, "moving_objects", &moving_objects_module.module, connection);
+  // SQLite destroys the holder also when it fails.
+  return sqlite3_create_module_v2(db, "moving_objects", &moving_objects_module.module, new Holder(connection),
+                                  [](void* aux) { delete static_cast<Holder*>(aux); });
 }
 
 }  // namespace foresee::sqlite
