@@ -27,9 +27,9 @@ class TableCursor;
 
 class Connection {
  public:
-  static constexpr std::size_t most_scenes = 256 << 20;  ///< bytes
+  static constexpr std::size_t scene_memory_limit = 256 << 20;  ///< bytes
 
-  explicit Connection(sqlite3* db, std::size_t scene_memory = most_scenes)
+  explicit Connection(sqlite3* db, std::size_t scene_memory = scene_memory_limit)
       : db_(db), interrupt_(db), lookups_(db), scene_memory_(scene_memory) {}
 
   sqlite3* db() const { return db_; }
