@@ -4,19 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "base/integer_of.h"
 #include "sqlite/functions/table_function.h"
 #include "storage/rows/text.h"
 
 namespace foresee::sqlite {
-namespace {
-
-constexpr double two_to_63 = 0x1p63;
-
-bool holds_exactly(double value, std::int64_t integer) {
-  return value < two_to_63 && static_cast<std::int64_t>(value) == integer;
-}
-
-}  // namespace
 
 void FunctionCall::reject(int input, const char* kind) const {
   const auto place = static_cast<std::size_t>(input);
@@ -29,7 +21,7 @@ std::optional<double> FunctionCall::number(int input) const {
   const int type = sqlite3_value_numeric_type(value);
   if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) reject(input, "a number");
   const double number = sqlite3_value_double(value);
-  if (type == SQLITE_INTEGER && !holds_exactly(number, sqlite3_value_int64(value)))
+  if (type == SQLITE_INTEGER && integer_of(number) != sqlite3_value_int64(value))
     reject(input, "a number that a double holds exactly");
   return number;
 }
@@ -41,9 +33,8 @@ double FunctionCall::required_number(int input) const {
 }
 
 std::int64_t FunctionCall::required_integer(int input) const {
-  const double number = required_number(input);
-  if (!(std::abs(number) < two_to_63 && std::trunc(number) == number)) reject(input, "a whole number");
-  return static_cast<std::int64_t>(number);
+  if (const auto integer = integer_of(required_number(input))) return *integer;
+  reject(input, "a whole number");
 }
 
 std::optional<std::string> FunctionCall::text(int input) const {
@@ -59,9 +50,7 @@ std::optional<std::int64_t> FunctionCall::only(int output) const {
     const int type = sqlite3_value_numeric_type(hint.value);
     if (type == SQLITE_INTEGER) return sqlite3_value_int64(hint.value);
     if (type != SQLITE_FLOAT) continue;
-    const double number = sqlite3_value_double(hint.value);
-    if (std::abs(number) < two_to_63 && std::trunc(number) == number)
-      return static_cast<std::int64_t>(number);
+    if (const auto integer = integer_of(sqlite3_value_double(hint.value))) return integer;
   }
   return std::nullopt;
 }
@@ -75,7 +64,7 @@ FunctionCall::Bounds FunctionCall::bounds(int output) const {
     if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) continue;
     const double number = sqlite3_value_double(hint.value);
     // An integer may lie on either side of its double.
-    const bool exact = type == SQLITE_FLOAT || holds_exactly(number, sqlite3_value_int64(hint.value));
+    const bool exact = type == SQLITE_FLOAT || integer_of(number) == sqlite3_value_int64(hint.value);
     const double below = std::nextafter(number, -inf), above = std::nextafter(number, inf);
     if (hint.op == SQLITE_INDEX_CONSTRAINT_GT) bounds.least = std::max(bounds.least, exact ? above : below);
     if (hint.op == SQLITE_INDEX_CONSTRAINT_GE || hint.op == SQLITE_INDEX_CONSTRAINT_EQ)

@@ -4,22 +4,13 @@
 #include <limits>
 
 #include "base/float_environment.h"
+#include "base/integer_of.h"
 #include "base/shown.h"
 #include "sqlite/callback.h"
 #include "storage/rows/text.h"
 
 namespace foresee::sqlite {
 namespace {
-
-constexpr double two_to_the_63 = 9223372036854775808.0;
-
-/// The integer that a double is, if it is one and fits.
-std::optional<std::int64_t> integer_of(double number) {
-  if (!(number >= -two_to_the_63 && number < two_to_the_63)) return std::nullopt;
-  const auto integer = static_cast<std::int64_t>(number);
-  if (static_cast<double>(integer) != number) return std::nullopt;
-  return integer;
-}
 
 bool is_empty_text(sqlite3_value* value) {
   return sqlite3_value_type(value) == SQLITE_TEXT && sqlite3_value_bytes(value) == 0;

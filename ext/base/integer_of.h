@@ -1,0 +1,22 @@
+// Which integer is this double?
+//
+//   integer_of(7.0) == 7
+//   integer_of(0.5), integer_of(0x1p63), integer_of(NAN)           // nothing
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "base/rooms.h"
+
+namespace foresee::base {
+
+/// Nothing where it is none, or none of 64 bits.
+inline std::optional<std::int64_t> integer_of(double number) {
+  if (!(number >= -0x1p63 && number < 0x1p63)) return std::nullopt;
+  const auto integer = static_cast<std::int64_t>(number);
+  if (static_cast<double>(integer) != number) return std::nullopt;
+  return integer;
+}
+
+}  // namespace foresee::base
