@@ -29,10 +29,12 @@ std::optional<double> FunctionCall::number(int input) const {
 double FunctionCall::required_number(int input) const {
   if (const auto given = number(input)) return *given;
   const std::string name = function_.inputs[static_cast<std::size_t>(input)];
-  throw Error(name + " is missing: write " + usage(function_));
+  throw Error(name + " is missing or NULL: write " + usage(function_));
 }
 
 std::int64_t FunctionCall::required_integer(int input) const {
+  sqlite3_value* value = inputs_[static_cast<std::size_t>(input)];
+  if (value && sqlite3_value_numeric_type(value) == SQLITE_INTEGER) return sqlite3_value_int64(value);
   if (const auto integer = integer_of(required_number(input))) return *integer;
   reject(input, "a whole number");
 }
@@ -40,7 +42,7 @@ std::int64_t FunctionCall::required_integer(int input) const {
 std::optional<std::string> FunctionCall::text(int input) const {
   sqlite3_value* value = inputs_[static_cast<std::size_t>(input)];
   if (!value) return std::nullopt;
-  if (sqlite3_value_type(value) != SQLITE_TEXT) reject(input, "a name in quotes");
+  if (sqlite3_value_type(value) != SQLITE_TEXT) reject(input, "a name in quotes, or NULL to leave it out");
   return text_of(value);
 }
 

@@ -14,11 +14,25 @@ bool in_schema(const VisibleTable& table, const std::optional<std::string>& sche
   return !schema || same_name(table.schema, *schema);
 }
 
-/// " (moving_objects tables here: main.crates, main.ships)".
-std::string list_of(const std::vector<VisibleTable>& tables) {
+std::string quoted(const std::string& name) {
+  return "'" + without_nul(name) + "'";
+}
+
+/// Whether its name by itself means another table.
+bool is_hidden(const VisibleTable& table, const std::vector<VisibleTable>& tables) {
+  for (const VisibleTable& other : tables)
+    if (same_name(other.name, table.name)) return &other != &table;
+  return false;
+}
+
+/// " (moving_objects tables here: 'crates', 'ships' with schema = 'main')": as one has to write it.
+std::string list_of(const std::vector<VisibleTable>& tables, bool with_schemas) {
   std::string list;
-  for (const VisibleTable& table : tables)
-    if (table.holds_moving_objects) list += (list.empty() ? "" : ", ") + table.schema + "." + table.name;
+  for (const VisibleTable& table : tables) {
+    if (!table.holds_moving_objects) continue;
+    list += (list.empty() ? "" : ", ") + quoted(table.name);
+    if (with_schemas || is_hidden(table, tables)) list += " with schema = " + quoted(table.schema);
+  }
   return list.empty()
              ? " (there is no moving_objects table here; make one with CREATE VIRTUAL TABLE ships USING "
                "moving_objects(id, x, y, vx, vy))"
@@ -31,10 +45,12 @@ AskedTable only_table(sqlite3* db, const std::optional<std::string>& schema) {
   const VisibleTable* only = nullptr;
   for (const VisibleTable& table : tables) {
     if (!table.holds_moving_objects || !in_schema(table, schema)) continue;
-    if (only) throw Error("tbl is missing, and there is more than one table to ask" + list_of(tables));
+    if (only)
+      throw Error("tbl is missing, and there is more than one table to ask" +
+                  list_of(tables, schema.has_value()));
     only = &table;
   }
-  if (!only) throw Error("there is no table to ask" + list_of(tables));
+  if (!only) throw Error("there is no table to ask" + list_of(tables, schema.has_value()));
   return {only->name, only->schema};
 }
 
@@ -42,21 +58,22 @@ AskedTable only_table(sqlite3* db, const std::optional<std::string>& schema) {
 std::string with_schema_apart(const std::vector<VisibleTable>& tables, const std::string& name) {
   for (const VisibleTable& table : tables)
     if (table.holds_moving_objects && same_name(table.schema + "." + table.name, name))
-      return "; give the schema by itself: '" + table.name + "' and schema = '" + table.schema + "'";
+      return "; give the schema by itself: " + quoted(table.name) + " with schema = " + quoted(table.schema);
   return "";
 }
 
 /// Says why the table could not be opened; returns if it is a moving_objects table, so that the fault is
 /// another.
 void throw_if_not_ours(sqlite3* db, const std::string& table, const std::optional<std::string>& schema) {
-  const std::string name = without_nul(schema ? *schema + "." + table : table);
+  const std::string name = quoted(table) + (schema ? " in schema " + quoted(*schema) : "");
   const std::vector<VisibleTable> tables = visible_tables(db);
   for (const VisibleTable& seen : tables) {
     if (!same_name(seen.name, table) || !in_schema(seen, schema)) continue;
     if (seen.holds_moving_objects) return;
-    throw Error(name + " is not a moving_objects table" + list_of(tables));
+    throw Error(name + " is not a moving_objects table" + list_of(tables, schema.has_value()));
   }
-  throw Error("no such table: " + name + (schema ? "" : with_schema_apart(tables, table)) + list_of(tables));
+  throw Error("no such table: " + name + (schema ? "" : with_schema_apart(tables, table)) +
+              list_of(tables, schema.has_value()));
 }
 
 /// SQL's text ends at a NUL: no name has one.

@@ -46,12 +46,13 @@ TEST_F(ExplainInSql, HasNoRowsForAnEmptyTable) {
 
 TEST_F(ExplainInSql, SaysWhatIsWrongWithACall) {
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_explain"),
-            "predictive_explain: h is missing: write predictive_explain(h, tbl, within, other, now, method, "
+            "predictive_explain: h is missing or NULL: write predictive_explain(h, tbl, within, other, now, "
+            "method, "
             "within_z, schema)");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_explain(-1, 'ships')"),
             "predictive_explain: h must be a finite number >= 0, not -1");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_explain(1, 'boats')")
-                .find("predictive_explain: no such table: boats"),
+                .find("predictive_explain: no such table: 'boats'"),
             0u);
 }
 

@@ -10,7 +10,8 @@ struct JoinErrors : Harbour {
 
 TEST_F(JoinErrors, NameTheMissingHorizon) {
   const char* missing =
-      "predictive_join: h is missing: write predictive_join(h, tbl, within, other, now, method, within_z, "
+      "predictive_join: h is missing or NULL: write predictive_join(h, tbl, within, other, now, method, "
+      "within_z, "
       "schema)";
   EXPECT_EQ(error("predictive_join"), missing);
   EXPECT_EQ(error("predictive_join(NULL, 'ships')"), missing);
@@ -26,7 +27,8 @@ TEST_F(JoinErrors, QuoteTheWrongInput) {
             "predictive_join: within must be a finite number >= 0, not -1");
   EXPECT_EQ(error("predictive_join(1, 'ships', 'near')"),
             "predictive_join: within must be a number, not 'near'");
-  EXPECT_EQ(error("predictive_join(1, 926)"), "predictive_join: tbl must be a name in quotes, not 926");
+  EXPECT_EQ(error("predictive_join(1, 926)"),
+            "predictive_join: tbl must be a name in quotes, or NULL to leave it out, not 926");
   EXPECT_EQ(error("predictive_join(1) WHERE now = -9e999"),
             "predictive_join: now must be a finite number, not -inf");
   EXPECT_EQ(error("predictive_join(1) WHERE now = 'now'"),
@@ -34,11 +36,12 @@ TEST_F(JoinErrors, QuoteTheWrongInput) {
   EXPECT_EQ(error("predictive_join(1) WHERE method = 'quick'"),
             "predictive_join: method must be 'auto', 'grid', 'tree', 'scan' or 'gpcd', not 'quick'");
   EXPECT_EQ(error("predictive_join(1) WHERE method = 2"),
-            "predictive_join: method must be a name in quotes, not 2");
+            "predictive_join: method must be a name in quotes, or NULL to leave it out, not 2");
   EXPECT_EQ(error("predictive_join(1) WHERE other = 2"),
-            "predictive_join: other must be a name in quotes, not 2");
-  EXPECT_EQ(error("predictive_join(1) WHERE schema = x'00'"),
-            "predictive_join: schema must be a name in quotes, not a blob of 1 bytes");
+            "predictive_join: other must be a name in quotes, or NULL to leave it out, not 2");
+  EXPECT_EQ(
+      error("predictive_join(1) WHERE schema = x'00'"),
+      "predictive_join: schema must be a name in quotes, or NULL to leave it out, not a blob of 1 bytes");
 }
 
 TEST_F(JoinErrors, RefuseExtraInputs) {
@@ -95,9 +98,9 @@ TEST_F(JoinErrors, RefuseWithinZWhereHeightMeansNothing) {
 TEST_F(JoinErrors, ANameDoesNotEndAtANul) {
   const auto with_nul = [](const std::string& text) { return "'" + text + "' || char(0) || 'x'"; };
   EXPECT_TRUE(error("predictive_join(1, " + with_nul("ships") + ")")
-                  .starts_with("predictive_join: no such table: ships\\0x (moving_objects tables here: "));
+                  .starts_with("predictive_join: no such table: 'ships\\0x' (moving_objects tables here: "));
   EXPECT_TRUE(error("predictive_join(1, 'ships', 0, NULL, 0, 'auto', NULL, " + with_nul("main") + ")")
-                  .starts_with("predictive_join: no such table: main\\0x.ships"));
+                  .starts_with("predictive_join: no such table: 'ships' in schema 'main\\0x'"));
   EXPECT_EQ(error("predictive_join(1, 'ships', 0, NULL, 0, " + with_nul("scan") + ")"),
             "predictive_join: method must be 'auto', 'grid', 'tree', 'scan' or 'gpcd', not 'scan\\0x'");
   EXPECT_EQ(error("predictive_window(1, 'ships') WHERE method = " + with_nul("scan")),

@@ -23,7 +23,7 @@ TEST_F(JoinTables, MayBeLeftOutWhereThereIsOne) {
   EXPECT_EQ(pairs("predictive_join(20)"),
             "error: predictive_join: tbl is missing, and there is more than one table to ask (moving_objects "
             "tables "
-            "here: main.ships, main.crates)");
+            "here: 'ships', 'crates')");
 }
 
 TEST_F(JoinTables, AreFoundInTempAndAttachedSchemas) {
@@ -75,33 +75,42 @@ TEST_F(JoinTables, AreFoundUnderTheirNewNames) {
   EXPECT_EQ(pairs("predictive_join(20)"), "1|2");
   EXPECT_EQ(pairs("predictive_join(20, 'new ships')"), "1|2");
   EXPECT_EQ(pairs("predictive_join(20, 'ships')"),
-            "error: predictive_join: no such table: ships (moving_objects tables here: main.new ships)");
+            "error: predictive_join: no such table: 'ships' (moving_objects tables here: 'new ships')");
 }
 
 TEST_F(JoinTables, OfAnotherKindAreNamedAsSuch) {
   build_ships(db);
-  const std::string listed = " (moving_objects tables here: main.ships)";
+  const std::string listed = " (moving_objects tables here: 'ships')";
   const auto error = [&](const std::string& table) {
     return db.error_of("SELECT * FROM predictive_join(20, '" + table + "')");
   };
-  EXPECT_EQ(error("nowhere"), "predictive_join: no such table: nowhere" + listed);
-  EXPECT_EQ(error(""), "predictive_join: no such table: " + listed);
+  EXPECT_EQ(error("nowhere"), "predictive_join: no such table: 'nowhere'" + listed);
+  EXPECT_EQ(error(""), "predictive_join: no such table: ''" + listed);
   db.exec("CREATE TABLE plain(x); CREATE TABLE same(same INTEGER); INSERT INTO same VALUES (1)");
   db.exec("CREATE VIEW v AS SELECT * FROM ships; CREATE VIRTUAL TABLE boxes USING rtree(id, x0, x1)");
   for (const std::string table : {"plain", "same", "v", "boxes"})
-    EXPECT_EQ(error(table), "predictive_join: " + table + " is not a moving_objects table" + listed);
-  EXPECT_EQ(db.error_of("SELECT * FROM predictive_join(20, 'ships') WHERE schema = 'aux'"),
-            "predictive_join: no such table: aux.ships" + listed);
-  EXPECT_EQ(error("predictive_join"), "predictive_join: no such table: predictive_join" + listed);
-  EXPECT_EQ(error("ships_node"), "predictive_join: ships_node is not a moving_objects table" + listed);
+    EXPECT_EQ(error(table), "predictive_join: '" + table + "' is not a moving_objects table" + listed);
+  EXPECT_EQ(
+      db.error_of("SELECT * FROM predictive_join(20, 'ships') WHERE schema = 'aux'"),
+      "predictive_join: no such table: 'ships' in schema 'aux' (moving_objects tables here: 'ships' with "
+      "schema = 'main')");
+  EXPECT_EQ(error("predictive_join"), "predictive_join: no such table: 'predictive_join'" + listed);
+  EXPECT_EQ(error("ships_node"), "predictive_join: 'ships_node' is not a moving_objects table" + listed);
 }
 
 TEST_F(JoinTables, ThatHideAnotherAreToldApart) {
   build_ships(db);
   db.exec("CREATE TEMP TABLE ships(x)");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_join(20, 'ships')"),
-            "predictive_join: ships is not a moving_objects table (moving_objects tables here: main.ships)");
+            "predictive_join: 'ships' is not a moving_objects table (moving_objects tables here: 'ships' "
+            "with schema = 'main')");
   EXPECT_EQ(pairs("predictive_join(20, 'ships') WHERE schema = 'main'"), "1|2");
+  db.exec("DROP TABLE temp.ships");
+  build_ships(db, "temp.ships");
+  EXPECT_EQ(
+      db.error_of("SELECT * FROM predictive_join(20, 'boats')"),
+      "predictive_join: no such table: 'boats' (moving_objects tables here: 'ships', 'ships' with schema "
+      "= 'main')");
 }
 
 TEST_F(JoinTables, AreFoundThoughAFunctionMatchAnswersForOthers) {
@@ -112,7 +121,7 @@ TEST_F(JoinTables, AreFoundThoughAFunctionMatchAnswersForOthers) {
       nullptr);
   build_ships(db);
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_join(20, 'plain')"),
-            "predictive_join: plain is not a moving_objects table (moving_objects tables here: main.ships)");
+            "predictive_join: 'plain' is not a moving_objects table (moving_objects tables here: 'ships')");
 }
 
 TEST(JoinOfTwoTables, SurvivesThatLookingUpOneMakesSQLiteConnectTheOtherAnew) {

@@ -70,11 +70,15 @@ TEST_F(NearestInSql, SaysWhatToWrite) {
   const std::string usage =
       "write predictive_nearest(h, tbl, k, x, y, z, now, qvx, qvy, qvz, method, schema)";
   const std::string name = "predictive_nearest";
-  EXPECT_EQ(error(name), "predictive_nearest: h is missing: " + usage);
-  EXPECT_EQ(error(name + "(1)"), "predictive_nearest: k is missing: " + usage);
+  EXPECT_EQ(error(name), "predictive_nearest: h is missing or NULL: " + usage);
+  EXPECT_EQ(error(name + "(1)"), "predictive_nearest: k is missing or NULL: " + usage);
   EXPECT_EQ(error(name + "(1, 'ships', 0, 0, 0)"),
             "predictive_nearest: k must be a whole number >= 1, not 0");
   EXPECT_EQ(error(name + "(1, 'ships', 1.5, 0, 0)"), "predictive_nearest: k must be a whole number, not 1.5");
+  EXPECT_EQ(error(name + "(1, 'ships', 9223372036854775807, 0, 0)"), "");
+  EXPECT_EQ(error(name + "(1, 'ships', '9223372036854775807', 0, 0)"), "");
+  EXPECT_EQ(error(name + "(1, 'ships', 1e19, 0, 0)"),
+            "predictive_nearest: k must be a whole number, not 1e+19");
   EXPECT_EQ(error(name + "(1, 'ships', 1)"),
             "predictive_nearest: ships has 2 axes (x, y): x is missing; give one number for each axis");
   EXPECT_EQ(error(name + "(1, 'ships', 1, 0, 0, 0)"),
@@ -84,7 +88,7 @@ TEST_F(NearestInSql, SaysWhatToWrite) {
   EXPECT_EQ(error(name + "(-1, 'ships', 1, 0, 0)"),
             "predictive_nearest: h must be a finite number >= 0, not -1");
   EXPECT_EQ(error(name + "(1, 'boats', 1, 0, 0)"),
-            "predictive_nearest: no such table: boats (moving_objects tables here: main.ships)");
+            "predictive_nearest: no such table: 'boats' (moving_objects tables here: 'ships')");
   EXPECT_NE(error(name + "(1, 'ships', 1, 0, 0) WHERE method = 'grid'"), "");
 }
 

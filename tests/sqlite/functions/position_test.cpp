@@ -69,17 +69,17 @@ TEST_F(PositionTest, IsNeverNullOnADeclaredAxis) {
 
 TEST_F(PositionTest, SaysWhatIsWrong) {
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_position"),
-            "predictive_position: at is missing: write predictive_position(at, tbl, schema)");
+            "predictive_position: at is missing or NULL: write predictive_position(at, tbl, schema)");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_position('noon')"),
             "predictive_position: at must be a number, not 'noon'");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_position(9e999)"),
             "predictive_position: at must be a finite number, not inf");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_position(1, 'nowhere')"),
-            "predictive_position: no such table: nowhere (moving_objects tables here: main.ships)");
-  EXPECT_EQ(db.error_of("SELECT * FROM predictive_position(1, 'Main.ships')"),
-            "predictive_position: no such table: Main.ships; give the schema by itself: 'ships' and schema = "
-            "'main' "
-            "(moving_objects tables here: main.ships)");
+            "predictive_position: no such table: 'nowhere' (moving_objects tables here: 'ships')");
+  EXPECT_EQ(
+      db.error_of("SELECT * FROM predictive_position(1, 'Main.ships')"),
+      "predictive_position: no such table: 'Main.ships'; give the schema by itself: 'ships' with schema = "
+      "'main' (moving_objects tables here: 'ships')");
   EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_position(1, 'ships') WHERE schema = 'main'"), "3");
 }
 

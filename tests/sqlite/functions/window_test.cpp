@@ -84,12 +84,13 @@ TEST_F(WindowInSql, StaysAsItWasUnderALoopThatWrites) {
 
 TEST_F(WindowInSql, SaysWhatToWrite) {
   const std::string name = "predictive_window";
-  EXPECT_EQ(error(name),
-            "predictive_window: h is missing: write predictive_window(h, tbl, x0, x1, y0, y1, z0, z1, "
-            "now, wvx, wvy, wvz, method, schema)");
+  EXPECT_EQ(
+      error(name),
+      "predictive_window: h is missing or NULL: write predictive_window(h, tbl, x0, x1, y0, y1, z0, z1, "
+      "now, wvx, wvy, wvz, method, schema)");
   EXPECT_EQ(error(name + "(-1)"), "predictive_window: h must be a finite number >= 0, not -1");
   EXPECT_EQ(error(name + "(1, 'boats')"),
-            "predictive_window: no such table: boats (moving_objects tables here: main.ships)");
+            "predictive_window: no such table: 'boats' (moving_objects tables here: 'ships')");
   EXPECT_EQ(error(name + "(1, 'ships', 5, 3)"),
             "predictive_window: x0 must not be greater than x1: x0 is 5, x1 is 3");
   EXPECT_EQ(error(name + "(1, 'ships', 9e999)"),

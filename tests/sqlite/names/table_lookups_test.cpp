@@ -15,7 +15,7 @@ struct TableLookups : ::testing::Test {
     return db.rows("SELECT id FROM predictive_window(1, '" + name + "')");
   }
   std::string missing(const std::string& name = "ships") {
-    return "error: predictive_window: no such table: " + name;
+    return "error: predictive_window: no such table: '" + name + "'";
   }
 
   TemporaryFile file;
@@ -30,7 +30,7 @@ TEST_F(TableLookups, ATableMadeAnew) {
   make("ships", 2);
   EXPECT_EQ(found(), "2");
   db.exec("DROP TABLE ships; CREATE TABLE ships(id, x)");
-  EXPECT_TRUE(found().starts_with("error: predictive_window: ships is not a moving_objects table"));
+  EXPECT_TRUE(found().starts_with("error: predictive_window: 'ships' is not a moving_objects table"));
 }
 
 TEST_F(TableLookups, ANewName) {
@@ -80,7 +80,8 @@ TEST_F(TableLookups, AnotherFileUnderTheSameName) {
     make("other.ships", id);
     EXPECT_EQ(in_other(), std::to_string(id));
     db.exec("DETACH other");
-    EXPECT_TRUE(in_other().starts_with("error: predictive_window: no such table: other.ships")) << in_other();
+    EXPECT_TRUE(in_other().starts_with("error: predictive_window: no such table: 'ships' in schema 'other'"))
+        << in_other();
   }
   db.exec("ATTACH '" + file.path("1") + "' AS other");
   EXPECT_EQ(in_other(), "1");
