@@ -17,10 +17,10 @@
 //
 // How long references live. read() hands out a share of the node: it stays as it was for as long as it is
 // held, whatever happens to the pages. modify() hands out a reference that stays good until the call of the
-// tree that asked for it returns; so pages may write out and drop nodes between two calls of the tree, and
-// in put(), but in no other call. Before its first change to a node in such a call the tree announces it by
-// modify(), modify_record(), put() or free(): that is the moment to keep a copy for a savepoint. The tree
-// does not look at a share of a node that it has announced a change of.
+// tree that asked for it returns; so pages may write out and drop nodes between two calls of the tree, in
+// put() and in make_room(), but in no other call. Before its first change to a node in such a call the tree
+// announces it by modify(), modify_record(), put() or free(): that is the moment to keep a copy for a
+// savepoint. The tree does not look at a share of a node that it has announced a change of.
 #pragma once
 
 #include <cstddef>
@@ -85,6 +85,8 @@ class Pages : public NodeSource {
   virtual NodeNumber allocate() = 0;
   /// Replaces a node whole; no reference to it is in use.
   virtual void put(NodeNumber number, Node node) = 0;
+  /// In the middle of a large change: no reference is in use.
+  virtual void make_room() {}
   virtual void free(NodeNumber number) = 0;
   virtual void set_root(NodeNumber number) = 0;
 

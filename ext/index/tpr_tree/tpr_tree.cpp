@@ -5,6 +5,7 @@
 #include "index/tpr_tree/bulk_load.h"
 #include "index/tpr_tree/grow.h"
 #include "index/tpr_tree/merge.h"
+#include "index/tpr_tree/order.h"
 #include "index/tpr_tree/repack.h"
 #include "index/tpr_tree/shrink.h"
 
@@ -13,6 +14,8 @@ namespace {
 
 /// Fewer objects than these are merged one by one.
 constexpr std::size_t few = 32;
+/// As many are merged at once: the nodes concerned stay in memory meanwhile.
+constexpr std::size_t portion = 1 << 15;
 /// Of how many updates one looks for loose leaves around.
 constexpr std::size_t between_repacks = 128;
 
@@ -80,10 +83,20 @@ class Tree final : public TprTree {
       return;
     }
     see_newest(records);
-    merge_objects(state_, ids, records, interrupt);
-    for (std::size_t i = 0; i < ids.size(); i += between_repacks) {
-      interrupt.check();
-      repack_around(state_, *state_.pages.find_leaf(ids[i]));
+    const std::size_t portions = (ids.size() + portion - 1) / portion;
+    if (portions == 1) return merge_neighbours(ids, records, interrupt);
+    const auto order = leaf_order(state_, records, {portions, 1}, interrupt);
+    std::vector<std::int64_t> some_ids;
+    std::vector<double> some_records;
+    for (std::size_t i = 0; i < portions; ++i) {
+      some_ids.clear(), some_records.clear();
+      const std::size_t last = first_child(i + 1, portions, order.size());
+      for (std::size_t place = first_child(i, portions, order.size()); place < last; ++place) {
+        const auto record = records.subspan(order[place] * size, size);
+        some_ids.push_back(ids[order[place]]);
+        some_records.insert(some_records.end(), record.begin(), record.end());
+      }
+      merge_neighbours(some_ids, some_records, interrupt);
     }
   }
 
@@ -103,6 +116,18 @@ class Tree final : public TprTree {
   }
 
  private:
+  /// Merges objects that are near each other, if there are many: then they concern few nodes.
+  void merge_neighbours(std::span<const std::int64_t> ids, std::span<const double> records,
+                        Interrupt& interrupt) {
+    merge_objects(state_, ids, records, interrupt);
+    state_.pages.make_room();
+    for (std::size_t i = 0; i < ids.size(); i += between_repacks) {
+      interrupt.check();
+      repack_around(state_, *state_.pages.find_leaf(ids[i]));
+      state_.pages.make_room();
+    }
+  }
+
   /// The records that were written last are the last ones.
   void see_newest(std::span<const double> records) {
     const std::size_t size = state_.reader.record_size(), all = records.size() / size;

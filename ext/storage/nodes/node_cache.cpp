@@ -183,12 +183,16 @@ void NodeCache::put(NodeNumber number, Node node) {
   slot.state.node = std::move(shared);
   slot.learned = false;
   set_dirty(slot, true);
+  make_room();
+}
+
+void NodeCache::make_room() {
   note_memory();
-  if (share_.budget().too_many_nodes_wait()) {
-    hand_change_to_undo_log();
-    write_nodes();
-    evict_if_full();
-  }
+  if (!share_.budget().too_many_nodes_wait()) return;
+  hand_change_to_undo_log();
+  change_log_.clear();  // from here on only a rollback helps
+  write_nodes();
+  evict_if_full();
 }
 
 void NodeCache::free(NodeNumber number) {

@@ -43,6 +43,7 @@ class NodeCache final : public Pages {
   double* modify_record(NodeNumber leaf, std::size_t slot) override;
   NodeNumber allocate() override;
   void put(NodeNumber number, Node node) override;
+  void make_room() override;
   void free(NodeNumber number) override;
   void set_root(NodeNumber number) override;
   std::optional<NodeNumber> find_leaf(std::int64_t id) override;

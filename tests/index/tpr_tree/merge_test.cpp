@@ -60,6 +60,15 @@ TEST(Merge, TakesManyMoreObjectsThanTheTreeHas) {
   model.expect_sound();
 }
 
+TEST(Merge, TakesMoreObjectsThanAreMergedAtOnce) {
+  const RandomScene scene = random_scene({.layout = boats, .count = 70000, .seed = 6});
+  TreeModel model(boats, 60, 60);
+  Random random(5);
+  model.load(scene);
+  model.merge(scene, 80000, random);
+  model.expect_sound();
+}
+
 TEST(Merge, LeavesStayThreeQuartersFullWhileTheyGrow) {
   const RandomScene scene = random_scene({.layout = boats, .count = 10000, .seed = 8});
   TreeModel model(boats, 60, 20);

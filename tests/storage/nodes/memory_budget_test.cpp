@@ -78,6 +78,35 @@ TEST_F(TwoTables, WhatWasWrittenEarlyForAnotherTableGoesBackToASavepoint) {
   EXPECT_EQ(faults(*b), std::vector<std::string>{});
 }
 
+TEST_F(TwoTables, ReportsThatAreWrittenWhileTheyAreMergedCanBeTakenBack) {
+  constexpr int objects = 20000, reports = 2000;  // less than an eighth: they are merged
+  make_both({.waiting = 20 * 4032});
+  insert_into_both(objects);
+  commit_both();
+  const auto report = [&] {
+    for (int i = 1; i <= reports; ++i) a->update(i * 7, i * 7, ship(-i), {});
+    EXPECT_EQ(count_of(*a), objects);
+    EXPECT_GT(db.number("SELECT count(*) FROM a_node WHERE data NOT IN (SELECT data FROM before)"), 0);
+  };
+  db.run("CREATE TABLE before AS SELECT * FROM a_node");
+  const auto before = contents(*a);
+  begin(db, *a);
+  report();
+  db.run("ROLLBACK");
+  a->rollback();
+  EXPECT_EQ(contents(*a), before);
+  begin(db, *a);
+  b->begin();
+  open_savepoint(db, *a, 0);
+  report();
+  roll_back_to(db, *a, 0);
+  EXPECT_EQ(contents(*a), before);
+  report();
+  commit_both();
+  EXPECT_EQ(faults(*a), std::vector<std::string>{});
+  for (int i = 1; i <= reports; ++i) ASSERT_EQ(a->read(i * 7)->at(1), -i);
+}
+
 TEST_F(TwoTables, NodesOfOneMakeRoomForThoseOfTheOther) {
   constexpr int objects = 1000, nodes = 20;
   make_both({.memory = nodes * 4032});
