@@ -5,8 +5,8 @@
 //   even_out_root(state);                            // at the end
 //
 // Leaves: a leaf that is too full, or less than a quarter full, is packed anew together with the sibling that
-// overlaps it most, in as few leaves as hold both: two full ones become three. Inner nodes are split in two, or
-// taken up by that sibling.
+// overlaps it most, in as few leaves as hold both: two full ones become three. Inner nodes are split in two,
+// or taken up by that sibling.
 #pragma once
 
 #include "index/tpr_tree/state.h"
