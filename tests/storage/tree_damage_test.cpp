@@ -139,6 +139,20 @@ TEST_F(TreeDamage, NoRootDemandsAnEmptyMap) {
   expect_found_and_mended("there is no root");
 }
 
+TEST_F(TreeDamage, ALeafThatIsNoneIsNotSharedWith) {
+  const NodeNumber first = node(root).keys[0], other = node(root).keys[1];
+  change(first, [&](Node& n) {
+    n.keys = {n.keys[0], other};
+    n.values.resize(2 * static_cast<std::size_t>(entry_size(2)));
+  });
+  db.run("UPDATE ships_meta SET value = random() WHERE key = 'stamp'");
+  const std::vector<double> record = *store->read(node(node(first).keys[0]).keys[0]);
+  begin(db, *store);
+  for (int id = 9000; id < 9060; ++id) store->insert(id, record, {});
+  expect_store_error(SQLITE_CORRUPT_VTAB, "ships: ", [&] { store->take_snapshot(); });
+  roll_back(db, *store);
+}
+
 TEST_F(TreeDamage, ReadersAndWritersGetAnErrorAndChangeNothing) {
   change(root, [](Node& n) { std::iota(n.keys.begin(), n.keys.end(), 4444); });
   db.run("UPDATE ships_meta SET value = random() WHERE key = 'stamp'");

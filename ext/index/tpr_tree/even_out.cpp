@@ -53,7 +53,7 @@ class EvenOut {
   void pack(std::span<const NodeNumber> old) {
     LeafPack<D> pack(state_);
     for (const NodeNumber leaf : old) {
-      pack.add(leaf, *state_.pages.read(leaf));
+      pack.add(leaf, *read_below(state_.pages, number_, parent_, slot_of(parent_, leaf)));
       remove_slot(parent_, slot_of(parent_, leaf), state_.stride(1));
     }
     pack.arrange((pack.objects() + state_.capacity(0) - 1) / state_.capacity(0), 1);

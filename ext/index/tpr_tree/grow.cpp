@@ -6,7 +6,7 @@
 namespace foresee::index {
 namespace {
 
-/// The node of this level, beneath `number`, whose way down grows least by what is added: choose_child() on
+/// The node of this level, beneath `number`, whose way down grows least by what is added: ChildChoice on
 /// every level. Throws BrokenTree where a node is not beneath its parent.
 template <int D, class Added>
 NodeNumber choose_node(TreeState<D>& state, NodeNumber number, int level, const Added& added) {

@@ -6,6 +6,7 @@ namespace foresee::index {
 
 template <int D>
 void LeafPack<D>::add(NodeNumber number, const Node& leaf) {
+  if (!leaf.is_leaf()) throw BrokenTree("a tree node that should be a leaf is none");
   ids_.insert(ids_.end(), leaf.keys.begin(), leaf.keys.end());
   records_.insert(records_.end(), leaf.values.begin(), leaf.values.end());
   from_.resize(ids_.size(), static_cast<std::uint32_t>(numbers_.size()));

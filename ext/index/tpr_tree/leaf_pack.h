@@ -2,9 +2,10 @@
 //
 //   LeafPack<2> pack(state);
 //   pack.add(7, *leaf7), pack.add(9, *leaf9);
-//   pack.arrange(3, 1);                          // into three leaves beneath one parent; nothing is written
-//   yet pack.summaries(epoch)                        // what the parent would say of each pack.write(0,
-//   parent), pack.write(1, parent), pack.write(2, parent);       // their numbers pack.free_rest();
+//   pack.arrange(3, 1);                       // into three leaves beneath one parent; nothing is written yet
+//   pack.summaries(epoch)                     // what the parent would say of each
+//   pack.write(0, parent)                     // and the others: their numbers
+//   pack.free_rest();
 //
 // A new leaf takes the number of the old one that most of its objects come from: what stays where it was
 // costs the page map nothing.

@@ -118,6 +118,7 @@ void repack_around(TreeState<D>& state, NodeNumber leaf) {
   NodeNumber above_number;
   {
     const auto node = state.pages.read(leaf);
+    if (!node->is_leaf()) throw BrokenTree("an object is not in a leaf of the tree");
     const auto parent = read_above(state.pages, leaf, *node);
     if (!parent) return;
     parents.push_back(node->parent);

@@ -1,5 +1,7 @@
 #include "index/tpr_tree/tpr_tree.h"
 
+#include <set>
+
 #include "base/axes.h"
 #include "base/steps.h"
 #include "index/tpr_tree/bulk_load.h"
@@ -14,8 +16,9 @@ namespace {
 
 /// Fewer objects than these are merged one by one.
 constexpr std::size_t few = 32;
-/// As many are merged at once: the nodes concerned stay in memory meanwhile.
-constexpr std::size_t portion = 1 << 15;
+/// No more are merged at once, and none than there is memory for if each concerns another leaf: leaves stay
+/// in memory meanwhile, as they were and as they become.
+constexpr std::size_t most_merged = 1 << 15, merge_memory = 64 << 20;
 /// Of how many updates one looks for loose leaves around.
 constexpr std::size_t between_repacks = 128;
 
@@ -43,7 +46,7 @@ class Tree final : public TprTree {
       insert_object(state_, object, leaf_stays ? ancestor_containing(*leaf, object) : 0,
                     leaf_stays ? *leaf : 0);
     }
-    if (++updates_ % between_repacks == 0) repack_around(state_, *state_.pages.find_leaf(id));
+    if (++updates_ % between_repacks == 0) repack_around(state_, leaf_of(id));
     return true;
   }
 
@@ -83,7 +86,7 @@ class Tree final : public TprTree {
       return;
     }
     see_newest(records);
-    const std::size_t portions = (ids.size() + portion - 1) / portion;
+    const std::size_t portions = (ids.size() + portion() - 1) / portion();
     if (portions == 1) return merge_neighbours(ids, records, interrupt);
     const auto order = leaf_order(state_, records, {portions, 1}, interrupt);
     std::vector<std::int64_t> some_ids;
@@ -121,11 +124,27 @@ class Tree final : public TprTree {
                         Interrupt& interrupt) {
     merge_objects(state_, ids, records, interrupt);
     state_.pages.make_room();
+    std::set<NodeNumber> tried;  // once is enough for all leaves beneath one node
     for (std::size_t i = 0; i < ids.size(); i += between_repacks) {
       interrupt.check();
-      repack_around(state_, *state_.pages.find_leaf(ids[i]));
+      const NodeNumber leaf = leaf_of(ids[i]);
+      if (!tried.insert(state_.pages.read(leaf)->parent).second) continue;
+      repack_around(state_, leaf);
       state_.pages.make_room();
     }
+  }
+
+  /// Requires: the tree has the object.
+  NodeNumber leaf_of(std::int64_t id) {
+    const auto leaf = state_.pages.find_leaf(id);
+    if (!leaf) throw BrokenTree("the map lacks an object of the tree");
+    return *leaf;
+  }
+
+  /// How many objects are merged at once.
+  std::size_t portion() const {
+    const std::size_t leaf = state_.pages.leaf_capacity() * state_.reader.record_size() * sizeof(double);
+    return std::clamp(merge_memory / leaf, few, most_merged);
   }
 
   /// The records that were written last are the last ones.

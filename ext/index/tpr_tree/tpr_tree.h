@@ -10,7 +10,7 @@
 // whatever the numbers. The tree is tuned for questions that look up to `horizon` seconds ahead of the times
 // that are being written; others are answered too. Bounds follow the clock: a node whose epoch lies far
 // behind (or ahead) has its entries computed anew when something beneath it is written.
-// Where updates have left loose leaves, those beneath one node are packed anew now and then (repack.h).
+// Where updates have left loose leaves, those beneath two neighbours are packed anew now and then (repack.h).
 //
 // Cost: insert and erase touch one path of nodes; an update that leaves its leaf's entry true and is not the
 // newest object touches the leaf alone (unless it is one of the few that find loose leaves around); a bulk

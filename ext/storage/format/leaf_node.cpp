@@ -119,6 +119,9 @@ std::vector<std::byte> encode_leaf(const NodeFormat& format, std::int64_t number
   if (!std::is_sorted(leaf.keys.begin(), leaf.keys.end()))
     std::sort(order.begin(), order.end(),
               [&](std::uint16_t a, std::uint16_t b) { return leaf.keys[a] < leaf.keys[b]; });
+  const auto same = [&](std::uint16_t a, std::uint16_t b) { return leaf.keys[a] == leaf.keys[b]; };
+  if (std::adjacent_find(order.begin(), order.end(), same) != order.end())
+    throw BrokenTree("a leaf of the tree holds an object twice");
   std::byte* id = blob.data() + NodeFormat::ids_at;
   std::byte* record = blob.data() + format.records_at;
   for (const std::size_t slot : order) {

@@ -18,7 +18,7 @@
 namespace foresee::storage {
 
 struct MemoryLimits {
-  std::size_t pending = 128 << 20;  ///< bytes of objects that wait to be bulk loaded
+  std::size_t pending = 128 << 20;  ///< bytes of objects that wait for the tree
   std::size_t memory = 128 << 20;   ///< bytes of nodes that are kept, or of changes that wait, roughly
   /// … of nodes that wait while one change puts many. What waits can be taken back, so that whoever
   /// interrupts a question loses nothing: room for as many new objects as may be pending, not for a large old
@@ -43,8 +43,11 @@ class MemoryBudget {
   explicit MemoryBudget(const MemoryLimits& limits = {}) : limits_(limits) {}
 
   bool too_much_waits() const { return pending_ > limits_.pending || waiting_ + map_ > limits_.memory; }
-  /// … to put more of them in the middle of a change.
-  bool too_many_nodes_wait() const { return waiting_ > limits_.waiting; }
+  /// … to put more of them in the middle of a change, of a table that holds `own` bytes of them: enough to be
+  /// worth writing.
+  bool too_many_nodes_wait(std::size_t own) const {
+    return waiting_ > limits_.waiting && own > limits_.waiting / 8;
+  }
   void write_out();
   /// Does nothing while there is room.
   void evict();

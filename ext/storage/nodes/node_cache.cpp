@@ -122,7 +122,7 @@ void NodeCache::note_changed(NodeNumber number, Slot& slot) {
 void NodeCache::about_to_change(NodeNumber number, Slot& slot) {
   note_changed(number, slot);
   if (slot.kept_by == newest_keeper_) return;
-  if (in_change_)
+  if (in_change_ && !wrote_in_change_)
     change_log_.emplace_back(number, slot.state);
   else if (!undo_.none())
     undo_.keep(number, slot.state);
@@ -172,6 +172,7 @@ NodeNumber NodeCache::allocate() {
   Slot& slot = slots_[number];
   about_to_change(number, slot);
   slot.state.node = std::move(node);
+  slot.learned = false;
   set_dirty(slot, true);
   return head_.last = number;
 }
@@ -188,9 +189,11 @@ void NodeCache::put(NodeNumber number, Node node) {
 
 void NodeCache::make_room() {
   note_memory();
-  if (!share_.budget().too_many_nodes_wait()) return;
+  if (!share_.budget().too_many_nodes_wait(dirty_ * format_.node_size)) return;
   hand_change_to_undo_log();
-  change_log_.clear();  // from here on only a rollback helps
+  wrote_in_change_ = in_change_;  // from here on only a rollback helps, or one to a savepoint
+  change_log_.clear();
+  wrote_early_ = true;
   write_nodes();
   evict_if_full();
 }

@@ -61,7 +61,7 @@ class NodeCache final : public Pages {
   void forget_all() noexcept;
   /// Nodes and root will be read from the rows again. Requires: nothing waits.
   void forget_clean();
-  bool waits() const { return dirty_ > 0 || map_.waits() || head_.root_dirty; }
+  bool waits() const { return dirty_ > 0 || map_.waits() || head_.root_dirty || wrote_early_; }
   /// Tells the share what is held.
   void note_memory() noexcept {
     share_.hold_nodes(dirty_ * format_.node_size, map_.memory(), slots_.size() * format_.node_size);
@@ -177,6 +177,7 @@ class NodeCache final : public Pages {
   bool waiting_is_stale_ = false;
 
   bool in_change_ = false, wrote_in_change_ = false;
+  bool wrote_early_ = false;  ///< nodes, in the middle of a change; the others have not followed
   std::vector<std::pair<NodeNumber, NodeState>> change_log_;
   /// Most updates change one record and nothing else: it is kept alone.
   struct {

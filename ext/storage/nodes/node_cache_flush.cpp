@@ -49,7 +49,7 @@ void NodeCache::write(Interrupt& interrupt) {
     last_found_.reset();
   }
   if (head_.root_dirty) shadow_rows_->write_root(head_.root);
-  head_.root_dirty = false;
+  head_.root_dirty = wrote_early_ = false;
   if (undo_.snapshots() == 0) undo_.drop_stored();
   evict_if_full();
 }
@@ -66,6 +66,7 @@ void NodeCache::write_nodes() {
     else
       shadow_rows_->erase_node(number);
     set_dirty(slot, false);
+    slot.learned = false;
     if (!slot.state.node) erase_slot(number);
   }
 }

@@ -116,7 +116,7 @@ void NodeCache::forget_all() noexcept {
   last_found_.reset();
   changed_.clear();
   waiting_.clear();
-  waiting_is_stale_ = false;
+  waiting_is_stale_ = wrote_early_ = false;
   dirty_ = 0;
   note_memory();
 }
@@ -136,6 +136,7 @@ void NodeCache::begin() {
 
 void NodeCache::commit() noexcept {
   ++transaction_;
+  wrote_early_ = false;
   changed_.clear();
   dropped_changed_ = false;
   map_.clear();

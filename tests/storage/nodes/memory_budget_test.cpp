@@ -107,6 +107,28 @@ TEST_F(TwoTables, ReportsThatAreWrittenWhileTheyAreMergedCanBeTakenBack) {
   for (int i = 1; i <= reports; ++i) ASSERT_EQ(a->read(i * 7)->at(1), -i);
 }
 
+TEST_F(TwoTables, AMergeThatFailsWhileItWritesGoesBackToASavepoint) {
+  constexpr int objects = 20000;
+  make_both({.waiting = 150 * 4032});
+  insert_into_both(objects);
+  commit_both();
+  begin(db, *a);
+  b->begin();
+  for (int i = 1; i <= 60; ++i) a->update(i * 300, i * 300, ship(-i), {});
+  const auto before = contents(*a);  // some nodes have changed and wait
+  open_savepoint(db, *a, 0);
+  db.run(
+      "CREATE TEMP TRIGGER full BEFORE INSERT ON main.a_node WHEN NEW.nodeno = "
+      "(SELECT max(nodeno) FROM main.a_node) BEGIN SELECT raise(ABORT, 'full'); END");
+  for (int i = 1; i <= 2400; ++i) a->update(i * 8 + 1, i * 8 + 1, ship(20000 - i * 8), {});
+  EXPECT_THROW(contents(*a), StoreError);
+  roll_back_to(db, *a, 0);
+  EXPECT_EQ(contents(*a), before);
+  commit_both();
+  EXPECT_EQ(contents(*a), before);
+  EXPECT_EQ(faults(*a), std::vector<std::string>{});
+}
+
 TEST_F(TwoTables, NodesOfOneMakeRoomForThoseOfTheOther) {
   constexpr int objects = 1000, nodes = 20;
   make_both({.memory = nodes * 4032});
