@@ -47,14 +47,64 @@ inline TimeSpan span_between(double first, double last, const Horizon& horizon) 
           std::min(horizon.h, (last - horizon.now) * (1 + rounding_pad))};
 }
 
-/// What lies within `bounds` at `epoch`, as a moving box.
+/// Pads faces that are computed from numbers whose magnitudes add up to `size`.
 template <int D>
-MovingBox<D> moving_box(const Bounds<D>& bounds, double epoch, const TimeSpan& span, const Horizon& horizon);
+void pad_outward(MovingBox<D>& box, const Vec<D>& size) {
+  const Vec<D> pad = size * rounding_pad + smallest_pad;
+  box.lower -= pad, box.upper += pad;
+  const Eigen::Array<bool, D, 1> bounded =
+      size <= largest_bound && box.v_lower.abs() <= largest_bound && box.v_upper.abs() <= largest_bound;
+  if (bounded.all()) return;  // as good as always
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < D; ++axis)
+    if (!bounded[axis])
+      box.lower[axis] = -infinity, box.upper[axis] = infinity, box.v_lower[axis] = box.v_upper[axis] = 0;
+}
+
+/// What lies within `bounds` at `epoch`, as a moving box. Here, because a walk asks it of every entry.
+template <int D>
+MovingBox<D> moving_box(const Bounds<D>& bounds, double epoch, const TimeSpan& span, const Horizon& horizon) {
+  const double s = horizon.now - epoch, duration = std::max(span.end, 0.0);
+  const double reach = std::abs(s) + duration + shortest_reach;
+  const double half_s = 0.5 * s, half_duration = 0.5 * duration, eighth = 0.125 * duration;
+  const bool before = s < 0;  // then the ends of velocity and acceleration change places (bounds.h)
+  const Vec<D>&v_lower = before ? bounds.v_upper : bounds.v_lower,
+        &v_upper = before ? bounds.v_lower : bounds.v_upper,
+        &a_lower = before ? bounds.a_upper : bounds.a_lower,
+        &a_upper = before ? bounds.a_lower : bounds.a_upper;
+  MovingBox<D> box;
+  box.span = span;
+  box.lower = bounds.x_lower + s * (v_lower + half_s * bounds.a_lower) -
+              eighth * (duration * bounds.a_lower.max(0.0));
+  box.upper = bounds.x_upper + s * (v_upper + half_s * bounds.a_upper) -
+              eighth * (duration * bounds.a_upper.min(0.0));
+  box.v_lower = bounds.v_lower + s * a_lower + half_duration * bounds.a_lower;
+  box.v_upper = bounds.v_upper + s * a_upper + half_duration * bounds.a_upper;
+  pad_outward<D>(box, bounds.x_lower.abs() + bounds.x_upper.abs() +
+                          reach * (bounds.v_lower.abs() + bounds.v_upper.abs() +
+                                   (0.5 * reach) * (bounds.a_lower.abs() + bounds.a_upper.abs())));
+  return box;
+}
 
 /// An object as a moving box, grown by `margin` on both sides of every axis.
 template <int D>
 MovingBox<D> moving_box(const Motion<D>& motion, const Extents<D>& extents, const Horizon& horizon,
-                        const Vec<D>& margin);
+                        const Vec<D>& margin) {
+  const TimeSpan span = span_between(motion.t, motion.until, horizon);
+  const double s = horizon.now - motion.t, duration = std::max(span.end, 0.0);
+  const double reach = std::abs(s) + duration + shortest_reach;
+  const Vec<D> centre = motion.x + s * (motion.v + (0.5 * s) * motion.a);
+  const Vec<D> below = margin - extents.lower, above = margin + extents.upper;
+  const double eighth = 0.125 * duration;  // its square may overflow where there is no acceleration
+  MovingBox<D> box;
+  box.span = span;
+  box.lower = centre - (below + eighth * (duration * motion.a.max(0.0)));
+  box.upper = centre + (above - eighth * (duration * motion.a.min(0.0)));
+  box.v_lower = box.v_upper = motion.v + (s + 0.5 * duration) * motion.a;
+  pad_outward<D>(box, motion.x.abs() + reach_of(extents) + margin +
+                          reach * (motion.v.abs() + (0.5 * reach) * motion.a.abs()));
+  return box;
+}
 
 /// A window whose faces are at lower and upper at `now` and move along from then on; bounds may be infinite.
 template <int D>
