@@ -1,4 +1,5 @@
-// Into which child does an object go? The one whose cost of being visited grows least.
+// Into which child does an object go, and with which sibling does a node share? Where the cost of being
+// visited grows least.
 //
 //   ChildChoice<2> choice(*inner, state.cost(inner->epoch));     // for as many objects as there are
 //   const std::size_t slot = choice.choose(object.entry(inner->epoch).bounds);
