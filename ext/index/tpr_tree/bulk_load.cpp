@@ -42,15 +42,7 @@ class TreeLoad {
   void write_leaves(const std::vector<std::uint32_t>& order) {
     const std::size_t leaves = numbers_[0].size(), size = state_.reader.record_size();
     for (std::size_t i = 0; i < leaves; ++i) {
-      Node leaf;
-      const std::size_t first = first_child(i, leaves, order.size()),
-                        last = first_child(i + 1, leaves, order.size());
-      leaf.keys.reserve(last - first), leaf.values.reserve((last - first) * size);
-      for (std::size_t place = first; place < last; ++place) {
-        const double* record = records_.data() + order[place] * size;
-        leaf.keys.push_back(ids_[order[place]]);
-        leaf.values.insert(leaf.values.end(), record, record + size);
-      }
+      Node leaf = objects_at(part_of(order, i, leaves), ids_, records_, size);
       state_.pages.place(leaf.keys, numbers_[0][i]);
       finish(std::move(leaf), 0, i);
     }

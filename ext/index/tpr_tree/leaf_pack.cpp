@@ -20,15 +20,9 @@ void LeafPack<D>::arrange(std::size_t leaves, std::size_t parents) {
   const std::size_t size = state_.reader.record_size();
   leaves_.resize(leaves);
   for (std::size_t i = 0; i < leaves; ++i) {
-    const std::size_t first = first_child(i, leaves, order.size()),
-                      last = first_child(i + 1, leaves, order.size());
-    Node& leaf = leaves_[i].node;
-    for (std::size_t place = first; place < last; ++place) {
-      const double* record = records_.data() + order[place] * size;
-      leaf.keys.push_back(ids_[order[place]]);
-      leaf.values.insert(leaf.values.end(), record, record + size);
-    }
-    take_number(leaves_[i], std::span(order).subspan(first, last - first));
+    const auto objects = part_of(order, i, leaves);
+    leaves_[i].node = objects_at(objects, ids_, records_, size);
+    take_number(leaves_[i], objects);
   }
 }
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "base/error.h"
@@ -23,6 +24,26 @@ std::vector<std::size_t> level_sizes(std::size_t objects, std::size_t leaf_capac
 /// Of `children` spread evenly over `parents`: the first one of a parent.
 inline std::size_t first_child(std::size_t parent, std::size_t parents, std::size_t children) {
   return parent / parents * children + parent % parents * children / parents;
+}
+
+/// The part of an order that belongs to one of `parents`.
+inline std::span<const std::uint32_t> part_of(std::span<const std::uint32_t> order, std::size_t parent,
+                                              std::size_t parents) {
+  const std::size_t first = first_child(parent, parents, order.size());
+  return order.subspan(first, first_child(parent + 1, parents, order.size()) - first);
+}
+
+/// The objects at these places, side by side as a leaf has them; `size`: doubles of a record.
+inline Node objects_at(std::span<const std::uint32_t> places, std::span<const std::int64_t> ids,
+                       std::span<const double> records, std::size_t size) {
+  Node leaf;
+  leaf.keys.reserve(places.size()), leaf.values.reserve(places.size() * size);
+  for (const std::uint32_t place : places) {
+    const auto record = records.subspan(place * size, size);
+    leaf.keys.push_back(ids[place]);
+    leaf.values.insert(leaf.values.end(), record.begin(), record.end());
+  }
+  return leaf;
 }
 
 /// Positions of the records in leaf order: leaf i of the tree holds places first_child(i, leaves, objects)

@@ -89,17 +89,9 @@ class Tree final : public TprTree {
     const std::size_t portions = (ids.size() + portion() - 1) / portion();
     if (portions == 1) return merge_neighbours(ids, records, interrupt);
     const auto order = leaf_order(state_, records, {portions, 1}, interrupt);
-    std::vector<std::int64_t> some_ids;
-    std::vector<double> some_records;
     for (std::size_t i = 0; i < portions; ++i) {
-      some_ids.clear(), some_records.clear();
-      const std::size_t last = first_child(i + 1, portions, order.size());
-      for (std::size_t place = first_child(i, portions, order.size()); place < last; ++place) {
-        const auto record = records.subspan(order[place] * size, size);
-        some_ids.push_back(ids[order[place]]);
-        some_records.insert(some_records.end(), record.begin(), record.end());
-      }
-      merge_neighbours(some_ids, some_records, interrupt);
+      const Node some = objects_at(part_of(order, i, portions), ids, records, size);
+      merge_neighbours(some.keys, some.values, interrupt);
     }
   }
 
