@@ -47,11 +47,11 @@ class VersionZeroOne : public ::testing::Test {
     EXPECT_EQ(sqlite3_finalize(select), SQLITE_OK);
     return text;
   }
-  /// What the shadow tables hold, but for the stamp, which is random.
+  /// What the shadow tables hold, but for the stamp, which is random, and the count, which version 0.1 lacks.
   static std::string stored(Database& db, const std::string& table) {
     std::string text = rows(db, "SELECT * FROM " + table + "_node") +
                        rows(db, "SELECT * FROM " + table + "_map") +
-                       rows(db, "SELECT * FROM " + table + "_meta WHERE key <> 'stamp'");
+                       rows(db, "SELECT * FROM " + table + "_meta WHERE key NOT IN ('stamp', 'objects')");
     return table == "crates" ? text + rows(db, "SELECT * FROM crates_aux") : text;
   }
   void expect_sound() {
@@ -77,7 +77,7 @@ TEST_F(VersionZeroOne, IsReadWithoutChangingAByte) {
 
 TEST_F(VersionZeroOne, IsWrittenInItsFormat) {
   const std::string crates = stored(db, "crates"), drones = stored(db, "drones");
-  const std::string meta = "SELECT * FROM ships_meta WHERE key NOT IN ('stamp', 'root')",
+  const std::string meta = "SELECT * FROM ships_meta WHERE key NOT IN ('stamp', 'root', 'objects')",
                     before = rows(db, meta);
   db.run("BEGIN; UPDATE ships SET x = x + 0.5, vx = 2 WHERE id % 3 = 0; DELETE FROM ships WHERE id = 12");
   db.run("INSERT INTO ships VALUES(500, 102, 1.5, 2.5, 0, 0, 1); COMMIT");
@@ -88,6 +88,10 @@ TEST_F(VersionZeroOne, IsWrittenInItsFormat) {
   EXPECT_EQ(rows(db, "SELECT count(*), sum(id), sum(vx) FROM ships WHERE vx = 2"), "75|7742|150.0|\n");
   EXPECT_TRUE(stored(db, "crates") == crates);
   EXPECT_TRUE(stored(db, "drones") == drones);
+  db.run("INSERT INTO ships VALUES(501, 102, 1.5, 2.5, 0, 0, 1)");  // now the number of objects is another
+  EXPECT_EQ(rows(db, "SELECT value FROM ships_meta WHERE key = 'objects'"),
+            rows(db, "SELECT count(*) FROM ships"));
+  expect_sound();
 }
 
 // Of ships, which were changed after their load, the rows: how nodes share them is not the format's.

@@ -92,6 +92,9 @@ class ShadowRows {
   /// The tree's root; nothing if it is missing or no integer.
   std::optional<std::int64_t> read_root() { return meta_.read_integer("root"); }
   void write_root(std::int64_t root) { meta_.write("root", root); }
+  /// How many objects there are; nothing if that is missing or cannot be a number of objects.
+  std::optional<std::int64_t> read_objects() { return read_object_count(meta_); }
+  void write_objects(std::int64_t objects) { meta_.write("objects", objects); }
 
  private:
   std::size_t variables() const;

@@ -87,9 +87,16 @@ NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const De
   meta.write("horizon", declaration.horizon);
   meta.write("root", std::int64_t{0});
   meta.write("stamp", stamp);
+  meta.write("objects", std::int64_t{0});
   if (const std::string features = features_of(declaration); !features.empty())
     meta.write("features", features);
   return format;
+}
+
+std::optional<std::int64_t> read_object_count(MetaRows& meta) {
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  const std::optional<std::int64_t> stored = meta.read_integer("objects");
+  return stored && 0 <= *stored && *stored <= most ? stored : std::nullopt;
 }
 
 void refuse_unknown_features(sqlite3* db, const QualifiedName& name) {

@@ -6,10 +6,13 @@
 //   <name>_meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID             see below
 //
 // _meta: `format` version of all this, `columns` as declared, `node_size`, `horizon`, `root` (0: there are no
-// objects), `stamp` (random, rewritten by every write transaction); `features` only where a table uses more
-// than version 0.1 had (format/features.h).
+// objects), `stamp` (random, rewritten by every write transaction), `objects` how many there are (absent
+// where version 0.1 wrote the table); `features` only where a table uses more than version 0.1 had
+// (format/features.h).
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,6 +39,10 @@ NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const De
 /// tables were written for another declaration or by a version of foresee that this one does not understand,
 /// or if one of them is no table. Cost: two statements are compiled, and four look-ups in _meta.
 NodeFormat read_node_format(const ShadowTables& tables, MetaRows& meta, const Declaration& declaration);
+
+/// How many objects a table says it has; nothing where it does not say, or what no table can have. Believed
+/// by nobody but the planner, and by who keeps it.
+std::optional<std::int64_t> read_object_count(MetaRows& meta);
 
 /// Throws StoreError if an existing table was written with a feature that this foresee does not know. For a
 /// declaration that cannot be read: the feature says why.

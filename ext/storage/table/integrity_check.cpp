@@ -7,6 +7,7 @@
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
 #include "storage/rows/store_error.h"
+#include "storage/rows/text.h"
 
 namespace foresee::storage {
 namespace {
@@ -99,6 +100,14 @@ class IntegrityCheck {
     if (!shadow_rows_.read_stamp()) say("the stamp is missing");
   }
 
+  // Version 0.1 kept no count. Where objects are missing or twice it may be as wrong as the rest.
+  void count() {
+    const std::string said = shadow_rows_.meta().read("objects");
+    if (faults_.empty() && !said.empty() && said != std::to_string(objects_.size()))
+      say("the count of objects is " + without_nul(said) + ", but there are " +
+          std::to_string(objects_.size()));
+  }
+
   std::vector<std::string> faults() && { return std::move(faults_); }
 
  private:
@@ -131,6 +140,7 @@ std::vector<std::string> check_integrity(ShadowRows& rows, NodeCache& cache, con
   check.nodes();
   check.map();
   if (has_auxiliaries) check.auxiliaries();
+  check.count();
   check.tree();
   return std::move(check).faults();
 }

@@ -33,6 +33,7 @@
 #include "storage/nodes/object_changes.h"
 #include "storage/nodes/pending_objects.h"
 #include "storage/rows/store_error.h"
+#include "storage/table/object_count.h"
 
 namespace foresee::storage {
 
@@ -95,6 +96,9 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   /// Whoever has read every leaf says how many objects there were: SQLITE_CORRUPT_VTAB if the map has others.
   /// While changed leaves wait to be written, nothing can be said.
   void expect_objects(std::size_t found);
+  /// How many objects there are as far as memory knows: those of the stamp that was seen last and this
+  /// transaction's; for a file of version 0.1 an estimate. Reads nothing.
+  std::int64_t likely_objects() const noexcept { return count_.likely(); }
 
   // --- writing: each is atomic, all or nothing
   /// The id that SQLite would give to a row without one: one more than the largest.
@@ -205,6 +209,7 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   void add(std::int64_t id, std::span<const double> record);
   /// Asks the map once a transaction.
   const Largest& read_largest();
+  void write_count(std::int64_t objects);
 
   // from memory to the tables (store_flush.cpp)
   /// All objects are in the tree from now on: in memory, as far as there is room. Costs nothing where none is
@@ -226,13 +231,14 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
     std::size_t pending_position;
     std::size_t changes_position;
     Largest largest;
+    ObjectCount count;
     std::uint64_t undo_position;
     std::optional<std::int64_t> own_stamp;
     std::string table;
     bool waits;  ///< something that only memory knows
   };
   /// Something is not stored yet.
-  bool waits() const { return cache_.waits() || pending_->count() > 0; }
+  bool waits() const { return cache_.waits() || pending_->count() > 0 || count_.added != 0; }
   void back_to(const Savepoint& savepoint);
   void back_to_begin() noexcept;
   void go_by(const std::string& table);
@@ -275,6 +281,8 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   std::string table_at_begin_;  ///< the table's name then: renaming can be taken back
 
   Largest largest_;
+  ObjectCount count_;         ///< under the believed stamp
+  ObjectCount count_before_;  ///< … before this transaction
 
   bool differs_from_version_ = false;  ///< something changed since read_version() was last asked
   std::uint64_t version_changes_ = 0;  ///< the `changes` that it told then

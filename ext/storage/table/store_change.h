@@ -33,9 +33,9 @@ class Store::OwnStatements {
 };
 
 /// One change, and own statements all the while. Unless it is done(), its end takes back all that memory
-/// knows: nodes, map, pending objects, the log of changed objects, the largest id. Where rows were written
-/// during the change that does not help: the store is torn, and refuses everything until SQLite rolls back.
-/// Cost: a few positions; a node is copied when it is changed, not before.
+/// knows: nodes, map, pending objects, the log of changed objects, the largest id, the count. Where rows were
+/// written during the change that does not help: the store is torn, and refuses everything until SQLite rolls
+/// back. Cost: a few positions; a node is copied when it is changed, not before.
 class Store::AtomicChange {
  public:
   explicit AtomicChange(Store& store)
@@ -44,7 +44,8 @@ class Store::AtomicChange {
         pending_(store.pending_),
         pending_position_(store.pending_->position()),
         changes_position_(store.object_changes_.position()),
-        largest_(store.largest_) {
+        largest_(store.largest_),
+        count_(store.count_) {
     store_.cache_.begin_change();
   }
   ~AtomicChange() {
@@ -55,6 +56,7 @@ class Store::AtomicChange {
     store_.pending_->rewind(pending_position_);
     store_.object_changes_.rewind(changes_position_);
     store_.largest_ = largest_;
+    store_.count_ = count_;
   }
 
   /// It holds. Whoever takes it back from now on goes back to a savepoint, or to the transaction's begin.
@@ -71,6 +73,7 @@ class Store::AtomicChange {
   std::shared_ptr<PendingObjects> pending_;
   std::size_t pending_position_, changes_position_;
   Largest largest_;
+  ObjectCount count_;
   bool done_ = false;
 };
 

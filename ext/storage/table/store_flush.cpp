@@ -97,9 +97,18 @@ void Store::flush() {
   ++undo_position_;
   StatementInterrupt interrupt(db_);
   with_sound_tree([&] { cache_.write(interrupt); });
+  if (count_.added != 0) {
+    const std::optional<std::int64_t> sum = count_.sum();
+    write_count(sum ? *sum : shadow_rows().count_ids());
+  }
   const std::int64_t before = shown(own_stamp_.value_or(0));
   write_new_stamp();
   same_contents_ = {own_stamp_, before};
+}
+
+void Store::write_count(std::int64_t objects) {
+  shadow_rows().write_objects(objects);
+  count_.stored = objects, count_.added = 0;
 }
 
 void Store::note_memory() noexcept {
@@ -163,6 +172,7 @@ void Store::pack(Interrupt& interrupt) {
   AtomicChange atomic_change(*this);
   cache_.erase_everything();
   with_sound_tree([&] { tree_->bulk_load(ids, records, interrupt); });
+  write_count(static_cast<std::int64_t>(ids.size()));
   atomic_change.done();
 }
 

@@ -24,6 +24,7 @@ std::shared_ptr<Store> Store::create(sqlite3* db, const std::string& schema, con
   auto rows = std::make_unique<ShadowRows>(shadow_tables(db, name, declaration), declaration);
   auto store =
       std::make_shared<Store>(db, name, declaration, format, std::move(rows), true, memory_budget_of(db));
+  store->count_.stored = 0;
   remember_open_store(db, name, store);
   return store;
 }
@@ -40,6 +41,7 @@ std::shared_ptr<Store> Store::open(sqlite3* db, const std::string& schema, const
     return live;
   auto store =
       std::make_shared<Store>(db, name, declaration, format, std::move(rows), false, memory_budget_of(db));
+  store->count_.stored = store->shadow_rows().read_objects();
   remember_open_store(db, name, store);
   return store;
 }
@@ -81,7 +83,10 @@ void Store::believe_only_this_stamp() {
   if (writing_) return;
   const auto stamp = shadow_rows().read_stamp();
   if (!stamp) damaged("the stamp is missing");
-  if (believed_stamp_ != stamp) cache_.forget_all();
+  if (believed_stamp_ == stamp) return;
+  cache_.forget_all();
+  believed_stamp_.reset();
+  count_.stored = shadow_rows().read_objects();
   believed_stamp_ = stamp;
 }
 
@@ -89,7 +94,8 @@ ContentVersion Store::read_version() {
   static std::atomic<std::uint64_t> last_change{0};
   if (differs_from_version_) version_changes_ = ++last_change;
   differs_from_version_ = false;
-  const auto stamp = shadow_rows().read_stamp();
+  believe_only_this_stamp();
+  const auto stamp = writing_ ? shadow_rows().read_stamp() : believed_stamp_;
   if (!stamp) damaged("the stamp is missing");
   return {static_cast<std::uint64_t>(shown(*stamp)), version_changes_};
 }
@@ -163,6 +169,7 @@ void Store::rollback() {
 
 void Store::back_to_begin() noexcept {
   cache_.roll_back();
+  if (writing_) count_ = count_before_;
   if (!savepoints_.empty()) pending_ = savepoints_.front().pending;
   pending_->clear();
   object_changes_.clear();
@@ -181,8 +188,8 @@ void Store::savepoint(int level) {
     savepoints_.reserve(std::max<std::size_t>(8, 2 * savepoints_.size()));
   std::string table = name_.table;
   savepoints_.push_back({level, cache_.set_mark(false), cache_.map_position(), pending_, pending_->position(),
-                         object_changes_.position(), largest_, undo_position_, own_stamp_, std::move(table),
-                         waits() || object_changes_.count() > 0});
+                         object_changes_.position(), largest_, count_, undo_position_, own_stamp_,
+                         std::move(table), waits() || object_changes_.count() > 0});
 }
 
 void Store::give_up_savepoints(std::size_t from) noexcept {
@@ -233,6 +240,7 @@ void Store::back_to(const Savepoint& savepoint) {
   pending_->rewind(savepoint.pending_position);
   object_changes_.rewind(savepoint.changes_position);
   largest_ = savepoint.largest;
+  count_ = savepoint.count;
   stamped_ = torn_ = false;
   note_change();
 }

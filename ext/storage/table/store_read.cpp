@@ -140,6 +140,7 @@ void Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, 
 }
 
 void Store::expect_objects(std::size_t found) {
+  count_.note_all(found);
   if (cache_.waits()) return;
   const auto mapped = static_cast<std::size_t>(shadow_rows().count_ids());
   if (found != mapped)

@@ -16,6 +16,7 @@ void Store::start_change(std::span<const double> record) {
   if (!writing_) {
     believe_only_this_stamp();
     stamp_before_ = believed_stamp_;
+    count_before_ = count_;
   }
   note_memory();
   if (memory_->too_much_waits()) memory_->write_out();
@@ -86,6 +87,7 @@ void Store::for_each_change(
 void Store::add(std::int64_t id, std::span<const double> record) {
   const std::optional<std::int64_t> last = read_largest().id;
   pending_->add(id, record);
+  ++count_.added;
   if (!last || *last <= id) largest_ = {true, true, id};
 }
 
@@ -97,6 +99,7 @@ void Store::take_out(std::int64_t id) {
   const bool is_pending = pending_->find(id) != nullptr;
   if (is_pending) pending_->erase(id);
   if (!tree_->erase(id) && !is_pending) throw_missing(id);
+  --count_.added;
   if (largest_.id == id) largest_.exact = false;
 }
 
