@@ -42,6 +42,17 @@ const Connection::OpenTable* Connection::find(std::int64_t number) const {
   return open == tables_.end() ? nullptr : &open->second;
 }
 
+double Connection::likely_objects(const AskedTable& name) const {
+  const auto is_meant = [](const std::optional<std::string>& asked, const std::string& open) {
+    return !asked || sqlite3_stricmp(asked->c_str(), open.c_str()) == 0;
+  };
+  std::optional<std::int64_t> largest;
+  for (const auto& [number, open] : tables_)
+    if (open.store && is_meant(name.table, open.table) && is_meant(name.schema, open.schema))
+      largest = std::max(largest.value_or(0), open.store->likely_objects());
+  return static_cast<double>(largest.value_or(ObjectCount().likely()));
+}
+
 void Connection::scan_closed(const Store* store, TableCursor& cursor) noexcept {
   const auto open = cursors_.find(store);
   std::erase(open->second, &cursor);

@@ -39,11 +39,13 @@ int op_of(char letter) {
 /// What one xBestIndex call finds out, constraint by constraint.
 struct FunctionPlan {
   std::string arguments;
+  std::vector<sqlite3_value*> written;  ///< an input's value, as far as the statement writes it out
   std::uint32_t inputs_given = 0, inputs_unusable = 0;
   std::uint32_t inputs_unknown = 0;      ///< not written out in the statement: bound, or computed
   std::uint32_t inputs_compared = 0;     ///< SQLite compares them once more
   bool null_inputs = false;              ///< one of them is written out as NULL
   bool about_ids = false;                ///< an output is compared with a value, known yet or not
+  std::uint32_t probed_by = 0;           ///< bit set: this id is compared with a value that is there
   int equalities = 0, inequalities = 0;  ///< hints: ids, and other
 };
 
@@ -72,11 +74,12 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
   // `t IN (…)` would be one call a value; compared with the rows of one call it costs next to nothing.
   if (!is_input && !probes && letter == '=' && may_be_list(info, i)) return;
   if (is_input && input > 0) {
-    sqlite3_value* written = written_value(info, i);
+    sqlite3_value* written = plan.written[static_cast<std::size_t>(input)] = written_value(info, i);
     if (!written) plan.inputs_unknown |= 1u << input;
     plan.null_inputs |= written ? sqlite3_value_type(written) == SQLITE_NULL : !reads_to_compare();
   }
   if (!is_input) ++(probes ? plan.equalities : plan.inequalities);
+  if (probes) plan.probed_by |= 1u << constraint.iColumn;
   plan.arguments += {static_cast<char>('A' + constraint.iColumn), letter};
   info.aConstraintUsage[i].argvIndex = static_cast<int>(plan.arguments.size() / 2);
   info.aConstraintUsage[i].omit = is_input;
@@ -91,8 +94,8 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
 /// such plan. It is known by what comes before it: a call as a whole that says nothing of ids. (A question
 /// about one id that follows such a call may be planned worse than need be.) What is bound later is taken for
 /// no NULL where SQLite lets us refuse one (host.h); elsewhere it may be NULL.
-void estimate(const TableFunction& function, PlansBefore& before, FunctionPlan& plan,
-              sqlite3_index_info& info) {
+void estimate(const TableFunction& function, const Connection& connection, PlansBefore& before,
+              FunctionPlan& plan, sqlite3_index_info& info) {
   const bool whole = (plan.inputs_given & 1) != 0;
   if (whole && !plan.about_ids) {
     before.or_loses_rows = plan.null_inputs;
@@ -101,9 +104,14 @@ void estimate(const TableFunction& function, PlansBefore& before, FunctionPlan& 
   if (plan.about_ids && plan.equalities == 0) before.or_loses_rows = false;
   if (plan.equalities > 0 && !whole) before.one_side_was_planned = true;
   if (before.one_side_was_planned) plan.inputs_compared |= plan.inputs_unknown;
-  double cost = function.cost, rows = function.rows;
-  if (plan.equalities > 0) cost = 1e3, rows = plan.equalities > 1 ? 1 : 10;
-  if (plan.inequalities > 0) rows = std::max(1.0, rows / 4);
+  const CallSizes sizes = call_sizes(function, connection, plan.written, plan.inputs_given);
+  const bool by_first = plan.probed_by & 1, by_both = plan.probed_by & (plan.probed_by - 1);
+  auto [cost, rows] = plan.equalities > 0 && function.estimate_probe
+                          ? function.estimate_probe(sizes, by_first)
+                          : function.estimate(sizes);
+  if (by_both) rows = 1;
+  if (plan.inequalities > 0) rows /= 4;
+  rows = std::max(1.0, rows);
   if (plan.equalities > 0 ? before.or_loses_rows : !whole) cost = 1e50;
   info.estimatedCost = cost;
   info.estimatedRows = static_cast<sqlite3_int64>(rows);
@@ -141,8 +149,10 @@ int take_order(const TableFunction& function, sqlite3_index_info& info) {
 
 }  // namespace
 
-int plan_call(const TableFunction& function, PlansBefore& before, sqlite3_index_info& info) {
+int plan_call(const TableFunction& function, const Connection& connection, PlansBefore& before,
+              sqlite3_index_info& info) {
   FunctionPlan plan;
+  plan.written.resize(function.inputs.size());
   for (int i = 0; i < info.nConstraint; ++i) take(plan, function, info, i);
   if (const std::uint32_t missing = plan.inputs_unusable & ~plan.inputs_given) {
     before.or_loses_rows |= (missing & ~1u) != 0;  // they come from another table
@@ -151,7 +161,7 @@ int plan_call(const TableFunction& function, PlansBefore& before, sqlite3_index_
   const int order = take_order(function, info);
   if (order != 0) take_row_limit(function, info, plan.arguments);
   info.idxNum = static_cast<int>(info.colUsed & ((1u << output_count(function)) - 1)) | order;
-  estimate(function, before, plan, info);
+  estimate(function, connection, before, plan, info);
   info.idxStr = sqlite3_mprintf("%s", described(plan, output_count(function)).c_str());
   if (!info.idxStr) return SQLITE_NOMEM;
   info.needToFreeIdxStr = 1;

@@ -26,7 +26,8 @@ struct PlansBefore {
 
 /// xBestIndex: fills in `info`. A result code: SQLITE_CONSTRAINT where an input comes from a row that is not
 /// there yet, SQLITE_NOMEM.
-int plan_call(const TableFunction& function, PlansBefore& before, sqlite3_index_info& info);
+int plan_call(const TableFunction& function, const Connection& connection, PlansBefore& before,
+              sqlite3_index_info& info);
 
 // What a plan says.
 struct PlannedArgument {

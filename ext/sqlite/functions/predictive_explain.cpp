@@ -53,8 +53,7 @@ const TableFunction& predictive_explain() {
                                          .inputs = join_input_names(),
                                          .key = "stage",
                                          .hinted = 0,
-                                         .cost = 1e6,
-                                         .rows = 10,
+                                         .estimate = estimate_stages,
                                          .start = start};
   return function;
 }

@@ -87,10 +87,10 @@ const TableFunction& predictive_join() {
       .inputs = join_input_names(),
       .key = "a, b",
       .hinted = 1u << out_a | 1u << out_b | 1u << out_t | 1u << out_dt,
-      .cost = 1e6,
-      .rows = 1e5,
+      .estimate = estimate_join,
       .start = start,
       .probed = 1u << out_a | 1u << out_b,
+      .estimate_probe = estimate_pairs_of_one,
       .orders = {{out_t, out_a, out_b}, {out_dt}}};
   return function;
 }

@@ -60,8 +60,7 @@ const TableFunction& predictive_nearest() {
       .inputs = {"h", "tbl", "k", "x", "y", "z", "now", "qvx", "qvy", "qvz", "method", "schema"},
       .key = "id",
       .hinted = 0,
-      .cost = 1e3,
-      .rows = 10,
+      .estimate = estimate_nearest,
       .start = start};
   return function;
 }

@@ -51,8 +51,7 @@ const TableFunction& predictive_position() {
       .inputs = {"at", "tbl", "schema"},
       .key = "id",
       .hinted = 0,
-      .cost = 1e6,
-      .rows = 1e5,
+      .estimate = estimate_positions,
       .start = start};
   return function;
 }

@@ -72,8 +72,7 @@ const TableFunction& predictive_window() {
                  "schema"},
       .key = "id",
       .hinted = 0,
-      .cost = 1e3,
-      .rows = 100,
+      .estimate = estimate_window,
       .start = start};
   return function;
 }

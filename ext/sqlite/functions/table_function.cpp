@@ -76,7 +76,7 @@ int function_disconnect(sqlite3_vtab* table) noexcept {
 int function_best_index(sqlite3_vtab* vtab, sqlite3_index_info* info) noexcept {
   return guarded_by_name(vtab, [&] {
     FunctionTable& table = table_of(vtab);
-    return plan_call(table.function(), table.plans_before, *info);
+    return plan_call(table.function(), *table.registration->connection, table.plans_before, *info);
   });
 }
 

@@ -6,8 +6,7 @@
 //       .inputs = {"at", "tbl"},                // hidden columns, in call order; the first one is required
 //       .key = "id",
 //       .hinted = 0,
-//       .cost = 1e6,
-//       .rows = 1e5,
+//       .estimate = estimate_positions,
 //       .start = [](const FunctionCall& call) -> std::unique_ptr<FunctionRows> { … }};
 //
 // All functions are read-only, need no CREATE, and may be used in views and triggers that nobody vouches for.
@@ -22,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "sqlite/functions/call_estimate.h"
 #include "sqlite/functions/function_call.h"
 
 namespace foresee::sqlite {
@@ -42,11 +42,12 @@ struct TableFunction {
   std::vector<const char*> inputs;   ///< names
   const char* key;                   ///< the outputs that tell the rows of one call apart
   std::uint32_t hinted;              ///< bit set: constraints on these outputs may make the call cheaper
-  double cost;                       ///< of a call, in the planner's unit: about one row looked at
-  double rows;                       ///< how many rows a call gives, roughly
+  CallEstimate (*estimate)(const CallSizes& sizes);  ///< of a whole call
   std::unique_ptr<FunctionRows> (*start)(const FunctionCall& call);
-  std::uint32_t probed = 0;                   ///< of those: one value of them makes the call much cheaper
-  std::vector<std::vector<int>> orders = {};  ///< outputs by which rows can come, rising
+  std::uint32_t probed = 0;  ///< of those: one value of them makes the call much cheaper …
+  CallEstimate (*estimate_probe)(const CallSizes& sizes,
+                                 bool by_first) = nullptr;  ///< … of the first, or not
+  std::vector<std::vector<int>> orders = {};                ///< outputs by which rows can come, rising
 };
 
 /// The function with its inputs, as messages show it: predictive_position(at, tbl).

@@ -38,6 +38,8 @@ struct MovingObjectsTable : sqlite3_vtab {
     return *store_.store;
   }
   bool has_store() const { return store_.store != nullptr; }
+  /// Store::likely_objects(); none of a table that cannot be read.
+  std::int64_t likely_objects() const noexcept { return has_store() ? store_.store->likely_objects() : 0; }
 
   void scan_opened(TableCursor& cursor) { connection->scan_opened(store_.store.get(), cursor); }
   void scan_closed(TableCursor& cursor) noexcept { connection->scan_closed(store_.store.get(), cursor); }

@@ -16,8 +16,9 @@ enum class TablePlan : int { scan = 0, one_object = 1, handle = 2 };
 
 constexpr const char* handle_word = "foresee-handle";
 
-/// xBestIndex: the handle where MATCH asks for it, one object where its id is given, else all. A result code:
-/// SQLITE_CONSTRAINT where the word to MATCH is not there yet.
+/// xBestIndex, by the number of objects that memory knows (Store::likely_objects): the handle where MATCH
+/// asks for it, one object where its id is given, else all. A result code: SQLITE_CONSTRAINT where the word
+/// to MATCH is not there yet.
 int plan_table(const MovingObjectsTable& table, sqlite3_index_info* info);
 
 }  // namespace foresee::sqlite

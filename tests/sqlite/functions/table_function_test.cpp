@@ -44,8 +44,7 @@ const TableFunction countdown = {.name = "countdown",
                                  .inputs = {"start", "step", "label"},
                                  .key = "n",
                                  .hinted = 0b11,
-                                 .cost = 1e6,
-                                 .rows = 1e5,
+                                 .estimate = estimate_positions,
                                  .start = [](const FunctionCall& call) -> std::unique_ptr<FunctionRows> {
                                    ++seen.calls;
                                    seen.reads_half = call.reads(1);

@@ -1,0 +1,99 @@
+#include "sqlite/functions/call_estimate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "sqlite/functions/table_function.h"
+#include "storage/rows/text.h"
+
+namespace foresee::sqlite {
+namespace {
+
+// In the planner's unit.
+constexpr double decoded_object = 6;  // read, unpacked and handed on
+constexpr double joined_object = 12, joined_row = 2;
+constexpr double search = 500, found_object = 50, nearest_object = 300;
+constexpr double probe = 100, probed_level = 50;  // of one object, by the binary logarithm of all
+
+constexpr double window_rows = 100, nearest_rows = 10;  // where nobody says
+
+/// What the statement says about one of a function's inputs.
+class WrittenInputs {
+ public:
+  WrittenInputs(const TableFunction& function, std::span<sqlite3_value* const> written, std::uint32_t given)
+      : function_(function), written_(written), given_(given) {}
+
+  sqlite3_value* value(const char* name) const {
+    const std::size_t place = place_of(name);
+    return place < written_.size() ? written_[place] : nullptr;
+  }
+  bool is_bound_later(const char* name) const {
+    const std::size_t place = place_of(name);
+    return place < written_.size() && (given_ >> place & 1) && !written_[place];
+  }
+  /// A name that is written out; none where it is left out or bound later.
+  std::optional<std::string> text(const char* name) const {
+    sqlite3_value* written = value(name);
+    if (!written || sqlite3_value_type(written) != SQLITE_TEXT) return std::nullopt;
+    return text_of(written);
+  }
+
+ private:
+  std::size_t place_of(const char* name) const {
+    const auto& inputs = function_.inputs;
+    return static_cast<std::size_t>(
+        std::find_if(inputs.begin(), inputs.end(),
+                     [&](const char* input) { return std::strcmp(input, name) == 0; }) -
+        inputs.begin());
+  }
+
+  const TableFunction& function_;
+  std::span<sqlite3_value* const> written_;
+  std::uint32_t given_;
+};
+
+}  // namespace
+
+CallEstimate estimate_positions(const CallSizes& sizes) {
+  return {decoded_object * sizes.objects, sizes.objects};
+}
+
+CallEstimate estimate_window(const CallSizes& sizes) {
+  const double rows = std::min(window_rows, sizes.objects);
+  return {search + found_object * rows, rows};
+}
+
+CallEstimate estimate_nearest(const CallSizes& sizes) {
+  const double rows = std::clamp(sizes.k.value_or(nearest_rows), 0.0, sizes.objects);
+  return {search + nearest_object * rows, rows};
+}
+
+CallEstimate estimate_join(const CallSizes& sizes) {
+  const double others = sizes.others.value_or(0), rows = std::max(sizes.objects, others);
+  return {joined_object * (sizes.objects + others) + joined_row * rows, rows};
+}
+
+CallEstimate estimate_pairs_of_one(const CallSizes& sizes, bool by_a) {
+  const CallEstimate whole = estimate_join(sizes);
+  const double others = sizes.others.value_or(sizes.objects), one_side = by_a ? sizes.objects : others,
+               searched = by_a ? others : sizes.objects;
+  return {probe + probed_level * std::log2(1 + searched), whole.rows / std::max(1.0, one_side)};
+}
+
+CallEstimate estimate_stages(const CallSizes& sizes) {
+  return {estimate_join(sizes).cost, 10};
+}
+
+CallSizes call_sizes(const TableFunction& function, const Connection& connection,
+                     std::span<sqlite3_value* const> written, std::uint32_t given) {
+  const WrittenInputs inputs(function, written, given);
+  const AskedTable tbl{inputs.text("tbl"), inputs.text("schema")};
+  CallSizes sizes{.objects = connection.likely_objects(tbl)};
+  const AskedTable other{inputs.text("other"), tbl.schema};
+  if (other.table || inputs.is_bound_later("other")) sizes.others = connection.likely_objects(other);
+  if (sqlite3_value* k = inputs.value("k")) sizes.k = sqlite3_value_double(k);
+  return sizes;
+}
+
+}  // namespace foresee::sqlite
