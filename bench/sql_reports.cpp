@@ -34,9 +34,11 @@
 //              transactions of a random tenth; another table is loaded in twenty transactions. Then joins,
 //              windows of about 10, 100 and 1000, nearest and a = ?, against a fresh table of the same
 //              objects, and the size of both. Scenes of two axes. (--quick: S-100000.)
-//   --planner  S-100000 and L-30: ships s JOIN predictive_join(60, 'ships') j ON j.a = s.id WHERE s.x < 100,
-//              and the same in the two orders that CROSS JOIN can prescribe; one that takes more than twice
-//              as long is stopped. (--quick: S-10000 and L-30.)
+//   --planner  S-100000, S-1000000 and L-30: tables joined to functions as one writes it, and in the orders
+//              that CROSS JOIN can prescribe: ships s JOIN predictive_join(60, 'ships') j ON j.a = s.id WHERE
+//              s.x < 100; then with the scene's horizon the same, and by a box, by id, both sides, LEFT JOIN,
+//              a window for each of 1000 zones. A prescribed order that takes more than twice as long is
+//              stopped. (--quick: S-10000 and L-30.)
 //
 // Processor time, medians; a ratio is the other side's time over ours in the same repetition, unless it says
 // "times". Fails if two sides that must agree hold other rows or give other answers.
