@@ -1,6 +1,7 @@
 // Hostile nodes with valid checksums: some bytes of some nodes, of the map and of the table's facts are
 // changed, checksums made right again, and everything is asked and written. An error or any rows will do;
 // a crash, a hang or a leak will not.
+#include <array>
 #include <cstring>
 #include <memory>
 #include <span>
@@ -67,6 +68,7 @@ void change_node(Connection& db, FuzzBytes& bytes) {
 }
 
 void change_tables(Connection& db, FuzzBytes& bytes) {
+  constexpr std::array numbers{"horizon", "node_size", "objects"};
   const std::string one = std::to_string(bytes.in_range(-1, 30));
   switch (bytes.in_range(0, 5)) {
     case 0:
@@ -80,7 +82,7 @@ void change_tables(Connection& db, FuzzBytes& bytes) {
       return;
     case 3:
       db.run(in_order({"UPDATE ships_meta SET value = ", literal(fuzz_number(bytes)), " WHERE key = '",
-                       bytes.flag() ? "horizon" : "node_size", "'"}));
+                       numbers[bytes.in_range<std::size_t>(0, 2)], "'"}));
       return;
     case 4:
       db.run("DELETE FROM ships_node WHERE nodeno = " + one);
