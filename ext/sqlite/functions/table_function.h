@@ -44,10 +44,10 @@ struct TableFunction {
   std::uint32_t hinted;              ///< bit set: constraints on these outputs may make the call cheaper
   CallEstimate (*estimate)(const CallSizes& sizes);  ///< of a whole call
   std::unique_ptr<FunctionRows> (*start)(const FunctionCall& call);
-  std::uint32_t probed = 0;  ///< of those: one value of them makes the call much cheaper …
-  CallEstimate (*estimate_probe)(const CallSizes& sizes,
-                                 bool by_first) = nullptr;  ///< … of the first, or not
-  std::vector<std::vector<int>> orders = {};                ///< outputs by which rows can come, rising
+  std::uint32_t probed = 0;  ///< of those: one value of them makes the call much cheaper
+  /// Of a call with such a value: of the first output, or of another.
+  CallEstimate (*estimate_probe)(const CallSizes& sizes, bool by_first) = nullptr;
+  std::vector<std::vector<int>> orders = {};  ///< outputs by which rows can come, rising
 };
 
 /// The function with its inputs, as messages show it: predictive_position(at, tbl).

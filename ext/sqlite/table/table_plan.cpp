@@ -45,8 +45,8 @@ double ids_between_bounds(sqlite3_index_info& info, double objects) {
   return least <= most ? most - least + 1 : objects;
 }
 
-/// How many of so many objects will be left when SQLite has compared them all, which it does not ask itself:
-/// a bound leaves a quarter, a value that must be equal a hundredth.
+/// How many of so many objects meet all conditions. SQLite guesses so for ordinary tables, not for virtual
+/// ones. A bound leaves a quarter, a value that must be equal a hundredth.
 double likely_rows(sqlite3_index_info& info, double objects) {
   double rows = objects;
   for (const Constraint& constraint :

@@ -140,8 +140,8 @@ std::vector<std::string> check_integrity(ShadowRows& rows, NodeCache& cache, con
   check.nodes();
   check.map();
   if (has_auxiliaries) check.auxiliaries();
-  check.count();
   check.tree();
+  check.count();
   return std::move(check).faults();
 }
 

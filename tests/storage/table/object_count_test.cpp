@@ -182,6 +182,15 @@ TEST_F(Counted, WhatNoTableCanHaveIsNotBelievedButFoundAndMended) {
   }
 }
 
+TEST_F(Counted, AWrongOneHidesNoOtherFault) {
+  db.run(
+      "UPDATE ships_meta SET value = 1 WHERE key = 'objects'; UPDATE ships_meta SET value = 1 WHERE key = "
+      "'root'");
+  opened();
+  EXPECT_EQ(faults(*store).size(), 1u);
+  EXPECT_EQ(faults(*store).at(0).find("the count of objects"), std::string::npos) << faults(*store).at(0);
+}
+
 TEST_F(Counted, AWrongOneThatWouldFallBelowNoneIsCountedAnew) {
   db.run("UPDATE ships_meta SET value = 1 WHERE key = 'objects'");
   opened();
