@@ -118,6 +118,27 @@ TEST_F(PlannedOrder, AnOrdinaryTableIsLookedUpByFewObjectsAndLooksUpMany) {
   EXPECT_EQ(order("ships s JOIN list l ON s.id = l.id"), "l s");
 }
 
+TEST_F(PlannedOrder, TheNumberOfObjectsGoesThroughRenamingVacuumAndAttaching) {
+  const std::string join = "fleet f JOIN list l ON l.id = f.id",
+                    stored = "SELECT value FROM fleet_meta WHERE key = 'objects'";
+  db.exec("BEGIN; DELETE FROM ships WHERE id > 300; ALTER TABLE ships RENAME TO fleet");
+  EXPECT_EQ(db.rows(stored), "300");
+  EXPECT_EQ(order(join), "f l");
+  db.exec(
+      "ROLLBACK; BEGIN; ALTER TABLE ships RENAME TO fleet; DELETE FROM fleet WHERE id > 200; COMMIT; VACUUM");
+  EXPECT_EQ(db.rows(stored), "200");
+  pretend("fleet", 100000000);
+  db.exec("VACUUM");
+  EXPECT_EQ(order(join), "l f");
+  TemporaryFile file;
+  db.exec("INSERT INTO fleet(fleet) VALUES('rebuild'); VACUUM INTO '" + file.path() + "'; DROP TABLE fleet");
+  db.exec("ATTACH '" + file.path() + "' AS copy");
+  EXPECT_EQ(db.rows(stored), "200");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM fleet"), "200");
+  EXPECT_EQ(order(join), "f l");
+  db.exec("INSERT INTO fleet(fleet) VALUES('integrity-check'); DETACH copy");
+}
+
 TEST_F(PlannedOrder, WhatATransactionAddsCountsAtOnce) {
   const std::string join = "boats b JOIN predictive_join(3, 'boats', 0, 'ships') j ON j.a = b.id";
   pretend("ships", 10);
