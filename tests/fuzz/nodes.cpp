@@ -70,13 +70,19 @@ void change_node(Connection& db, FuzzBytes& bytes) {
 void change_tables(Connection& db, FuzzBytes& bytes) {
   constexpr std::array numbers{"horizon", "node_size", "objects"};
   const std::string one = std::to_string(bytes.in_range(-1, 30));
-  switch (bytes.in_range(0, 5)) {
+  switch (bytes.in_range(0, 6)) {
     case 0:
-      db.run("UPDATE ships_map SET leaf = " + one + " WHERE id = " + fuzz_id(bytes));
+      db.run("INSERT OR REPLACE INTO ships_map VALUES(" + fuzz_id(bytes) + ", " + one + ")");
       return;
     case 1:
       db.run("DELETE FROM ships_map WHERE id = " + fuzz_id(bytes));
       return;
+    case 6: {
+      const std::string place = std::to_string(bytes.in_range(1, 40));
+      db.run("UPDATE ships_map SET leaf = CAST(substr(leaf, 1, " + place + ") || char(" + one +
+             ") || substr(leaf, " + place + " + 2) AS BLOB)");
+      return;
+    }
     case 2:
       db.run("UPDATE ships_meta SET value = " + one + " WHERE key = 'root'");
       return;

@@ -113,6 +113,24 @@ inline std::vector<double> ship(double mark) {
   return {100, mark, -mark, 1, 0.5, 2};
 }
 
+/// All that the stored map says: each id and its leaf.
+inline std::vector<IdHashMap::Entry> stored_map(Database& db, const Declaration& declaration = ships(),
+                                                const std::string& table = "ships") {
+  std::vector<IdHashMap::Entry> all;
+  MapRows(shadow_tables(db, {"main", table}, declaration)).read([&](std::int64_t id, std::int64_t leaf) {
+    all.push_back({id, leaf});
+  });
+  return all;
+}
+
+/// Gives each object a row of its own in the map, as version 0.1 did.
+inline void write_map_as_version_0_1(Database& db) {
+  const std::vector<IdHashMap::Entry> all = stored_map(db);
+  db.run("DELETE FROM ships_map");
+  for (const auto& [id, leaf] : all)
+    db.run("INSERT INTO ships_map VALUES(" + std::to_string(id) + ", " + std::to_string(leaf) + ")");
+}
+
 inline std::vector<std::string> faults(Store& store) {
   NeverInterrupt never;
   return store.integrity_check(never);

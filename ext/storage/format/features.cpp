@@ -1,11 +1,13 @@
 #include "storage/format/features.h"
 
 #include <algorithm>
+#include <array>
 
 namespace foresee::storage {
 
 std::span<const Feature> known_features() {
-  return {};
+  static constexpr std::array<Feature, 1> known{{{map_blocks, [](const Declaration&) { return true; }}}};
+  return known;
 }
 
 std::string features_of(const Declaration& declaration, std::span<const Feature> known) {
@@ -16,6 +18,15 @@ std::string features_of(const Declaration& declaration, std::span<const Feature>
     names += feature.name;
   }
   return names;
+}
+
+bool has_feature(std::string_view names, std::string_view name) {
+  while (!names.empty()) {
+    const std::string_view first = names.substr(0, names.find(','));
+    if (first == name) return true;
+    names.remove_prefix(std::min(names.size(), first.size() + 1));
+  }
+  return false;
 }
 
 std::string unknown_feature(std::string_view names, std::span<const Feature> known) {

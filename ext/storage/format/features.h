@@ -1,7 +1,7 @@
 // What does a stored table use that version 0.1 of foresee did not know?
 //
-//   features_of(declaration)                          // "growth,shapes", which _meta keeps; "": nothing
-//   unknown_feature("shapes,tiles") == "tiles"        // of two, this library knows the first
+//   features_of(declaration)                          // "blocks,growth", which _meta keeps
+//   unknown_feature("blocks,tiles") == "tiles"        // of two, this library knows the first
 //
 // The format's number says how nodes are drawn; a feature says that there is more to a table than that. A
 // library that does not know one of them would answer wrongly, so it refuses the table and says which.
@@ -20,11 +20,17 @@ struct Feature {
   bool (*is_used)(const Declaration&);
 };
 
-/// Those that this library knows: none yet.
+/// Rows of <name>_map that are blocks of ids (format/id_block.h). Every new table has it.
+constexpr std::string_view map_blocks = "blocks";
+
+/// Those that this library knows.
 std::span<const Feature> known_features();
 
 /// The names of those that a table uses, with commas between them.
 std::string features_of(const Declaration& declaration, std::span<const Feature> known = known_features());
+
+/// Is `name` one of `names`?
+bool has_feature(std::string_view names, std::string_view name);
 
 /// The first name that is not known; "" if all are.
 std::string unknown_feature(std::string_view names, std::span<const Feature> known = known_features());

@@ -27,7 +27,7 @@ NodeNumber NodeCache::find_root() {
   if (head_.root == TreeHead::unknown) {
     const std::optional<std::int64_t> stored = shadow_rows_->read_root();
     if (!stored || *stored < 0) damaged("the root is no node");
-    if (*stored == 0 && !shadow_rows_->map_is_empty()) damaged("there is no root, but the map has objects");
+    if (*stored == 0 && !shadow_rows_->map().is_empty()) damaged("there is no root, but the map has objects");
     head_.root = *stored;
   }
   return head_.root;

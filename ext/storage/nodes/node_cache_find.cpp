@@ -22,13 +22,16 @@ std::optional<NodeNumber> NodeCache::find_leaf(std::int64_t id) {
     last_found_ = {id, place.leaf};
     return place.leaf;
   }
-  const std::optional<std::int64_t> stored = shadow_rows_->find_leaf(id);
-  if (!stored) return stored;
-  last_found_ = {id, *stored};
-  hints_.reserve(1);
-  hints_.learn(id, *stored);
-  if (Slot* slot = in_memory(*stored)) learn(*stored, *slot);
-  return stored;
+  const IdBlock stored = shadow_rows_->map().find(id);
+  hints_.reserve(static_cast<std::size_t>(IdBlock::ids));
+  stored.for_each([&](std::int64_t other, std::int64_t where) {
+    if (hints_.find(other).leaf != where) hints_.learn(other, where);
+  });
+  const NodeNumber found = stored.leaf_of(id);
+  if (found == 0) return std::nullopt;
+  last_found_ = {id, found};
+  if (Slot* slot = in_memory(found)) learn(found, *slot);
+  return found;
 }
 
 NodeCache::Place NodeCache::find_by_hint(std::int64_t id) {

@@ -39,7 +39,7 @@ void NodeCache::erase_slot(NodeNumber number) noexcept {
 void NodeCache::write(Interrupt& interrupt) {
   write_nodes();
   if (map_.waits()) {
-    if (map_.stored_is_void()) shadow_rows_->erase_map();
+    if (map_.stored_is_void()) shadow_rows_->map().erase_all();
     std::vector<IdHashMap::Entry> changes = map_.waiting();
     Steps step(interrupt);
     std::sort(changes.begin(), changes.end(),

@@ -1,18 +1,10 @@
 #include "storage/rows/shadow_rows.h"
 
+#include "storage/format/features.h"
 #include "storage/rows/store_error.h"
 
 namespace foresee::storage {
 namespace {
-
-// A statement of 16 rows costs half as much a row as one of a single row; more rows gain nothing.
-constexpr std::size_t map_rows = 16, map_columns = 2;
-
-std::string write_map_sql(std::size_t rows) {
-  std::string sql = "INSERT OR REPLACE INTO {map} VALUES(?, ?)";
-  for (std::size_t i = 1; i < rows; ++i) sql += ", (?, ?)";
-  return sql;
-}
 
 std::string insert_auxiliaries_sql(int columns) {
   std::string sql = "INSERT OR REPLACE INTO {aux} VALUES(?1";
@@ -36,7 +28,7 @@ std::optional<std::int64_t> one_integer(Statement::Run& run) {
 }  // namespace
 
 ShadowRows::ShadowRows(const ShadowTables& tables, const Declaration& declaration)
-    : db_(tables.db()), table_(tables.name().table), meta_(tables) {
+    : db_(tables.db()), table_(tables.name().table), map_(tables), meta_(tables) {
   const auto auxiliaries = static_cast<int>(declaration.auxiliaries.size());
   auto sql = [&](const std::string& text) { return tables.statement(text); };
   largest_node_ = sql("SELECT max(nodeno) FROM {node}");
@@ -46,21 +38,12 @@ ShadowRows::ShadowRows(const ShadowTables& tables, const Declaration& declaratio
   write_node_ = sql("INSERT OR REPLACE INTO {node} VALUES(?, ?)");
   erase_node_ = sql("DELETE FROM {node} WHERE nodeno = ?");
   node_numbers_ = sql("SELECT nodeno FROM {node} ORDER BY nodeno");
-  leaf_of_ = sql("SELECT leaf FROM {map} WHERE id = ?");
-  largest_id_ = sql("SELECT max(id) FROM {map}");
-  count_ = sql("SELECT count(*) FROM {map}");
-  all_ids_ = sql("SELECT id, leaf FROM {map} ORDER BY id");
-  write_map_row_ = sql(write_map_sql(1));
-  write_map_rows_ = sql(write_map_sql(map_rows));
-  erase_map_row_ = sql("DELETE FROM {map} WHERE id = ?");
-  erase_map_ = sql("DELETE FROM {map}");
   if (auxiliaries == 0) return;
   insert_auxiliaries_ = sql(insert_auxiliaries_sql(auxiliaries));
   update_auxiliaries_ = sql(update_auxiliaries_sql(auxiliaries));
   erase_auxiliaries_ = sql("DELETE FROM {aux} WHERE id = ?");
   auxiliary_ids_ = sql("SELECT id FROM {aux} ORDER BY id");
-  erase_stray_ = sql("DELETE FROM {aux} WHERE id NOT IN (SELECT id FROM {map})");
-  insert_missing_ = sql("INSERT OR IGNORE INTO {aux}(id) SELECT id FROM {map}");
+  insert_missing_ = sql("INSERT INTO {aux}(id) VALUES(?)");
   for (int i = 0; i < auxiliaries; ++i)
     auxiliary_.push_back(sql(format_sql("SELECT a%d FROM {aux} WHERE id = ?", i)));
 }
@@ -96,59 +79,11 @@ void ShadowRows::erase_node(std::int64_t number) {
   run.step();
 }
 
-std::optional<std::int64_t> ShadowRows::find_leaf(std::int64_t id) {
-  Statement::Run run(leaf_of_);
-  run.bind(1, id);
-  if (!run.step()) return std::nullopt;
-  return run.integer(0);  // what is no integer becomes 0, which is no leaf
-}
-
-std::optional<std::int64_t> ShadowRows::read_largest_id() {
-  Statement::Run run(largest_id_);
-  return one_integer(run);
-}
-
-std::int64_t ShadowRows::count_ids() {
-  Statement::Run run(count_);
-  return one_integer(run).value_or(0);
-}
-
-bool ShadowRows::map_is_empty() {
-  Statement::Run run(largest_id_);
-  return !run.step() || run.is_null(0);
-}
-
 void ShadowRows::write_map(std::span<const IdHashMap::Entry> changes) {
-  // Whoever reads hostile SQL may have set a limit as low as 10.
-  const std::size_t together = variables() < map_rows * map_columns ? 1 : map_rows;
-  std::vector<IdHashMap::Entry> waiting;
-  waiting.reserve(map_rows);
-  const auto write = [&](Statement& statement, std::span<const IdHashMap::Entry> rows) {
-    Statement::Run run(statement);
-    int place = 0;
-    for (const IdHashMap::Entry& row : rows) {
-      run.bind(++place, row.id);
-      run.bind(++place, row.value);
-    }
-    run.step();
-  };
-  for (const IdHashMap::Entry& change : changes) {
-    if (change.value == 0) {
-      Statement::Run run(erase_map_row_);
-      run.bind(1, change.id);
-      run.step();
-      continue;
-    }
-    waiting.push_back(change);
-    if (waiting.size() < together) continue;
-    write(together == 1 ? write_map_row_ : write_map_rows_, waiting);
-    waiting.clear();
-  }
-  for (const IdHashMap::Entry& change : waiting) write(write_map_row_, {&change, 1});
-}
-
-void ShadowRows::erase_map() {
-  Statement::Run(erase_map_).step();
+  map_.write(changes);
+  // A table of version 0.1 has blocks from now on, and that version would not understand them.
+  if (const std::string features = meta_.read("features"); !has_feature(features, map_blocks))
+    meta_.write("features", features + (features.empty() ? "" : ",") + std::string(map_blocks));
 }
 
 void ShadowRows::insert_auxiliaries(std::int64_t id, std::span<sqlite3_value*> values) {
@@ -193,8 +128,23 @@ void ShadowRows::result_auxiliary(sqlite3_context* context, std::int64_t id, int
 }
 
 void ShadowRows::match_auxiliaries_to_map() {
-  Statement::Run(erase_stray_).step();
-  Statement::Run(insert_missing_).step();
+  std::vector<std::int64_t> stored, strays, missing;
+  read_auxiliary_ids([&](std::int64_t id) { stored.push_back(id); });
+  auto next = stored.begin();
+  map_.read([&](std::int64_t id, std::int64_t) {
+    for (; next != stored.end() && *next < id; ++next) strays.push_back(*next);
+    if (next != stored.end() && *next == id)
+      ++next;
+    else
+      missing.push_back(id);
+  });
+  strays.insert(strays.end(), next, stored.end());
+  for (const std::int64_t id : strays) erase_auxiliaries(id);
+  for (const std::int64_t id : missing) {
+    Statement::Run run(insert_missing_);
+    run.bind(1, id);
+    run.step();
+  }
 }
 
 }  // namespace foresee::storage

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "storage/rows/ascending_rows.h"
-#include "storage/rows/id_hash_map.h"
+#include "storage/rows/map_rows.h"
 #include "storage/rows/shadow_schema.h"
 #include "storage/rows/statement.h"
 
@@ -57,19 +57,9 @@ class ShadowRows {
   }
 
   // --- _map
-  /// The leaf of an id; nothing if there is no such object.
-  std::optional<std::int64_t> find_leaf(std::int64_t id);
-  std::optional<std::int64_t> read_largest_id();
-  std::int64_t count_ids();
-  bool map_is_empty();
-  template <class Read>
-  void read_map(Read read) {
-    read_ascending(all_ids_, {table_, "map"},
-                   [&](std::int64_t id, Statement::Run& run) { read(id, run.integer(1)); });
-  }
-  /// Each id's leaf; 0: the id goes. Fast if the ids ascend.
+  MapRows& map() { return map_; }
+  /// Each id's leaf; 0: the id goes. Requires: ids ascend.
   void write_map(std::span<const IdHashMap::Entry> changes);
-  void erase_map();
 
   // --- _aux; requires: there are auxiliary columns
   void insert_auxiliaries(std::int64_t id, std::span<sqlite3_value*> values);
@@ -103,11 +93,9 @@ class ShadowRows {
   sqlite3* db_;
   std::string table_;
   Statement largest_node_, node_by_number_, nodes_after_, all_nodes_, write_node_, erase_node_, node_numbers_;
-  Statement leaf_of_, largest_id_, count_, all_ids_, write_map_row_, write_map_rows_, erase_map_row_,
-      erase_map_;
-  Statement insert_auxiliaries_, update_auxiliaries_, erase_auxiliaries_, auxiliary_ids_, erase_stray_,
-      insert_missing_;
+  Statement insert_auxiliaries_, update_auxiliaries_, erase_auxiliaries_, auxiliary_ids_, insert_missing_;
   std::vector<Statement> auxiliary_;
+  MapRows map_;
   MetaRows meta_;
 };
 

@@ -4,6 +4,7 @@
 
 #include "shape/shapes.h"
 #include "storage/format/features.h"
+#include "storage/rows/map_rows.h"
 #include "storage/rows/store_error.h"
 #include "storage/rows/text.h"
 
@@ -38,9 +39,8 @@ bool is_shadow_suffix(std::string_view suffix) {
 }
 
 ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, const Declaration& declaration) {
-  std::vector<ShadowTable> tables{{"node", "(nodeno INTEGER PRIMARY KEY, data BLOB)"},
-                                  {"map", "(id INTEGER PRIMARY KEY, leaf INTEGER)"},
-                                  MetaRows::table()};
+  std::vector<ShadowTable> tables{
+      {"node", "(nodeno INTEGER PRIMARY KEY, data BLOB)"}, MapRows::table(), MetaRows::table()};
   if (!declaration.auxiliaries.empty()) {
     std::string definition = "(id INTEGER PRIMARY KEY";
     for (std::size_t i = 0; i < declaration.auxiliaries.size(); ++i) definition += ", a" + std::to_string(i);
@@ -88,8 +88,7 @@ NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const De
   meta.write("root", std::int64_t{0});
   meta.write("stamp", stamp);
   meta.write("objects", std::int64_t{0});
-  if (const std::string features = features_of(declaration); !features.empty())
-    meta.write("features", features);
+  meta.write("features", features_of(declaration));
   return format;
 }
 

@@ -1,14 +1,14 @@
 // Which tables hold a moving_objects table, and what do they say about themselves?
 //
 //   <name>_node(nodeno INTEGER PRIMARY KEY, data BLOB)                 leaves and inner nodes
-//   <name>_map(id INTEGER PRIMARY KEY, leaf INTEGER)                   where each object is
+//   <name>_map(id INTEGER PRIMARY KEY, leaf INTEGER)                   where each object is (map_rows.h)
 //   <name>_aux(id INTEGER PRIMARY KEY, a0, a1, …)                      only with auxiliary columns
 //   <name>_meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID             see below
 //
 // _meta: `format` version of all this, `columns` as declared, `node_size`, `horizon`, `root` (0: there are no
-// objects), `stamp` (random, rewritten by every write transaction), `objects` how many there are (absent
-// where version 0.1 wrote the table); `features` only where a table uses more than version 0.1 had
-// (format/features.h).
+// objects), `stamp` (random, rewritten by every write transaction), `objects` how many there are and
+// `features` what the table has that version 0.1 did not know (format/features.h); that version wrote
+// neither.
 #pragma once
 
 #include <cstdint>

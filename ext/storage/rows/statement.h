@@ -85,6 +85,7 @@ class Statement::Run {
   bool step();
 
   bool is_integer(int column) { return sqlite3_column_type(statement_, column) == SQLITE_INTEGER; }
+  bool is_blob(int column) { return sqlite3_column_type(statement_, column) == SQLITE_BLOB; }
   bool is_null(int column) { return sqlite3_column_type(statement_, column) == SQLITE_NULL; }
   std::int64_t integer(int column) { return sqlite3_column_int64(statement_, column); }
   /// Of a longer text only the beginning, at most so many bytes and no part of a character.

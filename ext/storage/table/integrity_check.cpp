@@ -51,9 +51,9 @@ class IntegrityCheck {
     objects_.erase(std::unique(objects_.begin(), objects_.end(), same_id), objects_.end());
   }
 
-  void map() {
+  void map() try {
     std::size_t next = 0;
-    shadow_rows_.read_map([&](std::int64_t id, std::int64_t leaf) {
+    shadow_rows_.map().read([&](std::int64_t id, std::int64_t leaf) {
       step_();
       for (; next < objects_.size() && objects_[next].id < id; ++next) not_in("map", objects_[next]);
       if (next == objects_.size() || objects_[next].id != id)
@@ -65,6 +65,8 @@ class IntegrityCheck {
       ++next;
     });
     for (; next < objects_.size(); ++next) not_in("map", objects_[next]);
+  } catch (const StoreError& error) {
+    note(error);
   }
 
   void auxiliaries() {
@@ -89,8 +91,7 @@ class IntegrityCheck {
       if (report.problems.empty() && report.nodes < nodes_)
         say("nodes that are not part of the tree: " + std::to_string(nodes_ - report.nodes));
     } catch (const StoreError& error) {
-      if ((error.code & 0xff) != SQLITE_CORRUPT) throw;
-      faults_.push_back(error.what());
+      note(error);
     } catch (const BrokenTree& error) {
       say(error.what());
     }
@@ -114,6 +115,11 @@ class IntegrityCheck {
   static std::string object(std::int64_t id) { return "object " + std::to_string(id); }
   void not_in(const char* table, const Entry& entry) {
     say(object(entry.id) + " of node " + std::to_string(entry.leaf) + " is missing in the " + table);
+  }
+  /// Damage is a fault that was found; any other error ends the check.
+  void note(const StoreError& error) {
+    if ((error.code & 0xff) != SQLITE_CORRUPT) throw error;
+    faults_.push_back(error.what());
   }
   void say(const std::string& fault) {
     if (faults_.size() < most_faults) faults_.push_back(name_.table + ": " + fault);

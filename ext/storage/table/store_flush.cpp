@@ -99,7 +99,7 @@ void Store::flush() {
   with_sound_tree([&] { cache_.write(interrupt); });
   if (count_.added != 0) {
     const std::optional<std::int64_t> sum = count_.sum();
-    write_count(sum ? *sum : shadow_rows().count_ids());
+    write_count(sum ? *sum : shadow_rows().map().count_ids());
   }
   const std::int64_t before = shown(own_stamp_.value_or(0));
   write_new_stamp();

@@ -29,7 +29,7 @@ void append(const Node& leaf, std::size_t, std::vector<std::int64_t>& ids, std::
 }  // namespace
 
 std::optional<std::int64_t> Store::find_leaf(std::int64_t id) {
-  return writing_ ? nodes().find_leaf(id) : shadow_rows().find_leaf(id);
+  return writing_ ? nodes().find_leaf(id) : shadow_rows().map().find_leaf(id);
 }
 
 bool Store::contains(std::int64_t id) {
@@ -69,7 +69,7 @@ std::span<const double> Store::find(std::int64_t id, StatementBelief& belief) {
 
 /// Past the cache.
 bool Store::read_stored(std::int64_t id, std::vector<double>& record) {
-  const std::optional<std::int64_t> number = shadow_rows().find_leaf(id);
+  const std::optional<std::int64_t> number = shadow_rows().map().find_leaf(id);
   if (!number) return false;
   const std::string where = "node " + std::to_string(*number);
   record.resize(static_cast<std::size_t>(format_.at.size));
@@ -116,7 +116,7 @@ void Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, 
   ids.clear();
   rows.clear();
   const bool waits = cache_.waits();
-  const auto expected = waits ? 0 : static_cast<std::size_t>(this->shadow_rows().count_ids());
+  const auto expected = waits ? 0 : static_cast<std::size_t>(this->shadow_rows().map().count_ids());
   const auto row_size = static_cast<std::size_t>(row_offsets(format_.layout).size);
   const auto record_size = static_cast<std::size_t>(format_.at.size);
   const bool rows_are_records = format_.layout.law != Law::forced;
@@ -142,7 +142,7 @@ void Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, 
 void Store::expect_objects(std::size_t found) {
   count_.note_all(found);
   if (cache_.waits()) return;
-  const auto mapped = static_cast<std::size_t>(shadow_rows().count_ids());
+  const auto mapped = static_cast<std::size_t>(shadow_rows().map().count_ids());
   if (found != mapped)
     damaged("the leaves hold " + std::to_string(found) + " objects, the map " + std::to_string(mapped));
 }

@@ -34,10 +34,17 @@ TEST(Features, TheFirstUnknownOneIsFound) {
   EXPECT_EQ(unknown_feature(",long", two), ",");
 }
 
-TEST(Features, NoTableOfTodayHasAny) {
+TEST(Features, OneIsFoundAmongTheNames) {
+  for (const char* names : {"blocks", "blocks,growth", "growth,blocks", "a,blocks,b"})
+    EXPECT_TRUE(has_feature(names, "blocks")) << names;
+  for (const char* names : {"", ",", "block", "blocksgrowth", "growth", "Blocks"})
+    EXPECT_FALSE(has_feature(names, "blocks")) << names;
+}
+
+TEST(Features, EveryNewTableHasBlocks) {
   Database db;
   make_store(db, named_ships());
-  EXPECT_EQ(db.number("SELECT count(*) FROM ships_meta WHERE key = 'features'"), 0);
+  EXPECT_EQ(db.text("SELECT value FROM ships_meta WHERE key = 'features'"), "blocks");
 }
 
 TEST(Features, UnknownOnesAreRefusedByName) {
@@ -48,8 +55,10 @@ TEST(Features, UnknownOnesAreRefusedByName) {
     MetaRows meta(tables);
     read_node_format(tables, meta, ships());
   };
-  db.run("INSERT INTO ships_meta VALUES('features', '')");
-  open();
+  for (const char* known : {"''", "'blocks'"}) {
+    db.run(std::string("UPDATE ships_meta SET value = ") + known + " WHERE key = 'features'");
+    open();
+  }
   db.run("UPDATE ships_meta SET value = 'growth,tiles' WHERE key = 'features'");
   expect_store_error(SQLITE_ERROR,
                      "ships: written with 'growth', which this foresee does not know: use a newer one", open);
@@ -64,7 +73,7 @@ class UnknownFeature : public ::testing::Test {
   UnknownFeature() {
     sqlite3_foresee_init(db, nullptr, nullptr);
     db.run("CREATE VIRTUAL TABLE ships USING moving_objects(id, x, r); INSERT INTO ships VALUES(1, 2, 3)");
-    db.run("INSERT INTO ships_meta VALUES('features', 'growth')");
+    db.run("UPDATE ships_meta SET value = 'blocks,growth' WHERE key = 'features'");
   }
   std::string error_of(const std::string& sql) {
     char* message = nullptr;

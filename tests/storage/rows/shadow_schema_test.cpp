@@ -27,8 +27,8 @@ TEST(ShadowSchema, MetaSaysWhatTheTableIs) {
   Database db;
   make_store(db, named_ships());
   EXPECT_EQ(db.text("SELECT group_concat(key || '=' || value, '; ') FROM ships_meta WHERE key <> 'stamp'"),
-            "columns=id, t, x, y, vx, vy, r, +name, +cargo; format=2; horizon=60.0; node_size=4032; "
-            "objects=0; root=0");
+            "columns=id, t, x, y, vx, vy, r, +name, +cargo; features=blocks; format=2; horizon=60.0; "
+            "node_size=4032; objects=0; root=0");
   EXPECT_EQ(db.text("SELECT typeof(value) FROM ships_meta WHERE key = 'stamp'"), "integer");
 }
 

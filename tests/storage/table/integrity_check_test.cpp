@@ -69,7 +69,7 @@ TEST_F(Damage, WritersRefuseADamagedLeafAndChangeNothing) {
   expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { store->rebuild(never); });
   expect_store_error(SQLITE_CORRUPT_VTAB, words, [&] { store->optimize(never); });
   EXPECT_EQ(store->read(100)->at(1), 100);
-  EXPECT_EQ(db.number("SELECT count(*) FROM ships_map"), 100);
+  EXPECT_EQ(stored_map(db).size(), 100u);
   commit(db, *store);
 }
 
@@ -100,16 +100,17 @@ TEST_F(Damage, AMissingNodeIsNamed) {
 }
 
 TEST_F(Damage, AWrongMapIsFoundAndRepairedByRebuild) {
-  db.run("UPDATE ships_map SET leaf = 2 WHERE id = 1; UPDATE ships_map SET leaf = 'x' WHERE id = 2");
+  write_map_as_version_0_1(db);
+  db.run("UPDATE ships_map SET leaf = 2 WHERE id = 1; UPDATE ships_map SET leaf = 9 WHERE id = 2");
   db.run("DELETE FROM ships_map WHERE id IN (3, 100); INSERT INTO ships_map VALUES(50000, 1), (-1, 7)");
   expect_faults({"ships: the map sends object -1 to node 7, but no leaf has it",
                  "ships: the map sends object 1 to node 2, but it is in node 1",
-                 "ships: the map sends object 2 to node 0, but it is in node 1",
+                 "ships: the map sends object 2 to node 9, but it is in node 1",
                  "ships: object 3 of node 1 is missing in the map",
                  "ships: object 100 of node 2 is missing in the map",
                  "ships: the map sends object 50000 to node 1, but no leaf has it"});
   expect_store_error(SQLITE_CORRUPT_VTAB, "node 2 lacks object 1", [&] { store->read(1); });
-  expect_store_error(SQLITE_CORRUPT_VTAB, "node 0 of object 2", [&] { store->read(2); });
+  expect_store_error(SQLITE_CORRUPT_VTAB, "node 9 of object 2", [&] { store->read(2); });
   begin(db, *store);
   expect_store_error(SQLITE_CORRUPT_VTAB, "the map sends object -1", [&] { store->optimize(never); });
   store->rebuild(never);

@@ -106,12 +106,13 @@ TEST_F(LookUp, AStatementSeesTheChangesOfItsOwnConnectionAtOnce) {
 }
 
 TEST_F(LookUp, DamageIsToldTheSameWayPastMemoryAndThroughIt) {
+  write_map_as_version_0_1(db);
   const std::string node_of_9 = "nodeno = (SELECT leaf FROM ships_map WHERE id = 9)";
   const std::pair<std::string, const char*> damages[] = {
       {"UPDATE ships_node SET data = zeroblob(length(data)) WHERE " + node_of_9,
        " is damaged: its checksum does not match"},
       {"DELETE FROM ships_node WHERE " + node_of_9, " of object 9 is missing"},
-      {"UPDATE ships_map SET leaf = 'x' WHERE id = 9", "node 0 of object 9 is missing"},
+      {"UPDATE ships_map SET leaf = 'x' WHERE id = 9", "row 9: a leaf's number is a positive integer"},
       {"UPDATE ships_map SET leaf = (SELECT max(leaf) + min(leaf) - ships_map.leaf FROM ships_map a)"
        " WHERE id = 9",
        " lacks object 9"},

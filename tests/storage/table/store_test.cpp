@@ -64,7 +64,7 @@ TEST(Store, ReadsPendingChangesWithoutWritingThem) {
   EXPECT_EQ(contents(*store).size(), 100u);
   EXPECT_EQ(store->read(42)->at(1), 42);
   commit(db, *store);
-  EXPECT_EQ(db.number("SELECT count(*) FROM ships_map"), 100);
+  EXPECT_EQ(stored_map(db).size(), 100u);
   EXPECT_EQ(faults(*store), std::vector<std::string>{});
 }
 

@@ -1,0 +1,120 @@
+#include "storage/rows/map_rows.h"
+
+#include <algorithm>
+
+#include "storage/rows/ascending_rows.h"
+#include "storage/rows/store_error.h"
+
+namespace foresee::storage {
+
+MapRows::MapRows(const ShadowTables& tables)
+    : table_(tables.name().table),
+      up_to_(tables.statement("SELECT id, leaf FROM {map} WHERE id <= ?1 ORDER BY id DESC")),
+      between_(tables.statement("SELECT id, leaf FROM {map} WHERE id BETWEEN ?1 AND ?2 ORDER BY id")),
+      largest_(tables.statement("SELECT id, leaf FROM {map} ORDER BY id DESC LIMIT 1")),
+      all_(tables.statement("SELECT id, leaf FROM {map} ORDER BY id")),
+      write_(tables.statement("INSERT OR REPLACE INTO {map} VALUES(?1, ?2)")),
+      erase_between_(tables.statement("DELETE FROM {map} WHERE id BETWEEN ?1 AND ?2")),
+      erase_all_(tables.statement("DELETE FROM {map}")) {}
+
+void MapRows::damaged(std::int64_t row, const char* what) const {
+  throw StoreError(SQLITE_CORRUPT_VTAB,
+                   table_ + ": " + table_ + "_map is damaged: row " + std::to_string(row) + ": " + what);
+}
+
+IdBlock MapRows::row_of(Statement::Run& run) const {
+  const std::int64_t id = number_after(std::nullopt, run, {table_, "map"});
+  IdBlock block(IdBlock::base_of(id));
+  if (run.is_blob(1)) {
+    if (id != block.base()) damaged(id, "a block begins at a multiple of 64");
+    if (const char* fault = block.decode(run.blob(1))) damaged(id, fault);
+  } else {
+    if (!run.is_integer(1) || run.integer(1) < 1) damaged(id, "a leaf's number is a positive integer");
+    block.set(id, run.integer(1));
+  }
+  return block;
+}
+
+IdBlock MapRows::row_after(std::optional<std::int64_t>& last, Statement::Run& run) const {
+  IdBlock block = row_of(run);
+  block.for_each([&](std::int64_t id, std::int64_t) {
+    if (last && id <= *last) damaged(run.integer(0), "an id is in two rows");
+    last = id;
+  });
+  return block;
+}
+
+IdBlock MapRows::find(std::int64_t id) {
+  Statement::Run run(up_to_);
+  run.bind(1, id);
+  if (run.step())
+    if (const IdBlock block = row_of(run); block.base() == IdBlock::base_of(id)) return block;
+  return IdBlock(IdBlock::base_of(id));
+}
+
+std::optional<std::int64_t> MapRows::find_leaf(std::int64_t id) {
+  const std::int64_t leaf = find(id).leaf_of(id);
+  return leaf == 0 ? std::nullopt : std::optional(leaf);
+}
+
+std::optional<std::int64_t> MapRows::read_largest_id() {
+  Statement::Run run(largest_);
+  std::optional<std::int64_t> last;
+  if (run.step()) row_after(last, run);
+  return last;
+}
+
+std::int64_t MapRows::count_ids() {
+  Statement::Run run(all_);
+  std::int64_t count = 0;
+  while (run.step()) count += static_cast<std::int64_t>(row_of(run).count());
+  return count;
+}
+
+bool MapRows::is_empty() {
+  return !Statement::Run(largest_).step();
+}
+
+void MapRows::write(std::span<const IdHashMap::Entry> changes) {
+  const std::optional<std::int64_t> largest = read_largest_id();
+  while (!changes.empty()) {
+    const std::int64_t base = IdBlock::base_of(changes[0].id);
+    std::size_t count = 1;
+    while (count < changes.size() && IdBlock::base_of(changes[count].id) == base) ++count;
+    write_block(changes.first(count), !largest || *largest < base);
+    changes = changes.subspan(count);
+  }
+}
+
+void MapRows::write_block(std::span<const IdHashMap::Entry> changes, bool is_new) {
+  IdBlock block(IdBlock::base_of(changes[0].id));
+  std::vector<std::int64_t> stored;
+  if (!is_new) {
+    Statement::Run run(between_);
+    run.bind(1, block.base());
+    run.bind(2, block.last());
+    for (std::optional<std::int64_t> last; run.step(); stored.push_back(run.integer(0)))
+      row_after(last, run).for_each([&](std::int64_t id, std::int64_t leaf) { block.set(id, leaf); });
+  }
+  for (const IdHashMap::Entry& change : changes) block.set(change.id, change.value);
+  const bool has_others =
+      std::any_of(stored.begin(), stored.end(), [&](std::int64_t row) { return row != block.base(); });
+  if (has_others || (block.count() == 0 && !stored.empty())) {
+    Statement::Run run(erase_between_);
+    run.bind(1, block.base());
+    run.bind(2, block.last());
+    run.step();
+  }
+  if (block.count() == 0) return;
+  const std::vector<std::byte> bytes = block.encode();
+  Statement::Run run(write_);
+  run.bind(1, block.base());
+  run.bind(2, bytes);
+  run.step();
+}
+
+void MapRows::erase_all() {
+  Statement::Run(erase_all_).step();
+}
+
+}  // namespace foresee::storage
