@@ -123,6 +123,7 @@ class NodeCache final : public Pages {
   };
   const double* record_at(const Place& place);
   Place find_by_hint(std::int64_t id);
+  void read_block(std::int64_t id);
 
   /// Null if its node would have to be read.
   Slot* in_memory(NodeNumber number);
@@ -164,7 +165,7 @@ class NodeCache final : public Pages {
   TreeHead head_;
   MapChanges map_;
   LeafHints hints_;
-  std::optional<std::pair<std::int64_t, std::int64_t>> last_found_;  ///< id and leaf as the rows say
+  std::optional<IdBlock> last_block_;  ///< that was read, as the rows say
   std::size_t dirty_ = 0;
   std::uint64_t use_ = 1;  ///< moves whenever nodes that were not used are dropped
 

@@ -17,21 +17,23 @@ std::optional<NodeNumber> NodeCache::find_leaf(std::int64_t id) {
   const std::int64_t leaf = map_.find(id);
   if (leaf == MapChanges::erased) return std::nullopt;
   if (leaf != MapChanges::unknown) return leaf;
-  if (last_found_ && last_found_->first == id) return last_found_->second;
-  if (const Place place = find_by_hint(id); place.leaf != 0) {
-    last_found_ = {id, place.leaf};
-    return place.leaf;
+  if (!last_block_ || last_block_->base() != IdBlock::base_of(id)) {
+    if (const Place place = find_by_hint(id); place.leaf != 0) return place.leaf;
+    read_block(id);
   }
-  const IdBlock stored = shadow_rows_->map().find(id);
-  hints_.reserve(static_cast<std::size_t>(IdBlock::ids));
-  stored.for_each([&](std::int64_t other, std::int64_t where) {
-    if (hints_.find(other).leaf != where) hints_.learn(other, where);
-  });
-  const NodeNumber found = stored.leaf_of(id);
+  const NodeNumber found = last_block_->leaf_of(id);
   if (found == 0) return std::nullopt;
-  last_found_ = {id, found};
   if (Slot* slot = in_memory(found)) learn(found, *slot);
   return found;
+}
+
+/// From now on hints know the ids around, too.
+void NodeCache::read_block(std::int64_t id) {
+  last_block_ = shadow_rows_->map().find(id);
+  hints_.reserve(static_cast<std::size_t>(IdBlock::ids));
+  last_block_->for_each([&](std::int64_t other, std::int64_t leaf) {
+    if (hints_.find(other).leaf != leaf) hints_.learn(other, leaf);
+  });
 }
 
 NodeCache::Place NodeCache::find_by_hint(std::int64_t id) {

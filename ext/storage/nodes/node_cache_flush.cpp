@@ -46,7 +46,7 @@ void NodeCache::write(Interrupt& interrupt) {
               [&](const IdHashMap::Entry& a, const IdHashMap::Entry& b) { return step(), a.id < b.id; });
     shadow_rows_->write_map(changes);
     map_.written(!undo_.none());
-    last_found_.reset();
+    last_block_.reset();
   }
   if (head_.root_dirty) shadow_rows_->write_root(head_.root);
   head_.root_dirty = wrote_early_ = false;

@@ -104,7 +104,7 @@ void NodeCache::restore(UndoLog::Handle mark, std::size_t map_position) {
   }
   head_ = mark->head;
   map_.rewind(map_position);
-  last_found_.reset();
+  last_block_.reset();
 }
 
 void NodeCache::forget_all() noexcept {
@@ -113,7 +113,7 @@ void NodeCache::forget_all() noexcept {
   hints_.clear();
   head_ = {};
   map_.clear();
-  last_found_.reset();
+  last_block_.reset();
   changed_.clear();
   waiting_.clear();
   waiting_is_stale_ = wrote_early_ = false;
@@ -131,7 +131,7 @@ void NodeCache::begin() {
   changed_.clear();
   dropped_changed_ = false;
   head_.last = TreeHead::unknown;
-  last_found_.reset();
+  last_block_.reset();
 }
 
 void NodeCache::commit() noexcept {
@@ -140,7 +140,7 @@ void NodeCache::commit() noexcept {
   changed_.clear();
   dropped_changed_ = false;
   map_.clear();
-  last_found_.reset();
+  last_block_.reset();
 }
 
 // SQLite has taken the rows back.

@@ -9,7 +9,6 @@ namespace foresee::storage {
 
 MapRows::MapRows(const ShadowTables& tables)
     : table_(tables.name().table),
-      up_to_(tables.statement("SELECT id, leaf FROM {map} WHERE id <= ?1 ORDER BY id DESC")),
       between_(tables.statement("SELECT id, leaf FROM {map} WHERE id BETWEEN ?1 AND ?2 ORDER BY id")),
       largest_(tables.statement("SELECT id, leaf FROM {map} ORDER BY id DESC LIMIT 1")),
       all_(tables.statement("SELECT id, leaf FROM {map} ORDER BY id")),
@@ -44,12 +43,16 @@ IdBlock MapRows::row_after(std::optional<std::int64_t>& last, Statement::Run& ru
   return block;
 }
 
-IdBlock MapRows::find(std::int64_t id) {
-  Statement::Run run(up_to_);
-  run.bind(1, id);
-  if (run.step())
-    if (const IdBlock block = row_of(run); block.base() == IdBlock::base_of(id)) return block;
-  return IdBlock(IdBlock::base_of(id));
+IdBlock MapRows::read_block(std::int64_t base, std::vector<std::int64_t>* rows) {
+  IdBlock block(base);
+  Statement::Run run(between_);
+  run.bind(1, block.base());
+  run.bind(2, block.last());
+  for (std::optional<std::int64_t> last; run.step();) {
+    row_after(last, run).for_each([&](std::int64_t id, std::int64_t leaf) { block.set(id, leaf); });
+    if (rows) rows->push_back(run.integer(0));
+  }
+  return block;
 }
 
 std::optional<std::int64_t> MapRows::find_leaf(std::int64_t id) {
@@ -87,15 +90,9 @@ void MapRows::write(std::span<const IdHashMap::Entry> changes) {
 }
 
 void MapRows::write_block(std::span<const IdHashMap::Entry> changes, bool is_new) {
-  IdBlock block(IdBlock::base_of(changes[0].id));
   std::vector<std::int64_t> stored;
-  if (!is_new) {
-    Statement::Run run(between_);
-    run.bind(1, block.base());
-    run.bind(2, block.last());
-    for (std::optional<std::int64_t> last; run.step(); stored.push_back(run.integer(0)))
-      row_after(last, run).for_each([&](std::int64_t id, std::int64_t leaf) { block.set(id, leaf); });
-  }
+  IdBlock block(IdBlock::base_of(changes[0].id));
+  if (!is_new) block = read_block(block.base(), &stored);
   for (const IdHashMap::Entry& change : changes) block.set(change.id, change.value);
   const bool has_others =
       std::any_of(stored.begin(), stored.end(), [&](std::int64_t row) { return row != block.base(); });

@@ -29,8 +29,8 @@ class MapRows {
 
   explicit MapRows(const ShadowTables& tables);
 
-  /// The block of `id`; of a table of version 0.1 only what it says of `id` itself.
-  IdBlock find(std::int64_t id);
+  /// The block of `id`.
+  IdBlock find(std::int64_t id) { return read_block(IdBlock::base_of(id), nullptr); }
   std::optional<std::int64_t> find_leaf(std::int64_t id);
   std::optional<std::int64_t> read_largest_id();
   /// Reads every row.
@@ -53,12 +53,14 @@ class MapRows {
   IdBlock row_of(Statement::Run& run) const;
   /// The same, behind the id `last`, which becomes the last one of this row.
   IdBlock row_after(std::optional<std::int64_t>& last, Statement::Run& run) const;
+  /// What is stored of the block with this base, and, if wanted, the numbers of its rows.
+  IdBlock read_block(std::int64_t base, std::vector<std::int64_t>* rows);
   /// Stores a block of which `changes` are new; `is_new`: nothing of it is stored.
   void write_block(std::span<const IdHashMap::Entry> changes, bool is_new);
   [[noreturn]] void damaged(std::int64_t row, const char* what) const;
 
   std::string table_;
-  Statement up_to_, between_, largest_, all_, write_, erase_between_, erase_all_;
+  Statement between_, largest_, all_, write_, erase_between_, erase_all_;
 };
 
 }  // namespace foresee::storage

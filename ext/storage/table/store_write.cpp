@@ -126,7 +126,7 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
     } else if (pending_->find(id)) {
       pending_->replace(id, record);
     } else {
-      if (!read(id)) throw_missing(id);
+      if (!nodes().find_record(id)) throw_missing(id);
       pending_->add(id, record);
     }
   });
