@@ -27,7 +27,7 @@ class TreeLoad {
 
   void run() {
     if (!state_.clock.runs()) state_.clock.set(typical_t(state_.reader, records_));
-    const auto levels = level_sizes(ids_.size(), state_.pages.leaf_capacity(), state_.pages.inner_capacity());
+    const auto levels = level_sizes(state_.leaves_for(ids_.size()), state_.pages.inner_capacity());
     const auto order = leaf_order(state_, records_, levels, interrupt_);
     for (const std::size_t nodes : levels) {
       auto& numbers = numbers_.emplace_back(nodes);

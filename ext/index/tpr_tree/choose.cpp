@@ -82,27 +82,47 @@ std::size_t ChildChoice<D>::choose(const Bounds<D>& added) {
 }
 
 template <int D>
-std::size_t closest_sibling(const TreeState<D>& state, const Node& above, NodeNumber number) {
-  const VisitCost<D> cost = state.cost(above.epoch);
-  const std::size_t own_slot = slot_of(above, number);
-  const Bounds<D> own = bounds_at<D>(above, own_slot);
-  const double query = 0.1 * cost.mean_width(own);
-  std::size_t best = own_slot;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t slot = 0; slot < above.size(); ++slot) {
-    if (slot == own_slot) continue;
-    Bounds<D> both = bounds_at<D>(above, slot);
+std::vector<Growth> growths(const Node& inner, const Bounds<D>& added, const VisitCost<D>& cost,
+                            double query) {
+  std::vector<Growth> all;
+  all.reserve(inner.size());
+  for (std::size_t slot = 0; slot < inner.size(); ++slot) {
+    Bounds<D> both = bounds_at<D>(inner, slot);
     const double apart = cost(both, query);
-    both.include(own);
-    const double more = cost(both, query) - apart;
-    if (more < least) best = slot, least = more;
+    both.include(added);
+    all.push_back({cost(both, query) - apart, slot});
   }
-  return best;
+  return all;
+}
+
+template <int D>
+std::vector<std::size_t> closest_children(const TreeState<D>& state, const Node& above, NodeNumber number,
+                                          std::size_t most) {
+  const VisitCost<D> cost = state.cost(above.epoch);
+  const std::size_t own = slot_of(above, number);
+  const Bounds<D> bounds = bounds_at<D>(above, own);
+  std::vector<Growth> all = growths(above, bounds, cost, 0.1 * cost.mean_width(bounds));
+  all[own].cost = -std::numeric_limits<double>::infinity();
+  std::vector<std::size_t> closest(std::min(most, all.size()));
+  std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(closest.size()), all.end());
+  for (std::size_t i = 0; i < closest.size(); ++i) closest[i] = all[i].slot;
+  return closest;
+}
+
+template <int D>
+std::size_t closest_sibling(const TreeState<D>& state, const Node& above, NodeNumber number) {
+  return closest_children(state, above, number, 2).back();
 }
 
 template class ChildChoice<1>;
 template class ChildChoice<2>;
 template class ChildChoice<3>;
+template std::vector<Growth> growths(const Node&, const Bounds<1>&, const VisitCost<1>&, double);
+template std::vector<Growth> growths(const Node&, const Bounds<2>&, const VisitCost<2>&, double);
+template std::vector<Growth> growths(const Node&, const Bounds<3>&, const VisitCost<3>&, double);
+template std::vector<std::size_t> closest_children(const TreeState<1>&, const Node&, NodeNumber, std::size_t);
+template std::vector<std::size_t> closest_children(const TreeState<2>&, const Node&, NodeNumber, std::size_t);
+template std::vector<std::size_t> closest_children(const TreeState<3>&, const Node&, NodeNumber, std::size_t);
 template std::size_t closest_sibling(const TreeState<1>&, const Node&, NodeNumber);
 template std::size_t closest_sibling(const TreeState<2>&, const Node&, NodeNumber);
 template std::size_t closest_sibling(const TreeState<3>&, const Node&, NodeNumber);

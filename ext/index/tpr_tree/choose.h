@@ -8,6 +8,7 @@
 // multiplications for each child, side by side.
 #pragma once
 
+#include <compare>
 #include <vector>
 
 #include "index/tpr_tree/state.h"
@@ -42,5 +43,23 @@ class ChildChoice {
 /// if it has no sibling.
 template <int D>
 std::size_t closest_sibling(const TreeState<D>& state, const Node& above, NodeNumber number);
+
+/// How much more a child would cost with something in it; the least is the best one.
+struct Growth {
+  double cost;
+  std::size_t slot;
+
+  friend auto operator<=>(const Growth&, const Growth&) = default;
+};
+
+/// Of every child, by slot. `added` as bounds at the node's epoch.
+template <int D>
+std::vector<Growth> growths(const Node& inner, const Bounds<D>& added, const VisitCost<D>& cost,
+                            double query);
+
+/// The slots of a child and its siblings that it overlaps most, itself first: so many, or all.
+template <int D>
+std::vector<std::size_t> closest_children(const TreeState<D>& state, const Node& above, NodeNumber number,
+                                          std::size_t most);
 
 }  // namespace foresee::index

@@ -14,6 +14,17 @@ class EvenOut {
   EvenOut(TreeState<D>& state, NodeNumber number)
       : state_(state), number_(number), parent_(state.pages.modify(number)) {}
 
+  bool even_out_leaf(NodeNumber leaf) {
+    const std::size_t size = size_of(leaf), most = state_.capacity(0);
+    const NodeNumber sibling = sibling_with_room(leaf, size);
+    const bool is_due = size > most || size < state_.least_size(0);
+    if (sibling == leaf ? size <= most : !is_due && size + size_of(sibling) > state_.packed_size())
+      return false;
+    const NodeNumber both[] = {leaf, sibling};
+    pack(std::span(both).first(sibling == leaf ? 1 : 2));
+    return true;
+  }
+
   void run(std::span<const NodeNumber> children) {
     std::vector<NodeNumber> uneven;
     for (const NodeNumber child : children) {
@@ -23,11 +34,10 @@ class EvenOut {
         continue;
       }
       renew(child, *node);
-      if (node->size() > state_.capacity(node->level) || node->size() < state_.least_size(node->level))
-        uneven.push_back(child);
+      if (!is_even(*node)) uneven.push_back(child);
     }
     for (const NodeNumber child : uneven)
-      if (has(child)) parent_.level > 1 ? even_out_inner(child) : even_out_leaf(child);
+      if (has(child)) parent_.level > 1 ? even_out_inner(child) : static_cast<void>(even_out_leaf(child));
     if (parent_.size() == 0) return;
     if (2 * children.size() > parent_.size() && parent_.epoch != state_.clock.now())
       renew_entries(state_, number_);
@@ -37,6 +47,11 @@ class EvenOut {
   }
 
  private:
+  bool is_even(const Node& node) const {
+    return node.size() <= state_.capacity(node.level) &&
+           node.size() >= (node.is_leaf() ? state_.capacity(0) / 2 : state_.least_size(node.level));
+  }
+
   bool has(NodeNumber child) const {
     return std::find(parent_.keys.begin(), parent_.keys.end(), child) != parent_.keys.end();
   }
@@ -52,22 +67,10 @@ class EvenOut {
   /// Packs these leaves anew, in as few as hold their objects.
   void pack(std::span<const NodeNumber> old) {
     LeafPack<D> pack(state_);
-    for (const NodeNumber leaf : old) {
+    for (const NodeNumber leaf : old)
       pack.add(leaf, *read_below(state_.pages, number_, parent_, slot_of(parent_, leaf)));
-      remove_slot(parent_, slot_of(parent_, leaf), state_.stride(1));
-    }
-    pack.arrange((pack.objects() + state_.capacity(0) - 1) / state_.capacity(0), 1);
-    const std::vector<Entry<D>> entries = pack.summaries(parent_.epoch);
-    for (std::size_t i = 0; i < entries.size(); ++i) add_entry(parent_, pack.write(i, number_), entries[i]);
-    pack.free_rest();
-  }
-
-  void even_out_leaf(NodeNumber leaf) {
-    const std::size_t size = size_of(leaf);
-    if (size <= state_.capacity(0) && size >= state_.least_size(0)) return;
-    const NodeNumber sibling = parent_.keys[closest_sibling(state_, parent_, leaf)];
-    const NodeNumber both[] = {leaf, sibling};
-    pack(std::span(both).first(sibling == leaf ? 1 : 2));
+    pack.arrange(state_.leaves_for(pack.objects()), 1);
+    pack.write_beneath(number_, parent_, pack.summaries(parent_.epoch));
   }
 
   void even_out_inner(NodeNumber child) {
@@ -87,6 +90,17 @@ class EvenOut {
     }
   }
 
+  /// Of the siblings that a leaf overlaps most, the first that takes what is too much for it, or else the
+  /// first.
+  NodeNumber sibling_with_room(NodeNumber leaf, std::size_t size) {
+    const std::vector<std::size_t> closest = closest_children(state_, parent_, leaf, 1 + siblings);
+    if (closest.size() == 1) return leaf;
+    for (std::size_t i = 1; i < closest.size(); ++i)
+      if (size + size_of(parent_.keys[closest[i]]) <= 2 * state_.packed_size())
+        return parent_.keys[closest[i]];
+    return parent_.keys[closest[1]];
+  }
+
   /// Hangs everything beneath `child` below its sibling.
   void take_up(NodeNumber child, NodeNumber sibling) {
     const Node gone = *state_.pages.read(child);
@@ -102,6 +116,8 @@ class EvenOut {
     renew(sibling, stays);
   }
 
+  static constexpr std::size_t siblings = 3;  ///< that are asked for room
+
   TreeState<D>& state_;
   const NodeNumber number_;
   Node& parent_;
@@ -112,6 +128,11 @@ class EvenOut {
 template <int D>
 void even_out(TreeState<D>& state, NodeNumber parent, std::span<const NodeNumber> children) {
   EvenOut<D>(state, parent).run(children);
+}
+
+template <int D>
+bool even_out_leaf(TreeState<D>& state, NodeNumber parent, NodeNumber leaf) {
+  return EvenOut<D>(state, parent).even_out_leaf(leaf);
 }
 
 template <int D>
@@ -129,6 +150,9 @@ void even_out_root(TreeState<D>& state) {
 template void even_out<1>(TreeState<1>&, NodeNumber, std::span<const NodeNumber>);
 template void even_out<2>(TreeState<2>&, NodeNumber, std::span<const NodeNumber>);
 template void even_out<3>(TreeState<3>&, NodeNumber, std::span<const NodeNumber>);
+template bool even_out_leaf<1>(TreeState<1>&, NodeNumber, NodeNumber);
+template bool even_out_leaf<2>(TreeState<2>&, NodeNumber, NodeNumber);
+template bool even_out_leaf<3>(TreeState<3>&, NodeNumber, NodeNumber);
 template void even_out_root<1>(TreeState<1>&);
 template void even_out_root<2>(TreeState<2>&);
 template void even_out_root<3>(TreeState<3>&);

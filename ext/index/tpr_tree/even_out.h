@@ -5,8 +5,8 @@
 //   even_out_root(state);                            // at the end
 //
 // Leaves: a leaf that is too full, or less than a quarter full, is packed anew together with the sibling that
-// overlaps it most, in as few leaves as hold both: two full ones become three. Inner nodes are split in two,
-// or taken up by that sibling.
+// overlaps it most, in as few leaves as hold both with some room: two full ones become three. So is one that
+// is less than half full if both fit in one. Inner nodes are split in two, or taken up by that sibling.
 #pragma once
 
 #include "index/tpr_tree/state.h"
@@ -17,6 +17,11 @@ namespace foresee::index {
 /// empty, or without children afterwards, and its own entry is stale.
 template <int D>
 void even_out(TreeState<D>& state, NodeNumber parent, std::span<const NodeNumber> children);
+
+/// The same for one leaf that has lost objects, or is too full: it shares with a sibling. False if nothing
+/// had to change. Requires: `parent` has a true entry for it; it may be too full or too empty afterwards.
+template <int D>
+bool even_out_leaf(TreeState<D>& state, NodeNumber parent, NodeNumber leaf);
 
 /// A root that is too full gets another one above it; one that leads to a single node goes.
 template <int D>

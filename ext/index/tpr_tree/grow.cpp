@@ -1,6 +1,7 @@
 #include "index/tpr_tree/grow.h"
 
 #include "index/tpr_tree/choose.h"
+#include "index/tpr_tree/even_out.h"
 #include "index/tpr_tree/split.h"
 
 namespace foresee::index {
@@ -77,12 +78,11 @@ void widen(TreeState<D>& state, NodeNumber parent, NodeNumber child, const Added
 }
 
 template <int D>
-std::vector<Bounds<D>> bounds_of_all(const TreeState<D>& state, const Node& node, double epoch) {
+std::vector<Bounds<D>> bounds_of_all(const Node& inner, double epoch) {
   std::vector<Bounds<D>> all;
-  all.reserve(node.size());
-  for (std::size_t slot = 0; slot < node.size(); ++slot)
-    all.push_back(node.is_leaf() ? Mover<D>(state.reader, state.reader.record(node, slot)).bounds(epoch)
-                                 : carried(bounds_at<D>(node, slot), node.epoch, epoch));
+  all.reserve(inner.size());
+  for (std::size_t slot = 0; slot < inner.size(); ++slot)
+    all.push_back(carried(bounds_at<D>(inner, slot), inner.epoch, epoch));
   return all;
 }
 
@@ -112,15 +112,11 @@ NodeNumber split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_
   Node& sibling = state.pages.modify(sibling_number);
   Node& parent = state.pages.modify(parent_number);
   sibling.level = node.level, sibling.parent = parent_number, sibling.epoch = node.epoch;
-  const std::vector<Bounds<D>> elements = bounds_of_all(state, node, parent.epoch);
+  const std::vector<Bounds<D>> elements = bounds_of_all<D>(node, parent.epoch);
   move_slots(node, choose_split<D>(elements, state.cost(parent.epoch)), sibling, state.stride(node.level));
 
-  if (sibling.is_leaf()) {
-    state.pages.place(sibling.keys, sibling_number);
-  } else {
-    for (const NodeNumber child : sibling.keys)
-      hang_below(state, Unread{child, number, node.level - 1}, sibling_number);
-  }
+  for (const NodeNumber child : sibling.keys)
+    hang_below(state, Unread{child, number, node.level - 1}, sibling_number);
   const std::size_t slot = slot_of(parent, number);
   const Bounds<D> before = bounds_at<D>(parent, slot);
   auto entry_for = [&](const Node& half) {
@@ -136,7 +132,7 @@ NodeNumber split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_
 template <int D, class Added>
 void fit_upward(TreeState<D>& state, NodeNumber number, const Added& added) {
   for (auto node = state.pages.read(number);;) {
-    const bool overfull = node->size() > state.capacity(node->level);
+    const bool overfull = node->size() > state.capacity(node->level), is_leaf = node->is_leaf();
     NodeNumber parent_number = node->parent;
     auto parent = read_above(state.pages, number, *node);
     if (!parent && !overfull) return;
@@ -147,7 +143,8 @@ void fit_upward(TreeState<D>& state, NodeNumber number, const Added& added) {
     node.reset(), parent.reset();  // they change now
     if (parent_number == 0) parent_number = put_root_above(state, number);
     widen(state, parent_number, number, added);
-    if (overfull) split_node(state, number, parent_number);
+    if (overfull && is_leaf) even_out_leaf(state, parent_number, number);
+    if (overfull && !is_leaf) split_node(state, number, parent_number);
     node = state.pages.read(parent_number), number = parent_number;
   }
 }

@@ -1,5 +1,5 @@
-// How does the tree take something in? Down by least cost, up again widening entries, splitting what is too
-// full.
+// How does the tree take something in? Down by least cost, up again widening entries; leaves that are too
+// full share with a neighbour (even_out.h), inner nodes are split.
 #pragma once
 
 #include "index/tpr_tree/state.h"
@@ -11,8 +11,8 @@ template <int D>
 void insert_object(TreeState<D>& state, const NewObject<D>& object, NodeNumber from = 0,
                    NodeNumber known_leaf = 0);
 
-/// Makes every entry above a node true for what has just been put into it, splitting what is overfull. Added:
-/// NewObject or Branch.
+/// Makes every entry above a node true for what has just been put into it; no node is too full afterwards.
+/// Added: NewObject or Branch.
 template <int D, class Added>
 void fit_upward(TreeState<D>& state, NodeNumber number, const Added& added);
 
@@ -35,8 +35,8 @@ bool freshen(TreeState<D>& state, NodeNumber inner, std::size_t slot);
 template <int D>
 NodeNumber put_root_above(TreeState<D>& state, NodeNumber old_root);
 
-/// Splits an overfull node; both halves have entries in the parent afterwards, which may be overfull then.
-/// The new half's number.
+/// Splits an overfull inner node; both halves have entries in the parent afterwards, which may be overfull
+/// then. The new half's number.
 template <int D>
 NodeNumber split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_number);
 

@@ -10,6 +10,7 @@ void LeafPack<D>::add(NodeNumber number, const Node& leaf) {
   ids_.insert(ids_.end(), leaf.keys.begin(), leaf.keys.end());
   records_.insert(records_.end(), leaf.values.begin(), leaf.values.end());
   from_.resize(ids_.size(), static_cast<std::uint32_t>(numbers_.size()));
+  old_.push_back(number);
   numbers_.push_back(number);
 }
 
@@ -42,6 +43,13 @@ std::vector<Entry<D>> LeafPack<D>::summaries(double epoch) const {
   std::vector<Entry<D>> all;
   for (const Leaf& leaf : leaves_) all.push_back(summary(leaf.node, state_.reader, epoch));
   return all;
+}
+
+template <int D>
+void LeafPack<D>::write_beneath(NodeNumber parent, Node& above, const std::vector<Entry<D>>& entries) {
+  for (const NodeNumber old : old_) remove_slot(above, slot_of(above, old), state_.stride(1));
+  for (std::size_t i = 0; i < entries.size(); ++i) add_entry(above, write(i, parent), entries[i]);
+  free_rest();
 }
 
 template <int D>

@@ -4,8 +4,7 @@
 //   pack.add(7, *leaf7), pack.add(9, *leaf9);
 //   pack.arrange(3, 1);                       // into three leaves beneath one parent; nothing is written yet
 //   pack.summaries(epoch)                     // what the parent would say of each
-//   pack.write(0, parent)                     // and the others: their numbers
-//   pack.free_rest();
+//   pack.write_beneath(parent, above, entries);
 //
 // A new leaf takes the number of the old one that most of its objects come from: what stays where it was
 // costs the page map nothing.
@@ -29,6 +28,11 @@ class LeafPack {
   void arrange(std::size_t leaves, std::size_t parents);
   std::vector<Entry<D>> summaries(double epoch) const;
 
+  /// The old leaves leave their parent and the new ones come, with these entries. `above`: the parent, which
+  /// changes.
+  void write_beneath(NodeNumber parent, Node& above, const std::vector<Entry<D>>& entries);
+
+  // --- or one by one, where they have several parents
   /// Writes new leaf i, once; the number that it has.
   NodeNumber write(std::size_t i, NodeNumber parent);
   /// Frees the old leaves whose number no new one has taken.
@@ -44,7 +48,7 @@ class LeafPack {
   void take_number(Leaf& leaf, std::span<const std::uint32_t> objects);
 
   TreeState<D>& state_;
-  std::vector<NodeNumber> numbers_;  ///< of the old leaves; 0: taken
+  std::vector<NodeNumber> old_, numbers_;  ///< of the old leaves; then 0 where one is taken
   std::vector<std::int64_t> ids_;
   std::vector<double> records_;
   std::vector<std::uint32_t> from_;  ///< which old leaf each object comes from

@@ -141,11 +141,8 @@ class LeafOrder {
 
 }  // namespace
 
-std::vector<std::size_t> level_sizes(std::size_t objects, std::size_t leaf_capacity,
-                                     std::size_t inner_capacity) {
-  std::vector<std::size_t> levels;
-  if (objects == 0) return levels;
-  levels.push_back((objects + leaf_capacity - 1) / leaf_capacity);
+std::vector<std::size_t> level_sizes(std::size_t leaves, std::size_t inner_capacity) {
+  std::vector<std::size_t> levels{leaves};
   while (levels.back() > 1) levels.push_back((levels.back() + inner_capacity - 1) / inner_capacity);
   return levels;
 }

@@ -17,9 +17,8 @@
 
 namespace foresee::index {
 
-/// How many nodes of each level a full tree of `objects` has, leaves first, up to the root; none for none.
-std::vector<std::size_t> level_sizes(std::size_t objects, std::size_t leaf_capacity,
-                                     std::size_t inner_capacity);
+/// How many nodes of each level a tree of so many leaves has, leaves first, up to the root.
+std::vector<std::size_t> level_sizes(std::size_t leaves, std::size_t inner_capacity);
 
 /// Of `children` spread evenly over `parents`: the first one of a parent.
 inline std::size_t first_child(std::size_t parent, std::size_t parents, std::size_t children) {

@@ -1,5 +1,6 @@
 #include "index/tpr_tree/shrink.h"
 
+#include "index/tpr_tree/even_out.h"
 #include "index/tpr_tree/grow.h"
 
 namespace foresee::index {
@@ -48,11 +49,31 @@ void dissolve(TreeState<D>& state, NodeNumber number, NodeNumber parent_number, 
   state.pages.free(number);
 }
 
-/// From a node that has just lost something up to the root. True if that node is still there.
+/// Evens out a leaf that has lost an object, if it is half empty. Where to go on from: the leaf, or if
+/// anything changed its parent.
 template <int D>
-bool condense(TreeState<D>& state, NodeNumber first, Orphans<D>& orphans) {
-  bool first_stays = true;
-  for (NodeNumber number = first;;) {
+NodeNumber share(TreeState<D>& state, NodeNumber leaf) {
+  NodeNumber parent;
+  {
+    const auto node = state.pages.read(leaf);
+    if (2 * node->size() >= state.capacity(0) || !read_above(state.pages, leaf, *node)) return leaf;
+    parent = node->parent;
+  }
+  return even_out_leaf(state, parent, leaf) ? parent : leaf;
+}
+
+template <int D>
+bool is_beneath(TreeState<D>& state, NodeNumber parent, NodeNumber child) {
+  const auto node = state.pages.read(parent);
+  return std::find(node->keys.begin(), node->keys.end(), child) != node->keys.end();
+}
+
+/// From a leaf that has just lost something up to the root. True if that leaf is still there.
+template <int D>
+bool condense(TreeState<D>& state, NodeNumber leaf, Orphans<D>& orphans) {
+  NodeNumber number = share(state, leaf);
+  bool leaf_stays = number == leaf || is_beneath(state, number, leaf);
+  for (;;) {
     NodeNumber parent;
     bool too_empty;
     {
@@ -62,13 +83,13 @@ bool condense(TreeState<D>& state, NodeNumber first, Orphans<D>& orphans) {
     }
     if (too_empty) {
       dissolve(state, number, parent, orphans);
-      if (number == first) first_stays = false;
+      if (number == leaf) leaf_stays = false;
     } else if (!tighten(state, number, parent)) {
       break;
     }
     number = parent;
   }
-  return first_stays;
+  return leaf_stays;
 }
 
 template <int D>

@@ -1,5 +1,6 @@
-// How does the tree let something go? Entries above are tightened; nodes that become too empty are dissolved
-// and what they held is inserted again.
+// How does the tree let something go? Entries above are tightened; a leaf that is half empty shares with a
+// neighbour if it can (even_out.h); nodes that become too empty are dissolved and what they held is inserted
+// again.
 #pragma once
 
 #include "index/tpr_tree/state.h"

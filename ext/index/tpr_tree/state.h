@@ -11,6 +11,10 @@ namespace foresee::index {
 /// by 0.3 to 0.5, those about a twentieth by 0.1 or less; at 0.15 neither costs much more than it has to.
 inline constexpr double look_ahead = 0.15;
 
+/// The part of a leaf that is filled where leaves are packed. Objects that move come and go: leaves without
+/// room would be shared out anew by every other write.
+inline constexpr double packed_fill = 0.9;
+
 template <int D>
 struct TreeState {
   TreeState(Pages& pages, double horizon) : pages(pages), reader(pages.layout()), horizon(horizon) {}
@@ -26,6 +30,14 @@ struct TreeState {
   }
   std::size_t capacity(int level) const {
     return level == 0 ? pages.leaf_capacity() : pages.inner_capacity();
+  }
+  /// Objects of a leaf that was packed.
+  std::size_t packed_size() const {
+    return static_cast<std::size_t>(packed_fill * static_cast<double>(pages.leaf_capacity()));
+  }
+  /// How many leaves so many objects are packed into.
+  std::size_t leaves_for(std::size_t objects) const {
+    return objects <= pages.leaf_capacity() ? 1 : (objects + packed_size() - 1) / packed_size();
   }
   /// A node with fewer keys is dissolved, the root excepted. At most the smaller half of any split.
   std::size_t least_size(int level) const { return std::max<std::size_t>(2, capacity(level) / 4); }

@@ -1,7 +1,5 @@
 #include "index/tpr_tree/tpr_tree.h"
 
-#include <set>
-
 #include "base/axes.h"
 #include "base/steps.h"
 #include "index/tpr_tree/bulk_load.h"
@@ -19,8 +17,9 @@ constexpr std::size_t few = 32;
 /// No more are merged at once, and none than there is memory for if each concerns another leaf: leaves stay
 /// in memory meanwhile, as they were and as they become.
 constexpr std::size_t most_merged = 1 << 15, merge_memory = 64 << 20;
-/// Of how many updates one looks for loose leaves around.
-constexpr std::size_t between_repacks = 128;
+/// Of so many updates one looks around its leaf; of objects that are merged together, which renew what is
+/// above them anyway, one of more.
+constexpr std::size_t between_repacks = 16, between_merged = 128;
 
 template <int D>
 class Tree final : public TprTree {
@@ -46,7 +45,7 @@ class Tree final : public TprTree {
       insert_object(state_, object, leaf_stays ? ancestor_containing(*leaf, object) : 0,
                     leaf_stays ? *leaf : 0);
     }
-    if (++updates_ % between_repacks == 0) repack_around(state_, leaf_of(id));
+    if (++updates_ % between_repacks == 0) repack_around(state_, leaf_of(id), updates_ / between_repacks);
     return true;
   }
 
@@ -116,12 +115,9 @@ class Tree final : public TprTree {
                         Interrupt& interrupt) {
     merge_objects(state_, ids, records, interrupt);
     state_.pages.make_room();
-    std::set<NodeNumber> tried;  // once is enough for all leaves beneath one node
-    for (std::size_t i = 0; i < ids.size(); i += between_repacks) {
+    for (std::size_t i = 0; i < ids.size(); i += between_merged) {
       interrupt.check();
-      const NodeNumber leaf = leaf_of(ids[i]);
-      if (!tried.insert(state_.pages.read(leaf)->parent).second) continue;
-      repack_around(state_, leaf);
+      repack_around(state_, leaf_of(ids[i]), i / between_merged);
       state_.pages.make_room();
     }
   }

@@ -38,7 +38,7 @@ TEST_F(Pack, FillsLeavesWithNeighboursAndKeepsEveryObject) {
   commit(db, *store);
   EXPECT_EQ(contents(*store), before);
   EXPECT_EQ(faults(*store), std::vector<std::string>{});
-  EXPECT_EQ(db.number("SELECT count(*) FROM ships_node"), (2000 + 70) / 71 + 1) << "leaves and the root";
+  EXPECT_EQ(db.number("SELECT count(*) FROM ships_node"), (2000 + 62) / 63 + 1) << "leaves and the root";
 }
 
 TEST_F(Pack, RollsBackLikeAnyChange) {
