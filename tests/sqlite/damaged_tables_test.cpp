@@ -23,7 +23,7 @@ void build(Database& db) {
   db.exec(
       "PRAGMA page_size = 512;"
       "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, r, +name);"
-      "WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 100)"
+      "WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 300)"
       "INSERT INTO ships SELECT i, i % 5, i * 37 % 100, i * 53 % 90, i % 7 - 3, i % 5 - 2, 0.5, 'a' || i "
       "FROM n");
 }
@@ -156,13 +156,13 @@ TEST(DamagedTables, OfALongValueInMetaNoMoreIsReadThanIsExpected) {
 }
 
 TEST(DamagedTables, WhoReadsAllObjectsCountsThemAgainstTheMap) {
-  const std::string words = "ships: the leaves hold 100 objects, the map 99";
+  const std::string words = "ships: the leaves hold 300 objects, the map 236";
   for (const char* statement :
        {"SELECT count(*) FROM ships", "UPDATE ships SET x = 1", "DELETE FROM ships WHERE x > 50",
         "SELECT count(*) FROM predictive_join(20, 'ships', 0, NULL, 0, 'grid')",
         "SELECT count(*) FROM predictive_join(20, 'ships', 0, NULL, 0, 'tree')"}) {
     TemporaryFile file;
-    reopen(file, "DELETE FROM ships_map WHERE id = 7", [&](Database& db) {
+    reopen(file, "DELETE FROM ships_map WHERE id = 128", [&](Database& db) {
       EXPECT_NE(db.error_of(statement).find(words), std::string::npos) << statement;
       EXPECT_EQ(db.rows("SELECT id FROM ships WHERE id = 8"), "8");
     });
