@@ -97,6 +97,28 @@ TEST(LiveUpdates, AnUpdateThatLeavesItsBoundsValidTouchesOneLeaf) {
   EXPECT_EQ(writes.rows("ships_map"), 0);
 }
 
+// Leaves drift apart as objects move on, and are put in order a few at a time.
+TEST(LiveUpdates, ACommitOfOneReportStaysSmallHoweverLongTheFeed) {
+  Database db;
+  create(db, 3000);
+  Statement report(db, "UPDATE ships SET t = ?2, x = x + ?3, y = y + ?4, vx = ?5, vy = ?6 WHERE id = ?1");
+  Writes writes(db);
+  std::mt19937_64 random(9);
+  std::uniform_int_distribution<int> id(1, 3000);
+  std::uniform_real_distribution<double> velocity(-3, 3);
+  const int reports = sanitized ? 2000 : 9000;
+  int most = 0;
+  for (int i = 0; i < reports; ++i) {
+    writes.forget();
+    report.run(id(random), i * 0.01, velocity(random), velocity(random), velocity(random), velocity(random));
+    most = std::max(most, writes.rows("ships_node") + writes.rows("ships_map"));
+  }
+  EXPECT_LE(most, 200);
+  EXPECT_LE(std::stoi(db.rows("SELECT count(*) FROM ships_node")), 1.3 * (3000 / 63 + 2))
+      << "leaves stay full";
+  db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
+}
+
 TEST(LiveUpdates, ManyInsertsAreLoadedTogetherHoweverManyStatementsBringThem) {
   Database db;
   create(db, 100);

@@ -107,12 +107,14 @@ class EvenOut {
     Node& stays = state_.pages.modify(sibling);
     expect_below(stays, number_, gone.level);
     for (std::size_t slot = 0; slot < gone.size(); ++slot) {
+      expect_no_child(stays, gone.keys[slot]);
       Entry<D> entry = entry_at<D>(gone, slot);
       entry.bounds = carried(entry.bounds, gone.epoch, stays.epoch);
       add_entry(stays, gone.keys[slot], entry);
       hang_below(state_, unread_child(child, gone, slot), sibling);
     }
     let_go(child);
+    EvenOut(state_, sibling).run(gone.keys);  // what had no sibling has some now
     renew(sibling, stays);
   }
 

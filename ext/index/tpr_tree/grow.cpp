@@ -188,6 +188,7 @@ template <int D>
 void insert_branch(TreeState<D>& state, const Branch<D>& branch) {
   const NodeNumber number = choose_node(state, state.pages.find_root(), branch.level, branch);
   Node& node = state.pages.modify(number);
+  expect_no_child(node, branch.number);
   add_entry(node, branch.number, branch.entry(node.epoch));
   hang_below(state, Unread{branch.number, branch.parent, branch.level - 1}, number);
   fit_upward(state, number, branch);

@@ -7,6 +7,8 @@ namespace foresee::index {
 template <int D>
 void LeafPack<D>::add(NodeNumber number, const Node& leaf) {
   if (!leaf.is_leaf()) throw BrokenTree("a tree node that should be a leaf is none");
+  if (std::find(old_.begin(), old_.end(), number) != old_.end())
+    throw BrokenTree("a node of a tree has a child twice");
   ids_.insert(ids_.end(), leaf.keys.begin(), leaf.keys.end());
   records_.insert(records_.end(), leaf.values.begin(), leaf.values.end());
   from_.resize(ids_.size(), static_cast<std::uint32_t>(numbers_.size()));
@@ -43,6 +45,13 @@ std::vector<Entry<D>> LeafPack<D>::summaries(double epoch) const {
   std::vector<Entry<D>> all;
   for (const Leaf& leaf : leaves_) all.push_back(summary(leaf.node, state_.reader, epoch));
   return all;
+}
+
+template <int D>
+std::size_t LeafPack<D>::arriving() const {
+  std::size_t sum = 0;
+  for (const Leaf& leaf : leaves_) sum += leaf.arriving.size();
+  return sum;
 }
 
 template <int D>

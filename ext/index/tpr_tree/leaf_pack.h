@@ -27,6 +27,8 @@ class LeafPack {
   /// Leaves are shared out evenly among the parents, and objects among leaves. Requires: objects.
   void arrange(std::size_t leaves, std::size_t parents);
   std::vector<Entry<D>> summaries(double epoch) const;
+  /// How many objects would come into another leaf.
+  std::size_t arriving() const;
 
   /// The old leaves leave their parent and the new ones come, with these entries. `above`: the parent, which
   /// changes.

@@ -142,6 +142,12 @@ struct Unread {
   int level;
 };
 
+/// Two parents may name the same child in a damaged file, and each by itself is without fault.
+inline void expect_no_child(const Node& inner, NodeNumber child) {
+  if (std::find(inner.keys.begin(), inner.keys.end(), child) != inner.keys.end())
+    throw BrokenTree("a node of a tree has a child twice");
+}
+
 inline void expect_below(const Node& node, NodeNumber parent, int level) {
   if (node.parent != parent || (node.level != level && level != Unread::any_level))
     throw BrokenTree("a tree node does not fit below its parent");

@@ -8,8 +8,10 @@
 namespace foresee::index {
 namespace {
 
-/// Leaves that are packed together: so few that what they hold moves in one small commit.
-constexpr std::size_t packed_together = 4;
+/// Leaves that are packed together, or if that does not do; and how many of their objects may move where
+/// leaves do not hold more: each may be another row of the page map, and a small commit should stay small.
+constexpr std::size_t packed_together[] = {4, 2};
+constexpr std::size_t most_moved = 128;
 /// What leaves cost after they were packed, or another parent, in parts of what they did, to be worth it.
 constexpr double worth_packing = 0.95, worth_moving = 0.8;
 
@@ -36,14 +38,22 @@ template <int D>
 void move_leaf(TreeState<D>& state, NodeNumber leaf, NodeNumber from, NodeNumber to, NodeNumber above) {
   Node& old = state.pages.modify(from);
   Node& fresh = state.pages.modify(to);
+  expect_no_child(fresh, leaf);
   const std::size_t slot = slot_of(old, leaf);
   const Branch<D> branch{leaf, from, old.level, entry_at<D>(old, slot), old.epoch};
   remove_slot(old, slot, state.stride(old.level));
   add_entry(fresh, leaf, branch.entry(fresh.epoch));
   hang_below(state, Unread{leaf, from, 0}, to);
   Node& both = state.pages.modify(above);
-  set_entry(both, slot_of(both, from), summary(old, state.reader, both.epoch));
-  set_entry(both, slot_of(both, to), summary(fresh, state.reader, both.epoch));
+  const auto set = [&](NodeNumber child, const Node& node, const Bounds<D>& known) {
+    Entry<D> entry = summary(node, state.reader, both.epoch);
+    entry.bounds.narrow_to(known);
+    set_entry(both, slot_of(both, child), entry);
+  };
+  set(from, old, bounds_at<D>(both, slot_of(both, from)));
+  Entry<D> with_leaf = entry_at<D>(both, slot_of(both, to));
+  with_leaf.include(branch.entry(both.epoch));
+  set(to, fresh, with_leaf.bounds);
   tighten_upward(state, above);
 }
 
@@ -72,15 +82,16 @@ void move_where_it_costs_less(TreeState<D>& state, NodeNumber leaf) {
   move_leaf(state, leaf, from, to, above_number);
 }
 
+/// False: with so many siblings it is not worth it, or too much would move.
 template <int D>
-void pack_with_siblings(TreeState<D>& state, NodeNumber number, NodeNumber leaf) {
+bool pack_with_siblings(TreeState<D>& state, NodeNumber number, NodeNumber leaf, std::size_t together) {
   LeafPack<D> pack(state);
   std::vector<Entry<D>> before, after;
   {
     const auto parent = state.pages.read(number);
     const VisitCost<D> cost = state.cost(parent->epoch);
     double query = 0;
-    for (const std::size_t slot : closest_children(state, *parent, leaf, packed_together)) {
+    for (const std::size_t slot : closest_children(state, *parent, leaf, together)) {
       const auto old = read_below(state.pages, number, *parent, slot);
       before.push_back(summary(*old, state.reader, parent->epoch));
       query += 0.5 * cost.mean_width(before.back().bounds);
@@ -89,9 +100,11 @@ void pack_with_siblings(TreeState<D>& state, NodeNumber number, NodeNumber leaf)
     query /= static_cast<double>(before.size());
     pack.arrange(before.size(), 1);
     after = pack.summaries(parent->epoch);
-    if (!(total(after, cost, query) < worth_packing * total(before, cost, query))) return;
+    if (pack.arriving() > std::max(most_moved, state.capacity(0))) return false;
+    if (!(total(after, cost, query) < worth_packing * total(before, cost, query))) return false;
   }
   pack.write_beneath(number, state.pages.modify(number), after);
+  return true;
 }
 
 }  // namespace
@@ -105,7 +118,8 @@ void repack_around(TreeState<D>& state, NodeNumber leaf, std::size_t turn) {
   }
   move_where_it_costs_less(state, leaf);
   const NodeNumber parent = state.pages.read(leaf)->parent;
-  pack_with_siblings(state, parent, leaf);
+  for (const std::size_t together : packed_together)
+    if (pack_with_siblings(state, parent, leaf, together)) break;
   if (turn % 2 == 0) renew_entries(state, parent);
   const NodeNumber above = state.pages.read(parent)->parent;
   if (turn % 16 == 0 && above != 0) renew_entries(state, above);

@@ -115,9 +115,10 @@ class Tree final : public TprTree {
                         Interrupt& interrupt) {
     merge_objects(state_, ids, records, interrupt);
     state_.pages.make_room();
-    for (std::size_t i = 0; i < ids.size(); i += between_merged) {
+    for (const std::int64_t id : ids) {
+      if (++merged_ % between_merged != 0) continue;
       interrupt.check();
-      repack_around(state_, leaf_of(ids[i]), i / between_merged);
+      repack_around(state_, leaf_of(id), merged_ / between_merged);
       state_.pages.make_room();
     }
   }
@@ -203,7 +204,7 @@ class Tree final : public TprTree {
   }
 
   TreeState<D> state_;
-  std::size_t updates_ = 0;
+  std::size_t updates_ = 0, merged_ = 0;
 };
 
 }  // namespace

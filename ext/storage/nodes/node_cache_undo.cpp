@@ -124,6 +124,7 @@ void NodeCache::forget_all() noexcept {
 void NodeCache::forget_clean() {
   drop_unused(use_ + 1);
   head_.root = TreeHead::unknown;
+  last_block_.reset();
 }
 
 void NodeCache::begin() {

@@ -70,7 +70,8 @@ std::optional<std::int64_t> MapRows::read_largest_id() {
 std::int64_t MapRows::count_ids() {
   Statement::Run run(all_);
   std::int64_t count = 0;
-  while (run.step()) count += static_cast<std::int64_t>(row_of(run).count());
+  for (std::optional<std::int64_t> last; run.step();)
+    count += static_cast<std::int64_t>(row_after(last, run).count());
   return count;
 }
 

@@ -25,8 +25,7 @@ std::int64_t page_size(sqlite3* db, const QualifiedName& name) {
 }
 
 void require_known_features(MetaRows& meta, const QualifiedName& name) {
-  constexpr std::size_t most = 1000;
-  const std::string unknown = unknown_feature(meta.read("features", most));
+  const std::string unknown = unknown_feature(meta.read("features", most_features));
   if (!unknown.empty())
     refuse(SQLITE_ERROR, name,
            "written with '" + without_nul(unknown) + "', which this foresee does not know: use a newer one");

@@ -1,4 +1,5 @@
 // Looking objects up by id as a statement does: what is in memory is believed only where it is true.
+#include <filesystem>
 #include <map>
 #include <random>
 
@@ -60,6 +61,27 @@ TEST_F(LookUp, ALeafInMemoryIsBelievedUnderTheSameStampOnly) {
   db.run("UPDATE ships_meta SET value = value + 1 WHERE key = 'stamp'");
   EXPECT_EQ(look(*store, 7, belief), 7) << "the statement is the same";
   EXPECT_EQ(look(*store, 7), std::nullopt);
+}
+
+// PRAGMA integrity_check asks without beginning anything; what was read of the map before may be of old.
+TEST_F(LookUp, TheCheckAsksTheMapAnewWhereAnotherConnectionHasWritten) {
+  const std::string path = (std::filesystem::path(FORESEE_BINARY_DIR) / "look_up_check.db").string();
+  std::filesystem::remove(path);
+  {
+    Database one(path), two(path);
+    const auto ours = make_store(one);
+    begin(one, *ours);
+    for (int id = 1; id <= objects; ++id) ours->insert(id, ship(id), {});
+    commit(one, *ours);
+    NodeCache& cache = ours->nodes();
+    for (int id = 1; id <= objects; ++id) cache.find_leaf(id);
+    const auto theirs = Store::open(two, "main", "ships", ships());
+    begin(two, *theirs);
+    for (int id = 1; id <= objects; id += 2) theirs->update(id, id, ship(objects - id), {});
+    commit(two, *theirs);
+    EXPECT_EQ(faults(*ours), std::vector<std::string>{});
+  }
+  std::filesystem::remove(path);
 }
 
 TEST_F(LookUp, AMissingStampIsToldByTheSecondLookUpOfATable) {
