@@ -8,8 +8,7 @@
 // The others rise, level by level, to the lowest node that contains them, new ones to the root, and sink from
 // there to the leaf whose cost of being visited grows least. Then, from the leaves up, nodes that are too
 // full or too empty are evened out with a neighbour before they are split (B*-trees, Knuth, The Art of
-// Computer Programming 3, 6.2.4), so that leaves of a growing tree stay some three quarters full, and every
-// entry above what changed is computed once.
+// Computer Programming 3, 6.2.4), and every entry above what changed is computed once.
 //
 // Cost, an object: a look at its leaf, and if it leaves that, a choice among the children of one to a few
 // nodes; what a leaf's writing costs is shared by all its objects.

@@ -2,7 +2,7 @@
 // none stays tight, and neighbours of before are neighbours no more. Now and then the surroundings of a leaf
 // are put in order, in steps so small that a commit which takes one stays small.
 //
-//   if (++updates % 16 == 0) repack_around(state, leaf, updates / 16);
+//   if (++updates % 24 == 0) repack_around(state, leaf, updates / 24);
 //
 // A leaf that another parent would hold at less cost moves there (the reinsertion of the R*-tree, Beckmann et
 // al. 1990, of a leaf in place of objects); it is packed anew with the siblings that it overlaps most, as a

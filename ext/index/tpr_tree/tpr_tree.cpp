@@ -19,7 +19,7 @@ constexpr std::size_t few = 32;
 constexpr std::size_t most_merged = 1 << 15, merge_memory = 64 << 20;
 /// Of so many updates one looks around its leaf; of objects that are merged together, which renew what is
 /// above them anyway, one of more.
-constexpr std::size_t between_repacks = 16, between_merged = 128;
+constexpr std::size_t between_repacks = 24, between_merged = 512;
 
 template <int D>
 class Tree final : public TprTree {
