@@ -52,9 +52,7 @@ class EvenOut {
            node.size() >= (node.is_leaf() ? state_.capacity(0) / 2 : state_.least_size(node.level));
   }
 
-  bool has(NodeNumber child) const {
-    return std::find(parent_.keys.begin(), parent_.keys.end(), child) != parent_.keys.end();
-  }
+  bool has(NodeNumber child) const { return has_child(parent_, child); }
   std::size_t size_of(NodeNumber child) const { return state_.pages.read(child)->size(); }
   void renew(NodeNumber child, const Node& node) {
     set_entry(parent_, slot_of(parent_, child), summary(node, state_.reader, parent_.epoch));
@@ -69,7 +67,7 @@ class EvenOut {
     LeafPack<D> pack(state_);
     for (const NodeNumber leaf : old)
       pack.add(leaf, *read_below(state_.pages, number_, parent_, slot_of(parent_, leaf)));
-    pack.arrange(state_.leaves_for(pack.objects()), 1);
+    pack.arrange(state_.leaves_for(pack.objects()));
     pack.write_beneath(number_, parent_, pack.summaries(parent_.epoch));
   }
 

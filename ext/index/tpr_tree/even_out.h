@@ -4,9 +4,10 @@
 //   even_out(state, parent, changed_children);       // from the leaves up, parent by parent
 //   even_out_root(state);                            // at the end
 //
-// Leaves: a leaf that is too full, or less than a quarter full, is packed anew together with the sibling that
-// overlaps it most, in as few leaves as hold both with some room: two full ones become three. So is one that
-// is less than half full if both fit in one. Inner nodes are split in two, or taken up by that sibling.
+// Leaves: a leaf that is too full, or less than a quarter full, is packed anew together with a sibling, in as
+// few leaves as hold both with some room: two full ones become three. So is one that is less than half full
+// if both fit in one. The sibling is, of the few that it overlaps most, the first with room, or else the
+// first. Inner nodes are split in two, or taken up by the sibling that they overlap most.
 #pragma once
 
 #include "index/tpr_tree/state.h"

@@ -17,9 +17,9 @@ void LeafPack<D>::add(NodeNumber number, const Node& leaf) {
 }
 
 template <int D>
-void LeafPack<D>::arrange(std::size_t leaves, std::size_t parents) {
+void LeafPack<D>::arrange(std::size_t leaves) {
   NeverInterrupt never;
-  const auto order = leaf_order(state_, records_, {leaves, parents, 1}, never);
+  const auto order = leaf_order(state_, records_, {leaves, 1}, never);
   const std::size_t size = state_.reader.record_size();
   leaves_.resize(leaves);
   for (std::size_t i = 0; i < leaves; ++i) {
@@ -58,7 +58,8 @@ template <int D>
 void LeafPack<D>::write_beneath(NodeNumber parent, Node& above, const std::vector<Entry<D>>& entries) {
   for (const NodeNumber old : old_) remove_slot(above, slot_of(above, old), state_.stride(1));
   for (std::size_t i = 0; i < entries.size(); ++i) add_entry(above, write(i, parent), entries[i]);
-  free_rest();
+  for (const NodeNumber number : numbers_)
+    if (number != 0) state_.pages.free(number);
 }
 
 template <int D>
@@ -69,12 +70,6 @@ NodeNumber LeafPack<D>::write(std::size_t i, NodeNumber parent) {
   leaf.node.parent = parent;
   state_.pages.modify(leaf.number) = std::move(leaf.node);
   return leaf.number;
-}
-
-template <int D>
-void LeafPack<D>::free_rest() {
-  for (const NodeNumber number : numbers_)
-    if (number != 0) state_.pages.free(number);
 }
 
 template class LeafPack<1>;

@@ -2,7 +2,7 @@
 //
 //   LeafPack<2> pack(state);
 //   pack.add(7, *leaf7), pack.add(9, *leaf9);
-//   pack.arrange(3, 1);                       // into three leaves beneath one parent; nothing is written yet
+//   pack.arrange(3);                          // into three leaves; nothing is written yet
 //   pack.summaries(epoch)                     // what the parent would say of each
 //   pack.write_beneath(parent, above, entries);
 //
@@ -24,8 +24,8 @@ class LeafPack {
   void add(NodeNumber number, const Node& leaf);
   std::size_t objects() const { return ids_.size(); }
 
-  /// Leaves are shared out evenly among the parents, and objects among leaves. Requires: objects.
-  void arrange(std::size_t leaves, std::size_t parents);
+  /// Objects are shared out evenly among the leaves. Requires: objects.
+  void arrange(std::size_t leaves);
   std::vector<Entry<D>> summaries(double epoch) const;
   /// How many objects would come into another leaf.
   std::size_t arriving() const;
@@ -33,12 +33,6 @@ class LeafPack {
   /// The old leaves leave their parent and the new ones come, with these entries. `above`: the parent, which
   /// changes.
   void write_beneath(NodeNumber parent, Node& above, const std::vector<Entry<D>>& entries);
-
-  // --- or one by one, where they have several parents
-  /// Writes new leaf i, once; the number that it has.
-  NodeNumber write(std::size_t i, NodeNumber parent);
-  /// Frees the old leaves whose number no new one has taken.
-  void free_rest();
 
  private:
   /// A leaf of before, or one to come.
@@ -48,6 +42,8 @@ class LeafPack {
     std::vector<std::int64_t> arriving;
   };
   void take_number(Leaf& leaf, std::span<const std::uint32_t> objects);
+  /// Writes new leaf i, once; the number that it has.
+  NodeNumber write(std::size_t i, NodeNumber parent);
 
   TreeState<D>& state_;
   std::vector<NodeNumber> old_, numbers_;  ///< of the old leaves; then 0 where one is taken

@@ -142,10 +142,12 @@ struct Unread {
   int level;
 };
 
+inline bool has_child(const Node& inner, NodeNumber child) {
+  return std::find(inner.keys.begin(), inner.keys.end(), child) != inner.keys.end();
+}
 /// Two parents may name the same child in a damaged file, and each by itself is without fault.
 inline void expect_no_child(const Node& inner, NodeNumber child) {
-  if (std::find(inner.keys.begin(), inner.keys.end(), child) != inner.keys.end())
-    throw BrokenTree("a node of a tree has a child twice");
+  if (has_child(inner, child)) throw BrokenTree("a node of a tree has a child twice");
 }
 
 inline void expect_below(const Node& node, NodeNumber parent, int level) {

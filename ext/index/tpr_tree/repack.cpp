@@ -98,7 +98,7 @@ bool pack_with_siblings(TreeState<D>& state, NodeNumber number, NodeNumber leaf,
       pack.add(parent->keys[slot], *old);
     }
     query /= static_cast<double>(before.size());
-    pack.arrange(before.size(), 1);
+    pack.arrange(before.size());
     after = pack.summaries(parent->epoch);
     if (pack.arriving() > std::max(most_moved, state.capacity(0))) return false;
     if (!(total(after, cost, query) < worth_packing * total(before, cost, query))) return false;

@@ -62,17 +62,11 @@ NodeNumber share(TreeState<D>& state, NodeNumber leaf) {
   return even_out_leaf(state, parent, leaf) ? parent : leaf;
 }
 
-template <int D>
-bool is_beneath(TreeState<D>& state, NodeNumber parent, NodeNumber child) {
-  const auto node = state.pages.read(parent);
-  return std::find(node->keys.begin(), node->keys.end(), child) != node->keys.end();
-}
-
 /// From a leaf that has just lost something up to the root. True if that leaf is still there.
 template <int D>
 bool condense(TreeState<D>& state, NodeNumber leaf, Orphans<D>& orphans) {
   NodeNumber number = share(state, leaf);
-  bool leaf_stays = number == leaf || is_beneath(state, number, leaf);
+  bool leaf_stays = number == leaf || has_child(*state.pages.read(number), leaf);
   for (;;) {
     NodeNumber parent;
     bool too_empty;

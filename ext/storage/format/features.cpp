@@ -4,6 +4,16 @@
 #include <array>
 
 namespace foresee::storage {
+namespace {
+
+/// The first of the names, which loses it.
+std::string_view cut_first(std::string_view& names) {
+  const std::string_view first = names.substr(0, names.find(','));
+  names.remove_prefix(std::min(names.size(), first.size() + 1));
+  return first;
+}
+
+}  // namespace
 
 std::span<const Feature> known_features() {
   static constexpr std::array<Feature, 1> known{{{map_blocks, [](const Declaration&) { return true; }}}};
@@ -21,20 +31,16 @@ std::string features_of(const Declaration& declaration, std::span<const Feature>
 }
 
 bool has_feature(std::string_view names, std::string_view name) {
-  while (!names.empty()) {
-    const std::string_view first = names.substr(0, names.find(','));
-    if (first == name) return true;
-    names.remove_prefix(std::min(names.size(), first.size() + 1));
-  }
+  while (!names.empty())
+    if (cut_first(names) == name) return true;
   return false;
 }
 
 std::string unknown_feature(std::string_view names, std::span<const Feature> known) {
   while (!names.empty()) {
-    const std::string_view name = names.substr(0, names.find(','));
+    const std::string_view name = cut_first(names);
     if (std::none_of(known.begin(), known.end(), [&](const Feature& one) { return one.name == name; }))
       return name.empty() ? "," : std::string(name);
-    names.remove_prefix(std::min(names.size(), name.size() + 1));
   }
   return "";
 }
