@@ -25,6 +25,7 @@ SEES_SQLITE = {"storage", "sqlite"}
 INSIDE = {
     "contact": ["boxes", "exact", "certain", "set"],
     "index": ["paper_grid", "gpcd_grid", "tpr_tree"],
+    "shape": ["outline"],
     "query": ["join", "window", "nearest", "position"],
     "storage": ["table", "nodes", "rows", "format"],
     "sqlite": ["functions", "names", "table"],
