@@ -32,6 +32,7 @@ class ConvexPieces {
  public:
   /// Which corners make which pieces: the same for all headings of an outline.
   struct Cut {
+    std::size_t outline_corners;         ///< as many has the outline
     std::vector<std::uint32_t> corners;  ///< of all pieces, by their places in the outline
     std::vector<std::uint8_t>
         inner;  ///< whether the edge from each of them to the next of its piece is a cut

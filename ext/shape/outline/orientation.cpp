@@ -1,0 +1,51 @@
+#include "shape/outline/orientation.h"
+
+#include <algorithm>
+
+#include "numbers/double_double.h"
+#include "numbers/dyadic.h"
+
+namespace foresee::shape {
+
+namespace {
+
+int sign_of(double number) {
+  return (number > 0) - (number < 0);
+}
+
+/// Whether products of two such differences are exact as the sum of two doubles.
+bool exact_in_products(const DoubleDouble& gap) {
+  const double size = std::abs(gap.high);
+  return gap.low == 0 && (size == 0 || (size > 0x1p-450 && size < 0x1p450));
+}
+
+}  // namespace
+
+int close_orientation(const Corner& a, const Corner& b, const Corner& c) {
+  const DoubleDouble ax = difference(a.x, c.x), ay = difference(a.y, c.y);
+  const DoubleDouble bx = difference(b.x, c.x), by = difference(b.y, c.y);
+  if (exact_in_products(ax) && exact_in_products(ay) && exact_in_products(bx) && exact_in_products(by)) {
+    const DoubleDouble left = product(ax.high, by.high), right = product(ay.high, bx.high);
+    // Equal products have equal parts, and greater ones no smaller high parts.
+    return left.high != right.high ? sign_of(left.high - right.high) : sign_of(left.low - right.low);
+  }
+  const Dyadic x(c.x), y(c.y);
+  return ((Dyadic(a.x) - x) * (Dyadic(b.y) - y) - (Dyadic(a.y) - y) * (Dyadic(b.x) - x)).sign();
+}
+
+int convex_direction(std::span<const Corner> ring) {
+  const std::size_t n = ring.size();
+  if (n < 3) return 0;
+  int direction = 0, reversals = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const Corner &last = ring[(i == 0 ? n : i) - 1], &here = ring[i], &next = ring[i + 1 == n ? 0 : i + 1];
+    const int turn = orientation(last, here, next);
+    const bool reverses = before(last, here) != before(here, next);
+    if (turn == 0 ? reverses : turn == -direction) return 0;
+    if (turn != 0) direction = turn;
+    reversals += reverses;
+  }
+  return reversals == 2 ? direction : 0;
+}
+
+}  // namespace foresee::shape

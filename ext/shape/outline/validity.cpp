@@ -1,0 +1,212 @@
+#include "shape/outline/validity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "base/error.h"
+#include "base/float_environment.h"
+#include "shape/outline/sweep.h"
+
+namespace foresee::shape {
+
+namespace {
+
+/// Ends the sweep.
+struct FlawFound {
+  Flaw flaw;
+};
+
+/// Looks for flaws, meeting by meeting.
+class Validity {
+ public:
+  /// Requires: rings of three corners or more.
+  explicit Validity(const Outline& outline)
+      : outline_(outline),
+        edges_(outline),
+        ring_of_part_(outline.rings()),
+        within_(outline.rings(), unknown) {
+    for (std::uint32_t part = 0, ring = 0; part < outline.parts(); ++part)
+      for (const std::uint32_t first = ring; ring < outline.part_begin(part + 1); ++ring)
+        ring_of_part_[ring] = first;
+  }
+
+  /// Throws FlawFound.
+  void check() {
+    sweep(edges_, [this](const Meeting& m) {
+      check_overlap(m);
+      if (m.arriving.size() + m.leaving.size() > 2) check_touch(m);
+      check_crossings(m);
+      for (std::size_t i = 0; i < m.leaving.size(); ++i)
+        check_ring(m.leaving[i], i == 0 ? m.below : m.leaving[i - 1]);
+    });
+  }
+
+  const std::optional<Flaw>& edge_touch() const { return edge_touch_; }
+
+ private:
+  static constexpr std::uint32_t unknown = std::numeric_limits<std::uint32_t>::max(), nothing = unknown - 1;
+
+  /// One of two edges by which a ring visits a place.
+  struct Spoke {
+    EdgeNumber edge;
+    std::uint32_t visit;  ///< the ring's corner there, or a number of the edge that passes
+  };
+
+  /// What is wrong between two edges, that which is written first first.
+  [[noreturn]] static void fail(Flaw::Kind kind, EdgeNumber a, EdgeNumber b, const Corner& place = {}) {
+    throw FlawFound{{kind, std::min(a, b), std::max(a, b), place}};
+  }
+
+  /// Edges that begin side by side and go the same way. Those that end so are found where the second begins.
+  void check_overlap(const Meeting& m) const {
+    for (std::size_t i = 0; i + 1 < m.leaving.size(); ++i) {
+      const EdgeNumber a = m.leaving[i], b = m.leaving[i + 1];
+      if (orientation(m.place, edges_[a].right, edges_[b].right) != 0) continue;
+      fail(on_one_line(edges_[a].ring) ? Flaw::Kind::no_area : Flaw::Kind::overlap, a, b);
+    }
+  }
+
+  bool on_one_line(std::uint32_t ring) const {
+    const std::span<const Corner> corners = outline_.ring(ring);
+    return std::all_of(corners.begin(), corners.end(), [&](const Corner& corner) {
+      return orientation(corners[0], corners[1], corner) == 0;
+    });
+  }
+
+  /// The edges around a place, counterclockwise from straight down.
+  std::vector<Spoke> spokes_of(const Meeting& m) const {
+    std::vector<Spoke> spokes;
+    const auto size = static_cast<std::uint32_t>(edges_.size());
+    const auto passes = [&](const SweepEdge& edge) { return edge.left != m.place && edge.right != m.place; };
+    for (const EdgeNumber edge : m.leaving)
+      spokes.push_back({edge, passes(edges_[edge]) ? size + edge : edges_[edge].left_end()});
+    for (auto edge = m.arriving.rbegin(); edge != m.arriving.rend(); ++edge)
+      spokes.push_back({*edge, passes(edges_[*edge]) ? size + *edge : edges_[*edge].right_end()});
+    return spokes;
+  }
+
+  /// Several rings in one place, or one ring twice.
+  void check_touch(const Meeting& m) {
+    std::vector<Spoke> spokes = spokes_of(m);
+    check_nesting(spokes);
+    std::sort(spokes.begin(), spokes.end(), [&](const Spoke& a, const Spoke& b) {
+      return std::pair(edges_[a.edge].ring, a.visit) < std::pair(edges_[b.edge].ring, b.visit);
+    });
+    for (std::size_t i = 2; i < spokes.size(); i += 2)
+      if (edges_[spokes[i].edge].ring == edges_[spokes[i - 2].edge].ring)
+        fail(Flaw::Kind::self_touch, spokes[i - 2].edge, spokes[i].edge, m.place);
+    const auto passing = std::find_if(spokes.begin(), spokes.end(),
+                                      [&](const Spoke& spoke) { return spoke.visit >= edges_.size(); });
+    if (passing == spokes.end() || edge_touch_) return;
+    const Spoke& other = passing == spokes.begin() ? spokes.back() : spokes.front();
+    edge_touch_ = Flaw{Flaw::Kind::edge_touch, passing->edge, other.edge, m.place};
+  }
+
+  /// Visits that do not cross are like brackets: the last that was opened is the first that is closed.
+  static void check_nesting(const std::vector<Spoke>& spokes) {
+    std::vector<Spoke> open;
+    for (const Spoke& spoke : spokes) {
+      if (!open.empty() && open.back().visit == spoke.visit)
+        open.pop_back();
+      else
+        open.push_back(spoke);
+    }
+    // Of those left, the visit whose spokes are nearest has one spoke of another between them.
+    std::map<std::uint32_t, std::size_t> opened;
+    std::size_t nearest = open.size(), at = 0;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const auto [first, is_first] = opened.try_emplace(open[i].visit, i);
+      if (!is_first && i - first->second < nearest) nearest = i - first->second, at = first->second;
+    }
+    if (!open.empty()) fail(Flaw::Kind::cross, open[at].edge, open[at + 1].edge);
+  }
+
+  /// Edges that become neighbours here.
+  void check_crossings(const Meeting& m) const {
+    if (m.leaving.empty()) return check_crossing(m.below, m.above);
+    check_crossing(m.below, m.leaving.front());
+    check_crossing(m.leaving.back(), m.above);
+  }
+
+  void check_crossing(EdgeNumber one, EdgeNumber other) const {
+    if (one == no_edge || other == no_edge) return;
+    const SweepEdge &a = edges_[one], &b = edges_[other];
+    const auto parted = [](const SweepEdge& edge, const SweepEdge& by) {
+      return orientation(by.left, by.right, edge.left) * orientation(by.left, by.right, edge.right) < 0;
+    };
+    if (parted(a, b) && parted(b, a)) fail(Flaw::Kind::cross, one, other);
+  }
+
+  /// Where the ring of an edge begins: what does it lie in? `below` is the next edge below.
+  void check_ring(EdgeNumber edge, EdgeNumber below) {
+    const std::uint32_t ring = edges_[edge].ring;
+    if (within_[ring] != unknown) return;
+    std::uint32_t around = nothing;
+    if (below != no_edge)
+      around = edges_.encloses_above(below) ? edges_[below].ring : within_[edges_[below].ring];
+    within_[ring] = around;
+    const bool hole = ring_of_part_[ring] != ring;
+    const auto fail_ring = [&](Flaw::Kind kind) {
+      const std::size_t begin = around == nothing ? 0 : outline_.ring_begin(around);
+      throw FlawFound{{kind, edge, static_cast<EdgeNumber>(begin), {}}};
+    };
+    if (hole && around == nothing) fail_ring(Flaw::Kind::hole_outside);
+    if (hole && around != ring_of_part_[ring]) fail_ring(Flaw::Kind::hole_inside);
+    if (!hole && around != nothing && around == ring_of_part_[around]) fail_ring(Flaw::Kind::part_inside);
+  }
+
+  const Outline& outline_;
+  const SweepEdges edges_;
+  std::vector<std::uint32_t> ring_of_part_;  ///< of each ring, that which encloses its part
+  std::vector<std::uint32_t> within_;        ///< of each ring, the least ring around it, or nothing
+  std::optional<Flaw> edge_touch_;
+};
+
+std::optional<Flaw> ring_of_few_corners(const Outline& outline) {
+  for (std::size_t r = 0; r < outline.rings(); ++r)
+    if (outline.ring(r).size() < 3) {
+      const auto begin = static_cast<std::uint32_t>(outline.ring_begin(r));
+      return Flaw{Flaw::Kind::few_corners, begin, begin, {}};
+    }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Flaw> flaw_of(const Outline& outline) {
+  const FloatEnvironment environment;
+  if (outline.rings() == 1 && convex_direction(outline.corners()) != 0) return std::nullopt;
+  if (const auto flaw = ring_of_few_corners(outline)) return flaw;
+  try {
+    Validity(outline).check();
+  } catch (const FlawFound& found) {
+    return found.flaw;
+  }
+  return std::nullopt;
+}
+
+std::optional<Flaw> edge_touch_of(const Outline& outline) {
+  if (outline.rings() == 1) return std::nullopt;
+  const FloatEnvironment environment;
+  Validity validity(outline);
+  validity.check();
+  return validity.edge_touch();
+}
+
+void check_outline(const Outline& outline) {
+  if (const auto flaw = flaw_of(outline)) throw Error(shown(*flaw, outline));
+}
+
+void check_turned(const Outline& outline, const Outline& turned, double heading) {
+  if (std::fmod(heading, 90) == 0) return;
+  if (const auto flaw = edge_touch_of(outline)) throw Error(shown_turned(*flaw, outline, heading));
+  const auto flaw = flaw_of(turned);
+  if (!flaw) return;
+  const bool same_places = outline.corners().size() == turned.corners().size();
+  throw Error(shown_turned(*flaw, same_places ? outline : turned, heading));
+}
+
+}  // namespace foresee::shape
