@@ -1,6 +1,7 @@
 #include "numbers/sine_cosine.h"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 
 namespace foresee::numbers {
@@ -45,26 +46,60 @@ SineCosine<T> series(const T& angle, int terms, const T& one, const T& half_to_o
   return {angle * sums.sine, sums.cosine};
 }
 
-/// What the series takes in 128 bits, computed once.
-struct SeriesNumbers {
-  static constexpr int terms = 14;  // the last is 45 degrees to the power of 28 by 28!, below 2^-107
+/// Sines and cosines of the multiples of a step, computed once, from which others are near.
+class SineTable {
+ public:
+  static constexpr int steps = 64;
+  static constexpr double step = 45.0 / steps;  // exact, and so are its multiples
 
-  Midrad128 degree = in_128_bits(radians_of_degree(256));
-  Midrad128 one{1.0}, half_to_one = Midrad128::hull(Midrad128(0.5), Midrad128(1.0));
-  std::array<Midrad128, 2 * terms + 2> inverses;
-
-  SeriesNumbers() {
-    for (std::size_t n = 2; n < inverses.size(); ++n)
-      inverses[n] = one / Midrad128(static_cast<double>(n * (n - 1)));
+  SineTable() {
+    const Midrad128 one(1.0), half_to_one = Midrad128::hull(Midrad128(0.5), one);
+    const auto inverse = [&](int n) { return one / Midrad128(static_cast<double>(n) * (n - 1)); };
+    for (int k = 0; k <= steps; ++k)
+      multiples_[at(k)] = series(angle(k * step), 16, one, half_to_one, inverse);
+    inverse_factorials_ = {one, one};
+    for (int n = 2; n < 2 * terms + 2; ++n)
+      inverse_factorials_[at(n)] = inverse_factorials_[at(n - 1)] / Midrad128(n);
+    for (const int n : {2 * terms, 2 * terms + 1})
+      inverse_factorials_[at(n)] = inverse_factorials_[at(n)] * half_to_one;
   }
+
+  SineCosine<Midrad128> of(double degrees) const {
+    const double k = std::rint(std::abs(degrees) / step);
+    const SineCosine<Midrad128>& table = multiples_[at(static_cast<int>(k))];
+    const SineCosine<Midrad128> rest =
+        near_zero(std::abs(degrees) - k * step);  // exact: they are near each other
+    const Midrad128 sine = table.sine * rest.cosine + table.cosine * rest.sine;
+    return {degrees < 0 ? -sine : sine, table.cosine * rest.cosine - table.sine * rest.sine};
+  }
+
+ private:
+  static constexpr int terms = 6;  // half a step to the power of 12 is below 2^-87, and 1 / 12! below 2^-28
+
+  static std::size_t at(int k) { return static_cast<std::size_t>(k); }
+  Midrad128 angle(double degrees) const { return degree_ * Midrad128(degrees); }
+
+  /// 1 - x^2/2! + x^4/4! - ..., where the last term is only known to be between half and whole.
+  SineCosine<Midrad128> near_zero(double degrees) const {
+    const Midrad128 x = angle(degrees), square = x * x;
+    Midrad128 sine = inverse_factorials_[at(2 * terms + 1)], cosine = inverse_factorials_[at(2 * terms)];
+    for (int n = 2 * terms - 2; n >= 0; n -= 2) {
+      sine = inverse_factorials_[at(n + 1)] - square * sine;
+      cosine = inverse_factorials_[at(n)] - square * cosine;
+    }
+    return {x * sine, cosine};
+  }
+
+  Midrad128 degree_ = in_128_bits(radians_of_degree(256));
+  std::array<SineCosine<Midrad128>, steps + 1> multiples_;
+  std::array<Midrad128, 2 * terms + 2> inverse_factorials_;  ///< the last two times [1/2, 1]: what is left
 };
 
 }  // namespace
 
 SineCosine<Midrad128> sine_cosine(double degrees) {
-  static const SeriesNumbers numbers;
-  return series(numbers.degree * Midrad128(degrees), SeriesNumbers::terms, numbers.one, numbers.half_to_one,
-                [](int n) -> const Midrad128& { return numbers.inverses[static_cast<std::size_t>(n)]; });
+  static const SineTable table;
+  return table.of(degrees);
 }
 
 SineCosine<Midrad> sine_cosine(double degrees, int bits) {

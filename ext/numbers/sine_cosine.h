@@ -1,7 +1,7 @@
 // Sine and cosine of an angle in degrees, as balls that hold them for certain: the same on every machine.
 //
-//   const SineCosine<Midrad128> quick = sine_cosine(37.5);            // some 2^-120 wide, relatively
-//   const SineCosine<Midrad> close = sine_cosine(37.5, 512);          // some 2^-500 wide
+//   const SineCosine<Midrad128> quick = sine_cosine(37.5);            // less than 2^-107 wide, relatively
+//   const SineCosine<Midrad> close = sine_cosine(37.5, 512);          // less than 2^-470 wide
 //
 // Taylor's series, nested from its end: 1 - x^2/6 (1 - x^2/20 (1 - ...)). The innermost parenthesis is known
 // to lie in [1/2, 1], and each one around it makes that narrower, so that the ball at the end tells the error

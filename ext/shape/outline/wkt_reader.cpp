@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdint>
 #include <string>
 
 #include "base/error.h"
@@ -63,12 +64,16 @@ class WktReader {
     fail("expected " + what + ", found '" + quoted(found) + "'");
   }
 
-  /// So much of it that a message can hold, without the first half of a UTF-8 character at its end.
+  /// So many characters of it, in UTF-8, as a message can hold, and none behind a zero byte.
   static std::string quoted(std::string_view found) {
-    if (found.size() <= most_quoted) return std::string(found.substr(0, found.find('\0')));
-    std::size_t length = most_quoted - 3;
-    while (length > 0 && (static_cast<unsigned char>(found[length]) & 0xc0) == 0x80) --length;
-    return std::string(found.substr(0, std::min(length, found.find('\0')))) + "…";
+    found = found.substr(0, found.find('\0'));
+    std::size_t characters = 0, last = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      const bool begins = (static_cast<unsigned char>(found[i]) & 0xc0) != 0x80;
+      if (begins && ++characters == most_quoted) last = i;
+      if (characters > most_quoted || i > 4 * most_quoted) return std::string(found.substr(0, last)) + "…";
+    }
+    return std::string(found);
   }
 
   bool take(char sign) {
@@ -100,9 +105,10 @@ class WktReader {
     if (!take_word("SRID")) return;
     must_take('=');
     const std::string_view digits = token();
-    if (!std::all_of(digits.begin(), digits.end(), is_digit) || digits.size() > 9) expected("a whole number");
-    if (std::stol("0" + std::string(digits)) == 4326)
-      fail("SRID 4326 is in degrees: project to metres first");
+    std::uint64_t srid = 0;
+    const auto [end, status] = std::from_chars(digits.data(), digits.data() + digits.size(), srid);
+    if (status != std::errc() || end != digits.data() + digits.size()) expected("a whole number");
+    if (srid == 4326) fail("SRID 4326 is in degrees: project to metres first");
     at_ += digits.size();
     must_take(';');
   }

@@ -137,8 +137,12 @@ Outline outline_of(const Rings& rings) {
 Outline random_rings(std::mt19937_64& random) {
   const int size = drawn(random, 2, 5);
   Outline outline;
+  if (random() % 2 == 0) {
+    const double s = size;
+    outline = outline_of({{{0, 0}, {s, 0}, {s, s}, {0, s}}});
+  }
   for (int r = drawn(random, 1, 3); r > 0; --r) {
-    outline.rings() == 0 || drawn(random, 0, 1) == 0 ? outline.begin_part() : outline.begin_hole();
+    outline.rings() == 0 || drawn(random, 0, 2) == 0 ? outline.begin_part() : outline.begin_hole();
     for (int n = drawn(random, 3, 6); n > 0; --n)
       outline.add({double(drawn(random, 0, size)), double(drawn(random, 0, size))});
     outline.close_ring();

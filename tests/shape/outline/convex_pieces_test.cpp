@@ -1,0 +1,252 @@
+// The judge is exact: pieces are convex, do not overlap, and are together the outline, in rational numbers.
+#include "shape/outline/convex_pieces.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <map>
+#include <utility>
+
+#include "shape/outline/judge.h"
+#include "shape/outline/outlines.h"
+#include "shape/outline/turn.h"
+#include "shape/outline/validity.h"
+#include "shape/outline/wkt_reader.h"
+#include "shape/outline/wkt_writer.h"
+
+namespace foresee::shape {
+namespace {
+
+using Edge = std::pair<Corner, Corner>;
+
+struct EdgeOrder {
+  bool operator()(const Edge& a, const Edge& b) const {
+    return std::tuple(a.first.x, a.first.y, a.second.x, a.second.y) <
+           std::tuple(b.first.x, b.first.y, b.second.x, b.second.y);
+  }
+};
+
+bool is_convex(const RationalRing& ring) {
+  int bends = 0, reversals = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const RationalPoint &a = ring[i], &b = ring[(i + 1) % ring.size()], &c = ring[(i + 2) % ring.size()];
+    const int side = side_of(a, b, c);
+    if (side < 0) return false;
+    bends += side;
+    const auto rightwards = [](const auto& p, const auto& q) {
+      return p.x < q.x || (p.x == q.x && p.y < q.y);
+    };
+    reversals += rightwards(a, b) != rightwards(b, c);
+  }
+  return bends >= 3 && reversals == 2;
+}
+
+/// Whether some edge of `a` has all of `b` to its right.
+bool parted_by_edge(const RationalRing& a, const RationalRing& b) {
+  for (std::size_t i = 0; i < a.size(); ++i)
+    if (std::all_of(b.begin(), b.end(), [&](const RationalPoint& corner) {
+          return side_of(a[i], a[(i + 1) % a.size()], corner) <= 0;
+        }))
+      return true;
+  return false;
+}
+
+std::vector<RationalRing> rings_of(const ConvexPieces& pieces) {
+  std::vector<RationalRing> rings;
+  for (std::size_t p = 0; p < pieces.count(); ++p) rings.push_back(exact(pieces.corners(p)));
+  return rings;
+}
+
+/// Convex, of the outline's area all in all, and none over another.
+void expect_tiling(const ConvexPieces& pieces, const Outline& outline) {
+  Rational area = 0;
+  const std::vector<RationalRing> rings = rings_of(pieces);
+  for (const RationalRing& ring : rings) {
+    EXPECT_TRUE(is_convex(ring));
+    area += twice_area(ring);
+  }
+  EXPECT_EQ(area, twice_area(outline)) << write_outline(outline);
+  for (std::size_t i = 0; i < rings.size() && rings.size() < 60; ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_TRUE(parted_by_edge(rings[i], rings[j]) || parted_by_edge(rings[j], rings[i]));
+}
+
+/// Every inner edge is one of two pieces, and every other lies on the outline.
+void expect_edges(const ConvexPieces& pieces, const Outline& outline) {
+  std::map<Edge, int, EdgeOrder> inner;
+  for (std::size_t p = 0; p < pieces.count(); ++p) {
+    const auto corners = pieces.corners(p);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Corner &a = corners[i], &b = corners[(i + 1) % corners.size()];
+      const RationalPoint middle{(Rational(a.x) + b.x) / 2, (Rational(a.y) + b.y) / 2};
+      EXPECT_EQ(where(middle, outline), pieces.inner(p)[i] ? Where::inside : Where::boundary)
+          << write_outline(outline);
+      if (pieces.inner(p)[i]) ++inner[{a, b}], --inner[{b, a}];
+    }
+  }
+  for (const auto& [edge, balance] : inner) EXPECT_EQ(balance, 0);
+}
+
+void expect_points(const ConvexPieces& pieces, const Outline& outline, std::mt19937_64& random) {
+  const std::vector<RationalRing> rings = rings_of(pieces);
+  const Extents<2> around = outline.extents();
+  for (int i = 0; i < 10; ++i) {
+    const auto coordinate = [&](int axis) {
+      return Rational(around.lower[axis]) +
+             (Rational(around.upper[axis]) - around.lower[axis]) * static_cast<int>(random() % 25) / 24;
+    };
+    const RationalPoint point{coordinate(0), coordinate(1)};
+    const bool in_piece = std::any_of(rings.begin(), rings.end(), [&](const RationalRing& ring) {
+      return where(point, ring) != Where::outside;
+    });
+    EXPECT_EQ(in_piece, where(point, outline) != Where::outside) << write_outline(outline);
+  }
+}
+
+void expect_tree(const ConvexPieces& pieces) {
+  const BoxTree<2>& tree = pieces.tree();
+  ASSERT_EQ(tree.items(), pieces.count());
+  for (std::size_t p = 0; p < pieces.count(); ++p)
+    for (const Corner& corner : pieces.corners(p)) {
+      const Vec<2> at{corner.x, corner.y};
+      EXPECT_TRUE((pieces.bounds(p).lower <= at).all() && (at <= pieces.bounds(p).upper).all());
+    }
+}
+
+void expect_cut(const Outline& outline, std::mt19937_64& random) {
+  const ConvexPieces pieces = convex_pieces(outline);
+  expect_tiling(pieces, outline);
+  expect_edges(pieces, outline);
+  expect_points(pieces, outline, random);
+  expect_tree(pieces);
+}
+
+TEST(ConvexPieces, AConvexOutlineIsOnePieceEitherWayRound) {
+  for (const char* text : {"POLYGON((0 0, 4 0, 4 4, 0 4, 0 0))", "POLYGON((0 0, 0 4, 4 4, 4 0, 2 0, 0 0))"}) {
+    const ConvexPieces pieces = convex_pieces(read_outline(text));
+    ASSERT_EQ(pieces.count(), 1u);
+    EXPECT_TRUE(is_convex(exact(pieces.corners(0))));
+    for (const auto inner : pieces.inner(0)) EXPECT_EQ(inner, 0);
+  }
+}
+
+TEST(ConvexPieces, APointIsAPiece) {
+  const ConvexPieces point = ConvexPieces::one(std::vector<Corner>{{3, 4}});
+  EXPECT_EQ(point.count(), 1u);
+  EXPECT_EQ(point.corners(0)[0], (Corner{3, 4}));
+  EXPECT_EQ(point.bounds(0).lower[1], 4);
+}
+
+TEST(ConvexPieces, AnAngleIsTwoPiecesWithACutBetween) {
+  const ConvexPieces pieces = convex_pieces(read_outline("POLYGON((0 0, 4 0, 4 1, 1 1, 1 4, 0 4, 0 0))"));
+  ASSERT_EQ(pieces.count(), 2u);
+  EXPECT_EQ(std::count(pieces.inner(0).begin(), pieces.inner(0).end(), 1), 1);
+  EXPECT_EQ(std::count(pieces.inner(1).begin(), pieces.inner(1).end(), 1), 1);
+}
+
+TEST(ConvexPieces, AreTheOutlineOfRingsOnAGrid) {
+  std::mt19937_64 random(11);
+  int holes = 0;
+  for (int cut = 0; cut < 600;) {
+    const Outline outline = random_rings(random);
+    if (flaw_of(outline)) continue;
+    expect_cut(outline, random);
+    ++cut, holes += outline.rings() > outline.parts();
+  }
+  EXPECT_GT(holes, 100);
+}
+
+TEST(ConvexPieces, AreTheOutlineOfCells) {
+  std::mt19937_64 random(12);
+  for (int cut = 0; cut < 60;) {
+    const Outline outline = random_cells(random);
+    if (flaw_of(outline)) continue;
+    expect_cut(outline, random);
+    ++cut;
+  }
+}
+
+TEST(ConvexPieces, AreTheOutlineAnUlpApartAtAllScales) {
+  std::mt19937_64 random(13);
+  for (int cut = 0; cut < 300;) {
+    const Outline outline = shaken(scaled(moved(random_rings(random),
+                                                [](const Corner& c) {
+                                                  return Corner{c.x / 3, c.y + 0.7};
+                                                }),
+                                          static_cast<int>(random() % 500) - 300),
+                                   random);
+    if (flaw_of(outline)) continue;
+    expect_cut(outline, random);
+    ++cut;
+  }
+}
+
+TEST(ConvexPieces, AreTheOutlineOfCombsSpiralsStarsAndChains) {
+  std::mt19937_64 random(14);
+  for (const Outline& outline : {comb(9), spiral(5), random_star(random, 50), chain_of_holes(6)}) {
+    expect_cut(outline, random);
+    for (int i = 0; i < 3; ++i)
+      if (const Outline close = shaken(outline, random); !flaw_of(close)) expect_cut(close, random);
+  }
+}
+
+TEST(ConvexPieces, AreTheOutlineOfAThousandCorners) {
+  std::mt19937_64 random(19);
+  for (const Outline& outline : {comb(500), spiral(125), random_star(random, 1000), chain_of_holes(250)})
+    expect_tiling(convex_pieces(outline), outline);
+}
+
+TEST(ConvexPieces, AreAtMostFourTimesTheFewest) {
+  // A star needs a piece for every second reflex corner at least, and half of its corners are reflex or
+  // fewer.
+  std::mt19937_64 random(15);
+  EXPECT_LE(convex_pieces(random_star(random, 100)).count(), 80u);
+  EXPECT_LE(convex_pieces(comb(100)).count(), 202u);
+}
+
+TEST(ConvexPieces, OfATurnedOutlineAreCutAlike) {
+  std::mt19937_64 random(16);
+  for (int i = 0; i < 20; ++i) {
+    const Outline outline = random_star(random, 30);
+    const ConvexPieces pieces = convex_pieces(outline);
+    for (const double heading : {0.0, 37.5, 90.0, 211.0}) {
+      const Outline lies = turned(outline, heading);
+      const ConvexPieces as_it_lies = turned_pieces(pieces, lies);
+      EXPECT_EQ(as_it_lies.cut(), pieces.cut());
+      expect_tiling(as_it_lies, lies);
+    }
+  }
+}
+
+TEST(ConvexPieces, OfATurnedOutlineAreCutAnewWhereRoundingBrokeOne) {
+  // The middle of the lower edge lies on it, but not after most turns.
+  const Outline outline = read_outline("POLYGON((0 0, 1 0, 3 0, 3 7, 2 3, 0 9, 0 0))");
+  const ConvexPieces pieces = convex_pieces(outline);
+  std::mt19937_64 random(17);
+  int anew = 0;
+  for (int heading = 1; heading < 90; ++heading) {
+    const Outline lies = turned(outline, heading);
+    const ConvexPieces as_it_lies = turned_pieces(pieces, lies);
+    expect_tiling(as_it_lies, lies);
+    expect_edges(as_it_lies, lies);
+    anew += as_it_lies.cut() != pieces.cut();
+  }
+  EXPECT_GT(anew, 10);
+}
+
+TEST(ConvexPieces, OfTheMostCornersTakeNoLongerThanOthers) {
+  std::mt19937_64 random(18);
+  const Outline slanted = moved(comb(32767), [](const Corner& c) {
+    return Corner{c.x * 1000 + c.y, c.x * 1000 - c.y};
+  });
+  for (const Outline& outline :
+       {random_star(random, 65536), comb(32767), slanted, spiral(8192), chain_of_holes(16382)}) {
+    const auto begin = std::chrono::steady_clock::now();
+    const ConvexPieces pieces = convex_pieces(outline);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+    EXPECT_GT(pieces.count(), 10000u);
+  }
+}
+
+}  // namespace
+}  // namespace foresee::shape
