@@ -52,7 +52,7 @@ std::string number(FuzzBytes& bytes) {
 std::string ring(FuzzBytes& bytes) {
   const std::string first = number(bytes) + ' ' + number(bytes);
   std::string text = '(' + first;
-  for (int n = bytes.in_range(1, 9); n > 0; --n) {
+  for (int n = bytes.in_range(2, 5); n > 0; --n) {
     const std::string x = number(bytes);
     text += ", " + x + ' ' + number(bytes);
   }

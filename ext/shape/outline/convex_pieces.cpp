@@ -51,7 +51,7 @@ class SideRings {
       boxes.push_back(Box<2>::empty());
       for_ring(first, [&](std::uint32_t side) { seen[side] = true, grow(boxes.back(), corner(side)); });
     }
-    ConvexPieces::Cut made{.outline_corners = corners_.size(), .corners = {}, .inner = {}, .ends = {}};
+    ConvexPieces::Cut made;
     for (const std::uint32_t ring : tree_order<2>(boxes)) {
       for_ring(firsts[ring], [&](std::uint32_t side) {
         made.corners.push_back(sides_[side].corner);
@@ -87,20 +87,33 @@ class SideRings {
   std::vector<std::uint32_t> next_, last_;  ///< in the ring of each side
 };
 
+/// Whether each ring runs counterclockwise.
+std::vector<bool> directions_of(const Outline& outline) {
+  std::vector<bool> counterclockwise;
+  for (std::size_t r = 0; r < outline.rings(); ++r)
+    counterclockwise.push_back(is_counterclockwise(outline.ring(r)));
+  return counterclockwise;
+}
+
 std::shared_ptr<const ConvexPieces::Cut> cut_of(const Outline& outline) {
   SideRings rings(outline.corners(), triangulation(outline));
   rings.merge();
-  return std::make_shared<const ConvexPieces::Cut>(rings.cut());
+  ConvexPieces::Cut cut = rings.cut();
+  cut.counterclockwise = directions_of(outline);
+  cut.outline_corners = outline.corners().size();
+  return std::make_shared<const ConvexPieces::Cut>(std::move(cut));
 }
 
 /// One ring without cuts, the other way round if `reversed`.
 std::shared_ptr<const ConvexPieces::Cut> uncut(std::size_t corners, bool reversed) {
-  ConvexPieces::Cut made{.outline_corners = corners, .corners = {}, .inner = {}, .ends = {}};
+  ConvexPieces::Cut made;
   made.corners.resize(corners);
   std::iota(made.corners.begin(), made.corners.end(), 0);
   if (reversed) std::reverse(made.corners.begin(), made.corners.end());
   made.inner.resize(corners);
   made.ends.push_back(static_cast<std::uint32_t>(corners));
+  made.counterclockwise.push_back(!reversed);
+  made.outline_corners = corners;
   return std::make_shared<const ConvexPieces::Cut>(std::move(made));
 }
 
@@ -129,7 +142,8 @@ ConvexPieces convex_pieces(const Outline& outline) {
 
 ConvexPieces turned_pieces(const ConvexPieces& pieces, const Outline& turned) {
   const FloatEnvironment environment;
-  if (pieces.cut()->outline_corners == turned.corners().size()) {
+  const ConvexPieces::Cut& cut = *pieces.cut();
+  if (cut.outline_corners == turned.corners().size() && cut.counterclockwise == directions_of(turned)) {
     ConvexPieces alike(pieces.cut(), turned.corners());
     std::size_t convex = 0;
     while (convex < alike.count() && convex_direction(alike.corners(convex)) > 0) ++convex;

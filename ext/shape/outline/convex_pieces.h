@@ -32,11 +32,11 @@ class ConvexPieces {
  public:
   /// Which corners make which pieces: the same for all headings of an outline.
   struct Cut {
-    std::size_t outline_corners;         ///< as many has the outline
     std::vector<std::uint32_t> corners;  ///< of all pieces, by their places in the outline
-    std::vector<std::uint8_t>
-        inner;  ///< whether the edge from each of them to the next of its piece is a cut
-    std::vector<std::uint32_t> ends;  ///< where each piece ends among them
+    std::vector<std::uint8_t> inner;     ///< whether the edge from each to the next of its piece is a cut
+    std::vector<std::uint32_t> ends;     ///< where each piece ends among them
+    std::vector<bool> counterclockwise;  ///< how the rings of the outline run
+    std::size_t outline_corners = 0;     ///< as many has the outline
   };
 
   ConvexPieces() = default;
@@ -70,8 +70,10 @@ class ConvexPieces {
 /// Requires: a valid outline (validity.h).
 ConvexPieces convex_pieces(const Outline& outline);
 
-/// The pieces of `turned`, which is the outline of `pieces` turned and valid: cut alike where all pieces are
-/// convex still, else anew, as rounding has moved a corner across an edge.
+/// The pieces of `turned`, which is the outline of `pieces` turned and valid. Cut alike where every piece is
+/// still convex and every ring still runs the same way round: then the pieces wind once round each point
+/// within and round no other, as the rings do of which they are the sum. Else, as rounding has moved a corner
+/// across an edge, cut anew.
 ConvexPieces turned_pieces(const ConvexPieces& pieces, const Outline& turned);
 
 }  // namespace foresee::shape

@@ -33,6 +33,13 @@ int close_orientation(const Corner& a, const Corner& b, const Corner& c) {
   return ((Dyadic(a.x) - x) * (Dyadic(b.y) - y) - (Dyadic(a.y) - y) * (Dyadic(b.x) - x)).sign();
 }
 
+bool is_counterclockwise(std::span<const Corner> ring) {
+  const auto first =
+      static_cast<std::size_t>(std::min_element(ring.begin(), ring.end(), before) - ring.begin());
+  const Corner &last = ring[(first == 0 ? ring.size() : first) - 1], &next = ring[(first + 1) % ring.size()];
+  return orientation(last, ring[first], next) > 0;
+}
+
 int convex_direction(std::span<const Corner> ring) {
   const std::size_t n = ring.size();
   if (n < 3) return 0;

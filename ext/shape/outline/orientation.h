@@ -35,6 +35,10 @@ inline bool before(const Corner& a, const Corner& b) {
   return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
 
+/// Whether the ring runs counterclockwise: as it does at its first corner from the left. Requires: two
+/// corners or more.
+bool is_counterclockwise(std::span<const Corner> ring);
+
 /// Whether the ring is convex, encloses more than a line, and runs so round: 1 counterclockwise, -1
 /// clockwise; 0 if it is no such ring. Corners may lie on the line between their neighbours.
 int convex_direction(std::span<const Corner> ring);

@@ -13,17 +13,14 @@ SweepEdges::SweepEdges(const Outline& outline) {
     const std::span<const Corner> ring = outline.ring(r);
     const auto begin = static_cast<std::uint32_t>(outline.ring_begin(r));
     const auto size = static_cast<std::uint32_t>(ring.size());
-    std::uint32_t leftmost = 0;
     for (std::uint32_t i = 0; i < size; ++i) {
       const std::uint32_t next = i + 1 == size ? 0 : i + 1;
       const bool rightwards = before(ring[i], ring[next]);
       edges_.push_back({rightwards ? ring[i] : ring[next], rightwards ? ring[next] : ring[i], begin + i,
                         begin + next, static_cast<std::uint32_t>(r), rightwards});
       last_.push_back(begin + (i == 0 ? size : i) - 1);
-      if (before(ring[i], ring[leftmost])) leftmost = i;
     }
-    const Corner &last = ring[(leftmost == 0 ? size : leftmost) - 1], &next = ring[(leftmost + 1) % size];
-    counterclockwise_.push_back(orientation(last, ring[leftmost], next) > 0);
+    counterclockwise_.push_back(is_counterclockwise(ring));
   }
 }
 

@@ -234,6 +234,23 @@ TEST(ConvexPieces, OfATurnedOutlineAreCutAnewWhereRoundingBrokeOne) {
   EXPECT_GT(anew, 10);
 }
 
+TEST(ConvexPieces, OfATurnedOutlineAreCutAnewWhereRoundingTurnedAHoleInsideOut) {
+  // So flat is the hole that it may run the other way round when it is turned.
+  const Outline outline = read_outline(
+      "POLYGON((0 0, 5 0, 5 5, 0 5, 0 0), "
+      "(4 1, 3.9999999999999996 1, 1.0000000000000002 1.0000000000000002, 4 1))");
+  const ConvexPieces pieces = convex_pieces(outline);
+  int anew = 0;
+  for (double heading = 0.25; heading < 90; heading += 0.25) {
+    const Outline lies = turned(outline, heading);
+    if (flaw_of(lies)) continue;
+    const ConvexPieces as_it_lies = turned_pieces(pieces, lies);
+    expect_tiling(as_it_lies, lies);
+    anew += as_it_lies.cut() != pieces.cut();
+  }
+  EXPECT_GT(anew, 5);
+}
+
 TEST(ConvexPieces, OfTheMostCornersTakeNoLongerThanOthers) {
   std::mt19937_64 random(18);
   const Outline slanted = moved(comb(32767), [](const Corner& c) {
