@@ -1,5 +1,6 @@
 #include "shape/outline/wkt_writer.h"
 
+#include "base/float_environment.h"
 #include "base/shown.h"
 
 namespace foresee::shape {
@@ -36,6 +37,7 @@ std::string name_of_ring(const Outline& outline, std::size_t ring) {
 }
 
 std::string write_outline(const Outline& outline) {
+  const FloatEnvironment environment;
   std::string text = outline.parts() == 1 ? "POLYGON" : "MULTIPOLYGON";
   for (std::size_t p = 0; p < outline.parts(); ++p) {
     if (outline.parts() > 1) text += p == 0 ? "(" : ", ";
