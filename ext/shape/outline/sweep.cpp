@@ -66,7 +66,7 @@ void SweepLine::look(Meeting& m) {
     return orientation(m.place, edges_[a].right, edges_[b].right) > 0;
   });
   m.below = first_ == line_.begin() ? no_edge : std::prev(first_)->edge;
-  m.above = edge_at(end_);
+  m.above = end_ == line_.end() ? no_edge : end_->edge;
 }
 
 void SweepLine::pass(const Meeting& m) {
@@ -82,11 +82,8 @@ void SweepLine::pass(const Meeting& m) {
 std::vector<std::uint32_t> sweep_order(const SweepEdges& edges) {
   std::vector<std::uint32_t> order(edges.size());
   std::iota(order.begin(), order.end(), 0);
-  const auto place_of = [&](std::uint32_t corner) -> const Corner& {
-    return edges[corner].rightwards ? edges[corner].left : edges[corner].right;
-  };
   std::sort(order.begin(), order.end(),
-            [&](std::uint32_t a, std::uint32_t b) { return before(place_of(a), place_of(b)); });
+            [&](std::uint32_t a, std::uint32_t b) { return before(edges.place_of(a), edges.place_of(b)); });
   return order;
 }
 

@@ -2,8 +2,7 @@
 // upwards along what stands upright; at each place where corners are, it says which edges meet there.
 //
 //   SweepEdges edges(outline);
-//   sweep(edges, [&](const Meeting& m) { … });       // at every place with a corner, in the order of
-//   before()
+//   sweep(edges, [&](const Meeting& m) { … });       // at every place with a corner, ordered by before()
 //
 // All by exact signs. Requires: edges cross nowhere to the left of the last meeting; whoever does not know
 // that looks at each meeting for neighbours that cross, which some pair does before its crossing is reached,
@@ -29,8 +28,8 @@ struct SweepEdge {
   Corner left, right;        ///< in the order of before()
   std::uint32_t begin, end;  ///< its corners in the order of the ring
   std::uint32_t ring;
+  bool rightwards;  ///< it begins at `left`
 
-  bool rightwards = false;  ///< it begins at `left`
   /// The corner, by its place in the outline, that is its left or right end.
   std::uint32_t left_end() const { return rightwards ? begin : end; }
   std::uint32_t right_end() const { return rightwards ? end : begin; }
@@ -44,6 +43,10 @@ class SweepEdges {
 
   std::size_t size() const { return edges_.size(); }
   const SweepEdge& operator[](EdgeNumber edge) const { return edges_[edge]; }
+  /// Where a corner is.
+  const Corner& place_of(std::uint32_t corner) const {
+    return edges_[corner].rightwards ? edges_[corner].left : edges_[corner].right;
+  }
   /// The edge that ends where this one begins.
   EdgeNumber last(EdgeNumber edge) const { return last_[edge]; }
   /// Whether what the ring of the edge encloses is above the edge. Requires: a ring that does not cross
@@ -79,7 +82,7 @@ class SweepLine {
 
  private:
   struct Crossed {
-    mutable EdgeNumber edge;  ///< another one may come to stand at the same height
+    mutable EdgeNumber edge;  ///< another may take its place, where the one ends and the other begins
   };
   struct Below {
     using is_transparent = void;
@@ -91,7 +94,6 @@ class SweepLine {
   using Place = Line::iterator;
 
   bool holds(Place crossed, const Corner& place) const;
-  EdgeNumber edge_at(Place crossed) const { return crossed == line_.end() ? no_edge : crossed->edge; }
 
   const SweepEdges& edges_;
   Line line_;
@@ -108,10 +110,9 @@ void sweep(const SweepEdges& edges, Visit&& visit) {
   Meeting m;
   const std::vector<std::uint32_t> order = sweep_order(edges);
   for (auto next = order.begin(); next != order.end();) {
-    const auto place_of = [&] { return edges[*next].rightwards ? edges[*next].left : edges[*next].right; };
-    m.place = place_of();
+    m.place = edges.place_of(*next);
     m.corners.clear();
-    while (next != order.end() && place_of() == m.place) m.corners.push_back(*next++);
+    while (next != order.end() && edges.place_of(*next) == m.place) m.corners.push_back(*next++);
     line.look(m);
     visit(std::as_const(m));
     line.pass(m);

@@ -55,12 +55,12 @@ class Validity {
     std::uint32_t visit;  ///< the ring's corner there, or a number of the edge that passes
   };
 
-  /// What is wrong between two edges, that which is written first first.
+  /// Between two edges; the one that is written first is `a`.
   [[noreturn]] static void fail(Flaw::Kind kind, EdgeNumber a, EdgeNumber b, const Corner& place = {}) {
     throw FlawFound{{kind, std::min(a, b), std::max(a, b), place}};
   }
 
-  /// Edges that begin side by side and go the same way. Those that end so are found where the second begins.
+  /// Edges that go the same way from here: wherever two overlap, they do from where the second begins.
   void check_overlap(const Meeting& m) const {
     for (std::size_t i = 0; i + 1 < m.leaving.size(); ++i) {
       const EdgeNumber a = m.leaving[i], b = m.leaving[i + 1];

