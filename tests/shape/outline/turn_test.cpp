@@ -96,7 +96,7 @@ TEST(Turn, IsNeverMinusZero) {
 TEST(Turn, IsRoundedOnceByAnyHeading) {
   std::mt19937_64 random(21);
   std::uniform_real_distribution<double> heading(-360, 360);
-  for (int i = 0; i < 400; ++i) expect_correct(heading(random), random_corners(random, 100));
+  for (int i = 0; i < 1000; ++i) expect_correct(heading(random), random_corners(random, 100));
 }
 
 TEST(Turn, IsRoundedOnceByHardHeadings) {
