@@ -26,8 +26,6 @@ struct Flaw {
   Kind kind;
   std::uint32_t a, b;
   Corner place;
-
-  friend bool operator==(const Flaw&, const Flaw&) = default;
 };
 
 /// For whoever wrote the outline.

@@ -174,6 +174,15 @@ std::optional<Flaw> ring_of_few_corners(const Outline& outline) {
   return std::nullopt;
 }
 
+/// Where two rings of a valid outline touch at a corner of only one of them; the first from the left.
+std::optional<Flaw> edge_touch_of(const Outline& outline) {
+  if (outline.rings() == 1) return std::nullopt;
+  const FloatEnvironment environment;
+  Validity validity(outline);
+  validity.check();
+  return validity.edge_touch();
+}
+
 }  // namespace
 
 std::optional<Flaw> flaw_of(const Outline& outline) {
@@ -186,14 +195,6 @@ std::optional<Flaw> flaw_of(const Outline& outline) {
     return found.flaw;
   }
   return std::nullopt;
-}
-
-std::optional<Flaw> edge_touch_of(const Outline& outline) {
-  if (outline.rings() == 1) return std::nullopt;
-  const FloatEnvironment environment;
-  Validity validity(outline);
-  validity.check();
-  return validity.edge_touch();
 }
 
 void check_outline(const Outline& outline) {

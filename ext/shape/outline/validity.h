@@ -19,9 +19,6 @@ namespace foresee::shape {
 /// The first flaw from the left, or none.
 std::optional<Flaw> flaw_of(const Outline& outline);
 
-/// Where two rings of a valid outline touch at a corner of only one of them; the first from the left.
-std::optional<Flaw> edge_touch_of(const Outline& outline);
-
 /// Throws Error, which says what is wrong and where: for whoever wrote the outline.
 void check_outline(const Outline& outline);
 
