@@ -17,8 +17,8 @@ Outline outline_of(const Rings& rings);
 /// Of several.
 Outline outline_of_parts(const std::vector<Rings>& parts);
 
-/// Rings of random corners on a small grid, one to three, as holes or parts: mostly unsound, and full of
-/// corners on corners and edges.
+/// Rings of random corners on a small grid, as holes or parts, often within a square: mostly unsound, and
+/// full of corners on corners and edges.
 Outline random_rings(std::mt19937_64& random);
 
 /// The boundary of random cells of a grid, sheared: holes, parts and islands in holes that touch in corners.
@@ -28,7 +28,7 @@ Outline random_cells(std::mt19937_64& random);
 /// A star around the position, with n corners at random distances.
 Outline random_star(std::mt19937_64& random, int n);
 
-/// n teeth that point to the right; each corner by half a tooth farther down at random.
+/// Teeth that point to the right, one above the other.
 Outline comb(int teeth);
 
 /// A band that winds inwards.
