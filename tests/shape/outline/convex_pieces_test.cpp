@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "contact/case_count.h"
 #include "shape/outline/judge.h"
 #include "shape/outline/outlines.h"
 #include "shape/outline/turn.h"
@@ -16,6 +17,8 @@
 
 namespace foresee::shape {
 namespace {
+
+using contact::testing_by_hand::scaled_count;
 
 using Edge = std::pair<Corner, Corner>;
 
@@ -146,19 +149,20 @@ TEST(ConvexPieces, AnAngleIsTwoPiecesWithACutBetween) {
 
 TEST(ConvexPieces, AreTheOutlineOfRingsOnAGrid) {
   std::mt19937_64 random(11);
+  const int cases = scaled_count(600);
   int holes = 0;
-  for (int cut = 0; cut < 600;) {
+  for (int cut = 0; cut < cases;) {
     const Outline outline = random_rings(random);
     if (flaw_of(outline)) continue;
     expect_cut(outline, random);
     ++cut, holes += outline.rings() > outline.parts();
   }
-  EXPECT_GT(holes, 100);
+  EXPECT_GT(holes, cases / 10);
 }
 
 TEST(ConvexPieces, AreTheOutlineOfCells) {
   std::mt19937_64 random(12);
-  for (int cut = 0; cut < 60;) {
+  for (int cut = 0; cut < scaled_count(60);) {
     const Outline outline = random_cells(random);
     if (flaw_of(outline)) continue;
     expect_cut(outline, random);
@@ -168,7 +172,7 @@ TEST(ConvexPieces, AreTheOutlineOfCells) {
 
 TEST(ConvexPieces, AreTheOutlineAnUlpApartAtAllScales) {
   std::mt19937_64 random(13);
-  for (int cut = 0; cut < 300;) {
+  for (int cut = 0; cut < scaled_count(300);) {
     const Outline outline = shaken(scaled(moved(random_rings(random),
                                                 [](const Corner& c) {
                                                   return Corner{c.x / 3, c.y + 0.7};

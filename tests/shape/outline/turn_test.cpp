@@ -9,11 +9,14 @@
 #include <random>
 
 #include "base/error.h"
+#include "contact/case_count.h"
 #include "shape/outline/wkt_reader.h"
 #include "shape/outline/wkt_writer.h"
 
 namespace foresee::shape {
 namespace {
+
+using contact::testing_by_hand::scaled_count;
 
 using Wide = boost::multiprecision::number<
     boost::multiprecision::cpp_bin_float<300, boost::multiprecision::digit_base_2>,
@@ -96,7 +99,7 @@ TEST(Turn, IsNeverMinusZero) {
 TEST(Turn, IsRoundedOnceByAnyHeading) {
   std::mt19937_64 random(21);
   std::uniform_real_distribution<double> heading(-360, 360);
-  for (int i = 0; i < 1000; ++i) expect_correct(heading(random), random_corners(random, 100));
+  for (int i = 0; i < scaled_count(1000); ++i) expect_correct(heading(random), random_corners(random, 100));
 }
 
 TEST(Turn, IsRoundedOnceByHardHeadings) {
@@ -113,7 +116,7 @@ TEST(Turn, IsRoundedOnceByHardHeadings) {
 TEST(Turn, IsRoundedOnceWhereTheSumCancels) {
   std::mt19937_64 random(23);
   std::uniform_real_distribution<double> heading(-360, 360), length(1, 1000);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < scaled_count(200); ++i) {
     const Judge judge(heading(random));
     Turn turn(judge.heading);
     const double y = length(random);

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "contact/case_count.h"
 #include "shape/outline/judge.h"
 #include "shape/outline/outlines.h"
 #include "shape/outline/turn.h"
@@ -16,6 +17,8 @@
 
 namespace foresee::shape {
 namespace {
+
+using contact::testing_by_hand::scaled_count;
 
 /// What is said of it; "" if nothing.
 std::string flaw_in(const char* text) {
@@ -118,29 +121,31 @@ TEST(Validity, AnUlpIsAGap) {
 
 TEST(Validity, AgreesWithTheJudgeAboutRingsOnAGrid) {
   std::mt19937_64 random(1);
+  const int cases = scaled_count(6000);
   int sound = 0;
-  for (int i = 0; i < 6000; ++i) {
+  for (int i = 0; i < cases; ++i) {
     const Outline outline = random_rings(random);
     agree_with_judge(outline);
     sound += !flaw_of(outline);
   }
-  EXPECT_GT(sound, 400);
+  EXPECT_GT(sound, cases / 20);
 }
 
 TEST(Validity, AgreesWithTheJudgeAboutCells) {
   std::mt19937_64 random(2);
+  const int cases = scaled_count(150);
   int sound = 0;
-  for (int i = 0; i < 150; ++i) {
+  for (int i = 0; i < cases; ++i) {
     const Outline outline = random_cells(random);
     agree_with_judge(outline);
     sound += !flaw_of(outline);
   }
-  EXPECT_GT(sound, 50);
+  EXPECT_GT(sound, cases / 4);
 }
 
 TEST(Validity, AgreesWithTheJudgeAnUlpApart) {
   std::mt19937_64 random(3);
-  for (int i = 0; i < 1500; ++i)
+  for (int i = 0; i < scaled_count(1500); ++i)
     agree_with_judge(shaken(scaled(moved(random_rings(random),
                                          [](const Corner& c) {
                                            return Corner{c.x + 0.3, c.y / 3};
@@ -152,7 +157,7 @@ TEST(Validity, AgreesWithTheJudgeAnUlpApart) {
 TEST(Validity, AgreesWithTheJudgeBeyondWhatDoublesMultiply) {
   std::mt19937_64 random(4);
   for (const int exponent : {-1074, -700, 700, 1020})
-    for (int i = 0; i < 100; ++i) agree_with_judge(scaled(random_rings(random), exponent));
+    for (int i = 0; i < scaled_count(100); ++i) agree_with_judge(scaled(random_rings(random), exponent));
 }
 
 TEST(Validity, AgreesWithTheJudgeAboutCombsSpiralsStarsAndChains) {
