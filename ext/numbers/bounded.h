@@ -47,4 +47,18 @@ BoundedOf<Real> operator*(const BoundedOf<Real>& a, const BoundedOf<Real>& b) {
   return {value, abs(a.value) * b.error + a.error * (abs(b.value) + b.error) + unit_roundoff * abs(value)};
 }
 
+/// Requires: b is certainly not 0.
+template <class Real>
+BoundedOf<Real> operator/(const BoundedOf<Real>& a, const BoundedOf<Real>& b) {
+  using std::abs;
+  const Real value = a.value / b.value;
+  return {value, (a.error + abs(value) * b.error) / (abs(b.value) - b.error) + unit_roundoff * abs(value)};
+}
+
+/// Requires: a is certainly above 0.
+inline Bounded sqrt(const Bounded& a) {
+  const double value = std::sqrt(a.value);
+  return {value, a.error / value + unit_roundoff * value};
+}
+
 }  // namespace foresee::numbers

@@ -96,7 +96,8 @@ class ContactSet {
 
   // Primitives; each function gives a primitive's number. What pieces share is made once.
   int bound(int axis, int sign, const Size& size);
-  int half_space(std::span<const AxisPart> normal, const Size& size);
+  int half_space(std::span<const AxisPart> line, const Size& size);
+  int strip(std::span<const AxisPart> line, int half_width);
   int ball(std::span<const AxisPart> centre, const Size& radius);
 
   /// The set is the union of all pieces that were added.

@@ -1,4 +1,5 @@
-// What contact sets are made of: half spaces and balls, each a polynomial in time that is at most 0 inside.
+// What contact sets are made of: half spaces, strips and balls, each a polynomial in time that is at most 0
+// inside.
 //
 // A primitive is written once, in with_polynomial(), for every number type and for every degree of the
 // motion: doubles with error bounds (Bounded), DoubleDouble, numbers of 128 bits (Midrad128) and exact ones
@@ -34,12 +35,14 @@ struct AxisPart {
   int axis = 0;
   int sign = 1;  ///< 1 or -1
   Size at = {};
+  int normal = no_length;  ///< the number of a length
 };
 
 struct Primitive {
   enum class Kind : std::uint8_t {
     bound,       ///< sign x <= size on the one axis of parts[0]
-    half_space,  ///< the sum of sign at.value x over the parts is <= size; `at` is the normal
+    half_space,  ///< the sum of sign normal (x - at) over the parts is <= size: beside a line through `at`
+    strip,       ///< the square of that sum is <= size^2 times the sum of normal^2: as near to the line
     ball         ///< the sum of (x - sign at)^2 over the parts is <= size^2; `at` is the centre
   };
   Kind kind;
@@ -91,19 +94,6 @@ template <int K, class T, class Lengths, class Moment>
   return p;
 }
 
-template <int K, class T, class Lengths, class Moment>
-Powers<T, K> half_space_polynomial(const Primitive& space, const Powers<T, K>* x, const Lengths& lengths,
-                                   const Moment& tau) {
-  Powers<T, K> p{};
-  for (int i = 0; i < space.count; ++i) {
-    const AxisPart& part = space.parts[i];
-    const T length = length_at<T>(lengths, part.at.value), normal = part.sign > 0 ? length : -length;
-    for (int k = 0; k <= K; ++k) p[k] = p[k] + normal * x[part.axis][k];
-  }
-  subtract_size<K>(p, space.size, 1, lengths, tau);
-  return p;
-}
-
 /// Adds the square of a polynomial to the powers above the value.
 template <int K, class T>
 [[gnu::always_inline]] inline void add_square_above(Powers<T, 2 * K>& p, const Powers<T, K>& q) {
@@ -117,6 +107,42 @@ template <int K, class T>
     p[3] = p[3] + twice(q[1] * q[2]);
     p[4] = p[4] + square(q[2]);
   }
+}
+
+/// How far beyond the line through `at`, in lengths of the normal.
+template <int K, class T, class Lengths, class Moment>
+Powers<T, K> line_polynomial(const Primitive& line, const Powers<T, K>* x, const Lengths& lengths,
+                             const Moment& tau) {
+  Powers<T, K> p{};
+  for (int i = 0; i < line.count; ++i) {
+    const AxisPart& part = line.parts[i];
+    const T length = length_at<T>(lengths, part.normal), normal = part.sign > 0 ? length : -length;
+    Powers<T, K> gap = x[part.axis];
+    subtract_size<K>(gap, part.at, 1, lengths, tau);
+    for (int k = 0; k <= K; ++k) p[k] = p[k] + normal * gap[k];
+  }
+  return p;
+}
+
+template <int K, class T, class Lengths, class Moment>
+Powers<T, K> half_space_polynomial(const Primitive& space, const Powers<T, K>* x, const Lengths& lengths,
+                                   const Moment& tau) {
+  Powers<T, K> p = line_polynomial<K>(space, x, lengths, tau);
+  subtract_size<K>(p, space.size, 1, lengths, tau);
+  return p;
+}
+
+/// Requires: its size does not move.
+template <int K, class T, class Lengths, class Moment>
+Powers<T, 2 * K> strip_polynomial(const Primitive& strip, const Powers<T, K>* x, const Lengths& lengths,
+                                  const Moment& tau) {
+  const Powers<T, K> line = line_polynomial<K>(strip, x, lengths, tau);
+  T width{};
+  for (int i = 0; i < strip.count; ++i) width = width + square(length_at<T>(lengths, strip.parts[i].normal));
+  Powers<T, 2 * K> p{};
+  p[0] = square(line[0]) - square(length_at<T>(lengths, strip.size.value)) * width;
+  add_square_above<K>(p, line);
+  return p;
 }
 
 /// The square of the distance from the centre, over so many axes, minus that of the radius.
@@ -167,6 +193,8 @@ template <int K, class T, class Lengths, class Moment, class Wanted, class Take>
       return take(bound_polynomial<K>(primitive, x, lengths, tau));
     case Primitive::Kind::half_space:
       return take(half_space_polynomial<K>(primitive, x, lengths, tau));
+    case Primitive::Kind::strip:
+      return take(strip_polynomial<K>(primitive, x, lengths, tau));
     default:
       return take(ball_polynomial<K>(primitive, x, lengths, tau, wanted));
   }

@@ -139,8 +139,8 @@ struct Polygon {
     for (int i = 0; i < corners; ++i) {
       const double angle = 2 * 3.14159265358979 * i / corners;
       edges.push_back({std::cos(angle), std::sin(angle), 10});
-      const AxisPart normal[] = {{.axis = 0, .at = {set.given(edges.back()[0])}},
-                                 {.axis = 1, .at = {set.given(edges.back()[1])}}};
+      const AxisPart normal[] = {{.axis = 0, .normal = set.given(edges.back()[0])},
+                                 {.axis = 1, .normal = set.given(edges.back()[1])}};
       piece.all.push_back(set.half_space(normal, {set.given(edges.back()[2])}));
     }
     set.add_piece(piece);

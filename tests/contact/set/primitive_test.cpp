@@ -22,9 +22,10 @@ class Sample {
       AxisPart& part = primitive.parts[i];
       part = {.axis = primitive.count == 1 ? static_cast<int>(random_() % 3) : i,
               .sign = random_() % 2 ? 1 : -1};
-      if (kind != Primitive::Kind::bound) part.at = size(moving && kind == Primitive::Kind::ball);
+      if (kind != Primitive::Kind::bound) part.at = size(moving);
+      if (has_normal()) part.normal = length();
     }
-    primitive.size = size(moving);
+    primitive.size = size(moving && kind != Primitive::Kind::strip);
     for (auto& axis : motion)
       for (double& c : axis) c = number();
   }
@@ -67,7 +68,7 @@ class Sample {
       return of(s.value) + t * of(s.rate) + t * t * of(s.bend);
     };
     const Dyadic size = value(primitive.size);
-    Dyadic sum;
+    Dyadic sum, width;
     for (int i = 0; i < primitive.count; ++i) {
       const AxisPart& part = primitive.parts[i];
       const auto& m = motion[static_cast<std::size_t>(part.axis)];
@@ -75,9 +76,24 @@ class Sample {
                    at = value(part.at);
       if (primitive.kind == Primitive::Kind::bound) return sign * x - size;
       const Dyadic gap = x - sign * at;
-      sum = sum + (primitive.kind == Primitive::Kind::ball ? gap * gap : sign * at * x);
+      if (!has_normal()) {
+        sum = sum + gap * gap;
+        continue;
+      }
+      const Dyadic normal(lengths[static_cast<std::size_t>(part.normal)]);
+      sum = sum + sign * normal * (x - at), width = width + normal * normal;
     }
-    return primitive.kind == Primitive::Kind::ball ? sum - size * size : sum - size;
+    switch (primitive.kind) {
+      case Primitive::Kind::ball:
+        return sum - size * size;
+      case Primitive::Kind::strip:
+        return sum * sum - size * size * width;
+      default:
+        return sum - size;
+    }
+  }
+  bool has_normal() const {
+    return primitive.kind == Primitive::Kind::half_space || primitive.kind == Primitive::Kind::strip;
   }
 
   Primitive primitive;
@@ -100,7 +116,8 @@ class Sample {
 
 template <class Check>
 void for_each_sample(Check&& check) {
-  for (const auto kind : {Primitive::Kind::bound, Primitive::Kind::half_space, Primitive::Kind::ball})
+  using enum Primitive::Kind;
+  for (const auto kind : {bound, half_space, strip, ball})
     for (const bool moving : {false, true})
       for (std::uint64_t seed = 0; seed < 200; ++seed) check(Sample(kind, moving, seed), seed);
 }
@@ -153,7 +170,7 @@ TEST(Primitive, OfUniformMotionHasTheSameCoefficients) {
   for_each_sample([](Sample sample, std::uint64_t seed) {
     for (auto& axis : sample.motion) axis[2] = 0;
     for (double& length : sample.lengths)
-      if (sample.primitive.size.moves()) length = 0;  // no bend
+      if (sample.primitive.size.moves() || sample.primitive.parts[0].at.moves()) length = 0;  // no bend
     const auto two = sample.polynomial<2, Dyadic>(0);
     const auto one = sample.polynomial<1, Dyadic>(0);
     for (std::size_t k = 0; k < two.size(); ++k)
