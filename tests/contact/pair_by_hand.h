@@ -44,25 +44,29 @@ inline Object object(int axes, Shape shape) {
   return o;
 }
 
-inline std::optional<ContactTimes> contact(const Object& a, const Object& b,
-                                           const ContactQuestion& question) {
-  const std::vector<double> row_a = a.row(), row_b = b.row();
-  const Bodies bodies_a(a.layout, row_a.data(), 1), bodies_b(b.layout, row_b.data(), 1);
-  const auto contact = make_contact(bodies_a, bodies_b, question, "a", "b");
+/// Of the only pair; all ways of asking must agree.
+inline std::optional<ContactTimes> answer_of(Contact& contact) {
   const Pair pair{0, 0};
   std::vector<Pair> hits, decided;
   std::vector<ContactTimes> times, begins;
-  contact->first_contacts({&pair, 1}, TimesWanted::both, hits, times);
+  contact.first_contacts({&pair, 1}, TimesWanted::both, hits, times);
   EXPECT_EQ(times.size(), hits.size());
-  contact->decide({&pair, 1}, decided);
+  contact.decide({&pair, 1}, decided);
   EXPECT_EQ(hits, decided);
   decided.clear();
-  contact->first_contacts({&pair, 1}, TimesWanted::begins, decided, begins);
+  contact.first_contacts({&pair, 1}, TimesWanted::begins, decided, begins);
   EXPECT_EQ(hits, decided);
   if (hits.empty()) return std::nullopt;
   EXPECT_EQ(times[0].t, begins[0].t);
   EXPECT_EQ(times[0].dt, begins[0].dt);
   return times[0];
+}
+
+inline std::optional<ContactTimes> contact(const Object& a, const Object& b,
+                                           const ContactQuestion& question) {
+  const std::vector<double> row_a = a.row(), row_b = b.row();
+  const Bodies bodies_a(a.layout, row_a.data(), 1), bodies_b(b.layout, row_b.data(), 1);
+  return answer_of(*make_contact(bodies_a, bodies_b, question, "a", "b"));
 }
 
 inline ClosestApproach closest(const Object& a, const Object& b, const ContactQuestion& question) {

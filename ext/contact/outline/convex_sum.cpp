@@ -1,0 +1,66 @@
+#include "contact/outline/convex_sum.h"
+
+#include <cmath>
+
+#include "numbers/dyadic.h"
+
+namespace foresee::contact {
+namespace {
+
+/// The corner that `comes_before` every other.
+template <class Before>
+int first_of(const ConvexPiece& piece, Before&& comes_before) {
+  int first = 0;
+  for (int i = 1; i < static_cast<int>(piece.corners.size()); ++i)
+    if (comes_before(piece.along[i], piece.along[first])) first = i;
+  return first;
+}
+
+bool is_lower(const Corner& a, const Corner& b) {
+  return a.y < b.y || (a.y == b.y && a.x < b.x);
+}
+
+/// Where doubles cannot tell.
+[[gnu::noinline]] int exact_sign_of_turn(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
+  using E = Exactly<Dyadic>;
+  return (E::difference_of(b.x, a.x) * E::difference_of(d.y, c.y) -
+          E::difference_of(b.y, a.y) * E::difference_of(d.x, c.x))
+      .sign();
+}
+
+}  // namespace
+
+int sign_of_turn(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
+  const double one = (b.x - a.x) * (d.y - c.y), other = (b.y - a.y) * (d.x - c.x), cross = one - other;
+  // Four roundings of each product, the difference's with it, and what underflow takes.
+  const double error = 5 * unit_roundoff * (std::abs(one) + std::abs(other)) + 0x1p-1000;
+  if (cross > error) return 1;
+  if (cross < -error) return -1;
+  return exact_sign_of_turn(a, b, c, d);
+}
+
+ConvexSum::ConvexSum(const ConvexPiece& a, const ConvexPiece& b)
+    : a_{a, first_of(a, is_lower), a.edges()},
+      b_{b, first_of(b, [](const Corner& c, const Corner& d) { return is_lower(d, c); }), b.edges()} {}
+
+/// Neither is ever half a turn ahead of the other, so a cross product tells which direction comes first.
+bool ConvexSum::a_turns_first() const {
+  if (a_.left == 0 || b_.left == 0) return b_.left == 0;
+  return sign_of_turn(*a_.along(a_.corner), *a_.along(a_.next()), *b_.along(b_.next()),
+                      *b_.along(b_.corner)) >= 0;
+}
+
+bool ConvexSum::next(SumEdge& edge) {
+  if (a_.left == 0 && b_.left == 0) return false;
+  const bool of_a = a_turns_first();
+  Walk& walk = of_a ? a_ : b_;
+  const int i = walk.corner, j = walk.next();
+  edge.from = walk.along(of_a ? i : j), edge.to = walk.along(of_a ? j : i);
+  edge.inner = walk.piece.inner && walk.piece.inner[i] != 0;
+  edge.p = a_.at(a_.corner), edge.q = b_.at(b_.corner);
+  walk.step();
+  edge.p_end = a_.at(a_.corner), edge.q_end = b_.at(b_.corner);
+  return true;
+}
+
+}  // namespace foresee::contact

@@ -1,0 +1,25 @@
+// The contact set of some pairs of pieces, for the exact stage: what doubles leave open hangs on these alone.
+//
+// A set like those of other shapes (set/contact_set.h), made for one pair of objects: its lengths are the
+// corners, as given numbers, and their exact differences.
+#pragma once
+
+#include <span>
+
+#include "contact/outline/pieces.h"
+#include "contact/set/contact_set.h"
+#include "contact/set/relative_motion.h"
+
+namespace foresee::contact {
+
+/// Numbers of two pieces, one of each object.
+struct PiecePair {
+  std::uint32_t a, b;
+
+  friend auto operator<=>(const PiecePair&, const PiecePair&) = default;
+};
+
+ContactSet critical_pieces(const Setup& setup, const Pieces& a, const Pieces& b,
+                           std::span<const PiecePair> pairs);
+
+}  // namespace foresee::contact

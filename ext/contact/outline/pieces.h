@@ -1,0 +1,44 @@
+// What does an object of an outline's pair look like to contact? Pieces under a tree of boxes: those of its
+// outline, or the one that its half extents make; a point is a box of no size.
+//
+//   Pieces pieces;
+//   pieces.take(outlines.pieces(row));                 // or take_box(8, 90), take_point()
+//   if (pieces.is_leaf(node)) test(pieces.piece(pieces.item(node)));
+#pragma once
+
+#include <array>
+
+#include "contact/outline/convex_sum.h"
+#include "shape/outline/convex_pieces.h"
+
+namespace foresee::contact {
+
+/// Of one object at a time; what was taken must outlive its use.
+class Pieces {
+ public:
+  using Node = BoxTree<2>::Node;
+  static constexpr Node root = BoxTree<2>::root;
+
+  void take(const ConvexPieces& pieces) { pieces_ = &pieces; }
+  void take_box(double hx, double hy);
+  void take_point() {
+    take_box(0, 0);
+    is_point_ = true;
+  }
+
+  ConvexPiece piece(std::size_t i) const;
+  const Box<2>& box(Node node) const { return pieces_ ? pieces_->tree().box(node) : box_; }
+  bool is_leaf(Node node) const { return !pieces_ || pieces_->tree().is_leaf(node); }
+  std::size_t item(Node leaf) const { return pieces_ ? pieces_->tree().item(leaf) : 0; }
+  static Node left(Node node) { return 2 * node + 1; }
+  static Node right(Node node) { return 2 * node + 2; }
+  bool is_point() const { return !pieces_ && is_point_; }
+
+ private:
+  const ConvexPieces* pieces_ = nullptr;  ///< none: the box
+  std::array<Corner, 4> corners_;
+  Box<2> box_;
+  bool is_point_ = false;
+};
+
+}  // namespace foresee::contact

@@ -1,0 +1,86 @@
+// Which pieces of two objects could touch, and when at most? Both trees of boxes from their roots downwards,
+// a pair of nodes at a time, each cutting the time that is left by the chord (certain/chord.h).
+//
+//   const TreeWalk<2> walk(a, b, relative, {0, 600});
+//   walk.visit(Order::earlier_first, [](const Period<double>& near) { return near.begin <= best; },
+//              [&](std::size_t piece_a, std::size_t piece_b) { … });
+//
+// A box along the axes is enough for a node: nothing turns, so that none ever loosens. Cost: some ten
+// nanoseconds a pair of nodes.
+#pragma once
+
+#include <cstdint>
+
+#include "contact/certain/chord.h"
+#include "contact/outline/pieces.h"
+
+namespace foresee::contact {
+
+/// Which of two children comes first: that which could be met earlier, or left later.
+enum class Order : std::uint8_t { earlier_first, later_first };
+
+template <int D>
+class TreeWalk {
+ public:
+  /// `asked`: the moments asked about; `grown`: how near counts as touching.
+  TreeWalk(const Pieces& a, const Pieces& b, const CertainMotion<D>& relative, const Period<double>& asked,
+           double grown)
+      : a_(a), b_(b), chord_(relative, asked.end), asked_(asked), grown_(grown) {}
+
+  /// Gives `visit` every pair of pieces that could touch, as long as `wanted`, which is asked again and
+  /// again, is for some of that time.
+  template <class Wanted, class Visit>
+  void visit(Order order, Wanted&& wanted, Visit&& visit) const {
+    descend({Pieces::root, Pieces::root, near(Pieces::root, Pieces::root, asked_)}, order, wanted, visit);
+  }
+
+ private:
+  struct Nodes {
+    Pieces::Node a, b;
+    Period<double> near;
+  };
+
+  template <class Wanted, class Visit>
+  void descend(const Nodes& nodes, Order order, Wanted&& wanted, Visit&& visit) const {
+    const Period<double>& near = nodes.near;
+    if (!(near.begin <= near.end) || !wanted(near)) return;
+    if (a_.is_leaf(nodes.a) && b_.is_leaf(nodes.b)) return visit(a_.item(nodes.a), b_.item(nodes.b));
+    Nodes one = nodes, other = nodes;
+    if (splits_a(nodes.a, nodes.b))
+      one.a = Pieces::left(nodes.a), other.a = Pieces::right(nodes.a);
+    else
+      one.b = Pieces::left(nodes.b), other.b = Pieces::right(nodes.b);
+    one.near = this->near(one.a, one.b, near), other.near = this->near(other.a, other.b, near);
+    const bool swap =
+        order == Order::earlier_first ? other.near.begin < one.near.begin : other.near.end > one.near.end;
+    descend(swap ? other : one, order, wanted, visit);
+    descend(swap ? one : other, order, wanted, visit);
+  }
+
+  bool splits_a(Pieces::Node a, Pieces::Node b) const {
+    if (a_.is_leaf(a) || b_.is_leaf(b)) return b_.is_leaf(b);
+    return size_of(a_.box(a)) >= size_of(b_.box(b));
+  }
+  static double size_of(const Box<2>& box) { return (box.upper - box.lower).sum(); }
+
+  /// Of `asked`, when boxes could touch.
+  Period<double> near(Pieces::Node a, Pieces::Node b, const Period<double>& asked) const {
+    static constexpr Faces faces[] = {{.axis = 0, .below = 0, .above = 1},
+                                      {.axis = 1, .below = 2, .above = 3}};
+    const Box<2>&box_a = a_.box(a), &box_b = b_.box(b);
+    Bounded reach[4];
+    for (int j = 0; j < 2; ++j) {
+      reach[2 * j].value = (box_b.upper[j] - box_a.lower[j]) + grown_;
+      reach[2 * j + 1].value = (box_a.upper[j] - box_b.lower[j]) + grown_;
+      for (int i : {2 * j, 2 * j + 1}) reach[i].error = 0;
+    }
+    return chord_.between(faces, 2, reach, asked);
+  }
+
+  const Pieces &a_, &b_;
+  const Chord<D> chord_;
+  const Period<double> asked_;
+  const double grown_;
+};
+
+}  // namespace foresee::contact

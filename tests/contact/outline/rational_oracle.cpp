@@ -1,0 +1,151 @@
+#include "contact/outline/rational_oracle.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace foresee::contact::oracle {
+namespace {
+
+Rational cross(const Place& a, const Place& b) {
+  return a.x * b.y - a.y * b.x;
+}
+Rational dot(const Place& a, const Place& b) {
+  return a.x * b.x + a.y * b.y;
+}
+Place operator-(const Place& a, const Place& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+Place place_of(const Corner& corner) {
+  return {Rational(corner.x), Rational(corner.y)};
+}
+
+/// A number that changes steadily: value + s slope.
+struct Steady {
+  Rational value, slope;
+};
+
+/// Cuts a stretch to when low <= number <= high; false if nothing is left.
+bool cut(Stretch& stretch, const Steady& number, const Rational& low, const Rational& high) {
+  if (number.slope == 0) return low <= number.value && number.value <= high;
+  Rational first = (low - number.value) / number.slope, last = (high - number.value) / number.slope;
+  if (last < first) std::swap(first, last);
+  if (stretch.begin < first) stretch.begin = first;
+  if (last < stretch.end) stretch.end = last;
+  return stretch.begin <= stretch.end;
+}
+
+/// When the segment from p along e meets that from q along f, which moves as d does.
+std::optional<Stretch> meeting(const Place& p, const Place& e, const Place& q, const Place& f, const Place& d,
+                               const Place& v, Stretch asked) {
+  const Place gap{d.x + q.x - p.x, d.y + q.y - p.y};
+  const Rational turn = cross(e, f);
+  if (turn != 0) {
+    const Steady along_e{cross(gap, f) / turn, cross(v, f) / turn};
+    const Steady along_f{cross(gap, e) / turn, cross(v, e) / turn};
+    if (cut(asked, along_e, 0, 1) && cut(asked, along_f, 0, 1)) return asked;
+    return {};
+  }
+  // Parallel: in one line, and overlapping in it. A point is a segment without length.
+  const bool e_is_point = e.x == 0 && e.y == 0;
+  const Place& line = e_is_point ? f : e;
+  if (!cut(asked, {cross(gap, line), cross(v, line)}, 0, 0)) return {};
+  const Rational reach_e = dot(e, line), reach_f = dot(f, line);
+  const Rational low = std::min<Rational>(0, reach_e) - std::max<Rational>(0, reach_f);
+  const Rational high = std::max<Rational>(0, reach_e) - std::min<Rational>(0, reach_f);
+  if (cut(asked, {dot(gap, line), dot(v, line)}, low, high)) return asked;
+  return {};
+}
+
+/// By how many rings' edges a ray to the right is crossed. Requires: on no edge.
+bool is_within(const Place& place, const Region& region) {
+  bool within = false;
+  for (const auto& ring : region)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Place a = place_of(ring[i]), b = place_of(ring[(i + 1) % ring.size()]);
+      if ((a.y > place.y) == (b.y > place.y)) continue;
+      const Rational side = cross(b - a, place - a);
+      if ((side > 0) == (b.y > a.y)) within = !within;
+    }
+  return within;
+}
+
+/// Some corner of a ring of `inner`, moved by `shift`, is within `outer`.
+bool holds_one(const Region& outer, const Region& inner, const Place& shift) {
+  return std::any_of(inner.begin(), inner.end(), [&](const auto& ring) {
+    const Place corner = place_of(ring[0]);
+    return is_within({corner.x + shift.x, corner.y + shift.y}, outer);
+  });
+}
+
+class Scene {
+ public:
+  Scene(const Region& a, const Region& b, const Place& place, const Place& velocity, const Stretch& asked)
+      : a_(a), b_(b), place_(place), velocity_(velocity), asked_(asked) {}
+
+  std::optional<Stretch> first_contact() {
+    meet_boundaries();
+    fill_gaps();
+    if (contacts_.empty()) return {};
+    std::sort(contacts_.begin(), contacts_.end(),
+              [](const Stretch& s, const Stretch& t) { return s.begin < t.begin; });
+    Stretch first = contacts_[0];
+    for (const Stretch& s : contacts_)
+      if (s.begin <= first.end && first.end < s.end) first.end = s.end;
+    return first;
+  }
+
+ private:
+  void meet_boundaries() {
+    for (const auto& ring_a : a_)
+      for (std::size_t i = 0; i < ring_a.size(); ++i)
+        for (const auto& ring_b : b_)
+          for (std::size_t j = 0; j < ring_b.size(); ++j) {
+            const Place p = place_of(ring_a[i]), q = place_of(ring_b[j]);
+            const Place e = place_of(ring_a[(i + 1) % ring_a.size()]) - p;
+            const Place f = place_of(ring_b[(j + 1) % ring_b.size()]) - q;
+            if (const auto met = meeting(p, e, q, f, place_, velocity_, asked_)) contacts_.push_back(*met);
+          }
+  }
+
+  /// Where no boundaries meet, nothing enters or leaves.
+  void fill_gaps() {
+    std::vector<Stretch> met = contacts_;
+    std::sort(met.begin(), met.end(), [](const Stretch& s, const Stretch& t) { return s.begin < t.begin; });
+    Rational reached = asked_.begin;
+    for (const Stretch& s : met) {
+      if (reached < s.begin) fill(reached, s.begin);
+      reached = std::max(reached, s.end);
+    }
+    if (reached < asked_.end || met.empty()) fill(reached, asked_.end);
+  }
+
+  void fill(const Rational& begin, const Rational& end) {
+    const Rational moment = (begin + end) / 2;
+    const Place d{place_.x + moment * velocity_.x, place_.y + moment * velocity_.y}, back{-d.x, -d.y};
+    if (holds_one(a_, b_, d) || holds_one(b_, a_, back)) contacts_.push_back({begin, end});
+  }
+
+  const Region &a_, &b_;
+  const Place &place_, &velocity_;
+  const Stretch asked_;
+  std::vector<Stretch> contacts_;
+};
+
+}  // namespace
+
+std::optional<Stretch> first_contact(const Region& a, const Region& b, const Place& place,
+                                     const Place& velocity, const Stretch& asked) {
+  return Scene(a, b, place, velocity, asked).first_contact();
+}
+
+bool is_rounded(double value, const Rational& exact) {
+  const double inf = std::numeric_limits<double>::infinity();
+  const Rational here(value);
+  const Rational low = (here + Rational(std::nextafter(value, -inf))) / 2;
+  const Rational high = (here + Rational(std::nextafter(value, inf))) / 2;
+  const bool even = std::bit_cast<std::uint64_t>(value) % 2 == 0;
+  return even ? low <= exact && exact <= high : low < exact && exact < high;
+}
+
+}  // namespace foresee::contact::oracle
