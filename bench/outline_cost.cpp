@@ -13,6 +13,7 @@
 
 #include "contact/outline_contact.h"
 #include "measure.h"
+#include "motion/swept_box.h"
 #include "plain_outline.h"
 #include "program.h"
 #include "shape/outline/convex_pieces.h"

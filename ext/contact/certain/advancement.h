@@ -10,16 +10,11 @@
 #include <cstdint>
 
 #include "contact/certain/certain_set.h"
+#include "contact/certain/leaps.h"
 
 namespace foresee::contact {
 
 enum class Verdict : std::uint8_t { no, yes, uncertain };
-
-/// A crossing that is certain: apart (or within) up to `before`, the opposite at `after`. Both equal the
-/// limit where there is none.
-struct Bracket {
-  double before = 0, after = 0;
-};
 
 template <int D, int Degree>
 class Advancement {
@@ -80,45 +75,14 @@ class Advancement {
   CertainSet<D, Degree>& certain() { return certain_; }
 
  private:
-  static constexpr int most_leaps = 48;
-
-  static double after_leap(double tau, double step) {
-    return (tau + step) * (1 - 4 * unit_roundoff) - 0x1p-1060;
-  }
-
   static double room_from(double tau, double end) { return (end - tau) * (1 + 4 * unit_roundoff); }
   /// CertainSet::apart(), up to near_end_.
   double apart(double tau) { return certain_.apart(tau, room_from(tau, near_end_)); }
 
-  /// The moment up to which what `ask` tells stays certain; for_ever if it does for the whole of [tau, end].
-  template <class Ask>
-  static double leap(Ask&& ask, double tau, double end) {
-    for (int leaps = 0; leaps < most_leaps; ++leaps) {
-      const double step = ask(tau);
-      if (!(step >= 0)) return tau;
-      const double next = after_leap(tau, step);
-      if (next > end) return for_ever;
-      if (!(next > tau)) return tau;
-      tau = next;
-      if (step < 0x1p-40 * tau) return tau;  // as near to the crossing as a bracket needs to be
-    }
-    return tau;
-  }
-
-  /// Looks just behind bracket.before for a moment at which `ask` is certain: if there is one, it is
-  /// bracket.after.
+  /// leaps.h, up to the moments that certainly count.
   template <class Ask>
   bool witness(Ask&& ask, Bracket& bracket, double earliest) const {
-    double step = bracket.before > 0 ? 0x1p-48 * bracket.before : 0x1p-60 * inner_end_;
-    for (int attempt = 0; attempt < 9; ++attempt, step *= 64) {
-      const double tau = std::max(bracket.before + (attempt == 0 ? 0 : step), earliest);
-      if (tau > inner_end_) break;
-      if (!ask(tau)) continue;
-      bracket.after = tau;
-      return true;
-    }
-    bracket.after = inner_end_;
-    return inner_end_ >= earliest && ask(inner_end_);
+    return contact::witness(ask, bracket, earliest, inner_end_);
   }
 
   CertainSet<D, Degree> certain_;

@@ -1,5 +1,9 @@
 // What must hold while two pieces touch: each condition a polynomial in time that is at most 0 then, written
 // once for every number type.
+//
+// Two pieces touch while d is inside of all edges of their sum. If R is how near counts as touching, it may
+// also be beside an edge and at most R from its line, or at most R from a corner: the sum grown by R is the
+// union of these.
 #pragma once
 
 #include "contact/outline/convex_sum.h"
@@ -7,10 +11,24 @@
 
 namespace foresee::contact {
 
-/// d is inside of an edge of the sum, or below a face across z.
 struct Condition {
+  enum class Kind : std::uint8_t {
+    edge,    ///< inside of it
+    side,    ///< at most R from its line
+    foot,    ///< beside it, seen from its begin (sign -1) or its end (1)
+    corner,  ///< at most R from its begin
+    height   ///< between the faces across z, below the upper (1) or above the lower (-1)
+  };
+  Kind kind = Kind::edge;
+  int sign = 1;
   SumEdge edge = {};
-  int along_z = 0;  ///< not 0: the face on this side of z, and no edge
+};
+
+/// What the rows of a pair say beside the pieces, and the question: R, and how far apart the centres are
+/// along z that just touch.
+template <class T>
+struct PairSizes {
+  T radius, height;
 };
 
 /// Where an object's half height stands in its row: that of a prism, cylinder or box.
@@ -18,23 +36,57 @@ inline int place_of_half_height(const Offsets& at) {
   return at.hz != Offsets::absent || at.half == Offsets::absent ? at.hz : at.half + 2;
 }
 
-/// How far apart two centres are along z that just touch.
 template <class T>
-T half_height_of(const Setup& setup, const double* row_a, const double* row_b) {
-  using E = Exactly<T>;
-  return E::number(value_or(row_a, place_of_half_height(setup.a.at), 0)) +
-         E::number(value_or(row_b, place_of_half_height(setup.b.at), 0)) + E::number(setup.within_z);
+PairSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
+  const auto sum = [&](int place_a, int place_b, double more) {
+    using E = Exactly<T>;
+    return E::number(value_or(row_a, place_a, 0)) + E::number(value_or(row_b, place_b, 0)) + E::number(more);
+  };
+  PairSizes<T> sizes{sum(setup.a.at.r, setup.b.at.r, setup.within), {}};
+  if (setup.a.layout.axes == 3)
+    sizes.height = sum(place_of_half_height(setup.a.at), place_of_half_height(setup.b.at), setup.within_z);
+  return sizes;
 }
 
-/// `x`: d by powers of the time after some moment.
-template <int K, int D, class T>
-Powers<T, K> polynomial_of(const Condition& condition, const Powers<T, K> (&x)[D], const T& half_height) {
-  if (condition.along_z == 0) return beyond<K>(condition.edge, x);
-  Powers<T, K> p = x[D - 1];
-  if (condition.along_z < 0)
-    for (T& c : p) c = -c;
-  p[0] = p[0] - half_height;
+/// The square of its line, or of the gap to its corner, minus that of R. Requires: of kind side or corner.
+template <int K, class T>
+Powers<T, 2 * K> round_polynomial(const Condition& condition, const Powers<T, K>* x, const T& radius) {
+  Powers<T, 2 * K> p{};
+  if (condition.kind == Condition::Kind::side) {
+    const Powers<T, K> line = beyond<K>(condition.edge, x);
+    p[0] = square(line[0]) - square(radius) * squared_length<T>(condition.edge);
+    add_square_above<K>(p, line);
+    return p;
+  }
+  p[0] = -square(radius);
+  for (int j = 0; j < 2; ++j) {
+    Powers<T, K> gap = x[j];
+    gap[0] = gap[0] - begin_of<T>(condition.edge, j);
+    p[0] = p[0] + square(gap[0]);
+    add_square_above<K>(p, gap);
+  }
   return p;
+}
+
+/// Gives `take` the polynomial of a condition. `x`: d by powers of the time after some moment.
+template <int K, class T, std::size_t D, class Take>
+auto with_polynomial(const Condition& condition, const std::array<Powers<T, K>, D>& x,
+                     const PairSizes<T>& sizes, Take&& take) {
+  switch (condition.kind) {
+    case Condition::Kind::edge:
+      return take(beyond<K>(condition.edge, x.data()));
+    case Condition::Kind::foot:
+      return take(past<K>(condition.edge, condition.sign, x.data()));
+    case Condition::Kind::height: {
+      Powers<T, K> p = x[D - 1];
+      if (condition.sign < 0)
+        for (T& c : p) c = -c;
+      p[0] = p[0] - sizes.height;
+      return take(p);
+    }
+    default:
+      return take(round_polynomial<K>(condition, x.data(), sizes.radius));
+  }
 }
 
 }  // namespace foresee::contact

@@ -62,15 +62,46 @@ class ConvexSum {
 /// The sign of the cross product of two directions, from a to b and from c to d, exactly.
 int sign_of_turn(const Corner& a, const Corner& b, const Corner& c, const Corner& d);
 
-/// How far d is beyond an edge, in lengths of the edge: at most 0 inside. `x`: d by powers of time.
+/// Where it begins, on an axis.
+template <class T>
+T begin_of(const SumEdge& edge, int axis) {
+  return axis == 0 ? Exactly<T>::difference_of(edge.p->x, edge.q->x)
+                   : Exactly<T>::difference_of(edge.p->y, edge.q->y);
+}
+/// How far it runs along an axis: its direction, which may be longer than the edge.
+template <class T>
+T run_of(const SumEdge& edge, int axis) {
+  return axis == 0 ? Exactly<T>::difference_of(edge.to->x, edge.from->x)
+                   : Exactly<T>::difference_of(edge.to->y, edge.from->y);
+}
+template <class T>
+T squared_length(const SumEdge& edge) {
+  return square(run_of<T>(edge, 0)) + square(run_of<T>(edge, 1));
+}
+
+/// How far d is beyond an edge, to its right, in lengths of its direction: at most 0 inside. `x`: d by powers
+/// of time.
 template <int K, class T>
 Powers<T, K> beyond(const SumEdge& edge, const Powers<T, K>* x) {
-  using E = Exactly<T>;
-  const T ex = E::difference_of(edge.to->x, edge.from->x), ey = E::difference_of(edge.to->y, edge.from->y);
+  const T ex = run_of<T>(edge, 0), ey = run_of<T>(edge, 1);
   Powers<T, K> p{};
-  p[0] = ey * (x[0][0] - E::difference_of(edge.p->x, edge.q->x)) -
-         ex * (x[1][0] - E::difference_of(edge.p->y, edge.q->y));
+  p[0] = ey * (x[0][0] - begin_of<T>(edge, 0)) - ex * (x[1][0] - begin_of<T>(edge, 1));
   for (int k = 1; k <= K; ++k) p[k] = ey * x[0][k] - ex * x[1][k];
+  return p;
+}
+
+/// How far d is past the end of an edge (sign 1), or before its begin (-1), likewise.
+template <int K, class T>
+Powers<T, K> past(const SumEdge& edge, int sign, const Powers<T, K>* x) {
+  using E = Exactly<T>;
+  const T ex = run_of<T>(edge, 0), ey = run_of<T>(edge, 1);
+  const Corner &p_at = sign > 0 ? *edge.p_end : *edge.p, &q_at = sign > 0 ? *edge.q_end : *edge.q;
+  Powers<T, K> p{};
+  p[0] =
+      ex * (x[0][0] - E::difference_of(p_at.x, q_at.x)) + ey * (x[1][0] - E::difference_of(p_at.y, q_at.y));
+  for (int k = 1; k <= K; ++k) p[k] = ex * x[0][k] + ey * x[1][k];
+  if (sign < 0)
+    for (T& c : p) c = -c;
   return p;
 }
 

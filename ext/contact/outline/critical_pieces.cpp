@@ -7,7 +7,10 @@ namespace {
 
 class Critical {
  public:
-  explicit Critical(const Setup& setup) {
+  ContactSet set;
+
+  explicit Critical(const Setup& setup)
+      : radius_(set.sum(set.in_both(setup.a.at.r, setup.b.at.r), set.given(setup.within))) {
     if (setup.a.layout.axes < 3) return;
     const int heights = set.in_both(place_of_half_height(setup.a.at), place_of_half_height(setup.b.at));
     const Size size{set.sum(heights, set.given(setup.within_z))};
@@ -15,27 +18,54 @@ class Critical {
   }
 
   void add(const ConvexPiece& a, const ConvexPiece& b) {
-    Conditions piece{.all = along_z_};
+    Conditions inside{.all = along_z_};
     SumEdge edge;
-    for (ConvexSum sum(a, b); sum.next(edge);) piece.all.push_back(inside_of(edge));
-    set.add_piece(piece);
+    for (ConvexSum sum(a, b); sum.next(edge);) {
+      inside.all.push_back(set.half_space(line_of(edge), {}));
+      if (radius_ != no_length) add_rounded(edge);
+    }
+    set.add_piece(inside);
   }
-
-  ContactSet set;
 
  private:
-  int difference(double a, double b) { return set.difference(set.given(a), set.given(b)); }
+  using Line = std::array<AxisPart, 2>;
 
-  int inside_of(const SumEdge& edge) {
-    const AxisPart line[] = {
-        {.axis = 0, .at = {difference(edge.p->x, edge.q->x)}, .normal = difference(edge.to->y, edge.from->y)},
-        {.axis = 1,
-         .sign = -1,
-         .at = {difference(edge.p->y, edge.q->y)},
-         .normal = difference(edge.to->x, edge.from->x)}};
-    return set.half_space(line, {});
+  /// Beside an edge, and around the corner at its begin.
+  void add_rounded(const SumEdge& edge) {
+    Conditions beside{.all = along_z_}, around{.all = along_z_};
+    for (const int sign : {-1, 1}) beside.all.push_back(set.half_space(foot_of(edge, sign), {}));
+    beside.ball = set.strip(line_of(edge), radius_);
+    beside.all.push_back(beside.ball);
+    set.add_piece(beside);
+    const Size x{difference(edge.p->x, edge.q->x)}, y{difference(edge.p->y, edge.q->y)};
+    around.ball = set.ball(Line{{{.axis = 0, .at = x}, {.axis = 1, .at = y}}}, {radius_});
+    around.all.push_back(around.ball);
+    set.add_piece(around);
   }
 
+  int difference(double a, double b) { return set.difference(set.given(a), set.given(b)); }
+  /// Numbers of both lengths of its direction.
+  std::array<int, 2> run_of(const SumEdge& edge) {
+    return {difference(edge.to->x, edge.from->x), difference(edge.to->y, edge.from->y)};
+  }
+
+  /// As beyond() and past() of convex_sum.h have them.
+  Line line_of(const SumEdge& edge) {
+    const auto [ex, ey] = run_of(edge);
+    return through(edge.p, edge.q, {.axis = 0, .normal = ey}, {.axis = 1, .sign = -1, .normal = ex});
+  }
+  Line foot_of(const SumEdge& edge, int sign) {
+    const auto [ex, ey] = run_of(edge);
+    return through(sign > 0 ? edge.p_end : edge.p, sign > 0 ? edge.q_end : edge.q,
+                   {.axis = 0, .sign = sign, .normal = ex}, {.axis = 1, .sign = sign, .normal = ey});
+  }
+  Line through(const Corner* p, const Corner* q, const AxisPart& x, const AxisPart& y) {
+    Line line{x, y};
+    line[0].at = {difference(p->x, q->x)}, line[1].at = {difference(p->y, q->y)};
+    return line;
+  }
+
+  const int radius_;
   std::vector<int> along_z_;
 };
 

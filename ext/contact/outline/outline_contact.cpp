@@ -86,6 +86,7 @@ class OutlineContact final : public Contact {
   void take_pieces(const Pair& pair) {
     take(a_, setup_.a, outlines_.a, pair.a);
     take(b_, setup_.b, outlines_.b, pair.b);
+    if (a_.is_point() && b_.is_point()) a_.take_box(0, 0);  // a sum needs edges
   }
 
   /// The first contact that ends at `from` or later, exactly. `from` is before all contact, or within one,

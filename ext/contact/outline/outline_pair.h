@@ -21,9 +21,10 @@ class OutlinePair {
       : moments_(moments),
         relative_(certain_motion_of<D, Degree>(setup, row_a, row_b)),
         asked_(asked_of(moments)),
-        tests_(a, b, relative_, asked_, half_height_of<Bounded>(setup, row_a, row_b), times_wanted, space),
-        walk_(a, b, relative_, {asked_.begin.low, asked_.end.high}, 0),
-        instants_(setup, row_a, row_b, relative_, moments_, asked_) {}
+        sizes_(sizes_of<Bounded>(setup, row_a, row_b)),
+        tests_(a, b, relative_, asked_, sizes_, times_wanted, space),
+        walk_(a, b, relative_, {asked_.begin.low, asked_.end.high}, sizes_.radius),
+        instants_(setup, row_a, row_b, relative_, sizes_, moments_, asked_) {}
 
   Verdict touches() {
     bool met = false;
@@ -197,6 +198,7 @@ class OutlinePair {
   const Moments& moments_;
   const CertainMotion<D> relative_;
   const Stay asked_;
+  const PairSizes<Bounded> sizes_;
   PieceTests<D, Degree> tests_;
   const TreeWalk<D> walk_;
   StayInstants<D, Degree> instants_;

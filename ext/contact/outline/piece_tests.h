@@ -38,31 +38,43 @@ struct PieceSpace {
   };
   std::vector<Tested> tested;
   std::vector<PieceStay> stays;
-  std::vector<StayEnd> ends, all_ends;
+  std::vector<StayEnd> ends;
+  // Of the part at hand:
+  std::vector<SumEdge> edges;
+  std::vector<StayEnd> all_ends;
   Stays clipped;
 
   void clear() { tested.clear(), stays.clear(), ends.clear(); }
 };
 
+/// The relative motion by powers of the time after tau.
+template <int Degree, int D>
+std::array<Powers<Bounded, Degree>, D> seen_from(const CertainMotion<D>& relative, double tau) {
+  std::array<Powers<Bounded, Degree>, D> x;
+  for (std::size_t j = 0; j < D; ++j) {
+    const AxisView<> view = view_from<Degree>(relative.axis[j], tau, relative.underflow);
+    x[j][0] = {view.p, view.ep}, x[j][1] = {view.q, view.eq};
+    if constexpr (Degree > 1) x[j][2] = {view.a, view.ea};
+  }
+  return x;
+}
+
 template <int D, int Degree>
 class PieceTests {
  public:
-  /// `asked`: the moments asked about, enclosed. `half_height`: of both together, along z.
+  /// `asked`: the moments asked about, enclosed.
   PieceTests(const Pieces& a, const Pieces& b, const CertainMotion<D>& relative, const Stay& asked,
-             const Bounded& half_height, bool with_ends, PieceSpace& space)
+             const PairSizes<Bounded>& sizes, bool with_ends, PieceSpace& space)
       : a_(a),
         b_(b),
+        relative_(relative),
         asked_(asked),
-        half_height_(half_height),
+        sizes_(sizes),
         lost_(relative.underflow + 0x1p-1060),
         with_ends_(with_ends),
-        space_(space) {
+        space_(space),
+        x_(seen_from<Degree>(relative, 0)) {
     space.clear();
-    for (int j = 0; j < D; ++j) {
-      const CertainAxisMotion<double>& r = relative.axis[j];
-      x_[j][0] = {r.x, r.ex}, x_[j][1] = {r.v, r.ev};
-      if constexpr (Degree > 1) x_[j][2] = {r.a, r.ea};
-    }
   }
 
   /// The stays of two pieces.
@@ -80,35 +92,100 @@ class PieceTests {
   const PieceSpace::Tested& pair_of(const PieceStay& stay) const { return space_.tested[stay.tested]; }
 
  private:
+  using Kind = Condition::Kind;
+
   [[gnu::noinline]] std::span<const PieceStay> test(std::size_t a, std::size_t b) {
-    const auto number = static_cast<std::uint32_t>(space_.tested.size());
-    const auto first = static_cast<std::uint32_t>(space_.stays.size());
-    clip(a_.piece(a), b_.piece(b));
+    space_.tested.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
+                             static_cast<std::uint32_t>(space_.stays.size()), 0});
+    begin_part();
+    if constexpr (D == 3)
+      for (const int side : {-1, 1}) keep({.kind = Kind::height, .sign = side});
+    if (sizes_.radius.value > 0)
+      test_grown(a_.piece(a), b_.piece(b));
+    else
+      test_as_they_are(a_.piece(a), b_.piece(b));
+    auto& tested = space_.tested.back();
+    tested.stay_count = static_cast<std::uint32_t>(space_.stays.size()) - tested.first_stay;
+    return std::span(space_.stays).subspan(tested.first_stay, tested.stay_count);
+  }
+
+  void test_as_they_are(const ConvexPiece& a, const ConvexPiece& b) {
+    Condition condition;
+    for (ConvexSum sum(a, b); !space_.clipped.empty() && sum.next(condition.edge);) keep(condition);
+    end_part();
+  }
+
+  /// First the polygon that R moves the edges out to, which is more; then all parts of the grown sum.
+  void test_grown(const ConvexPiece& a, const ConvexPiece& b) {
+    space_.edges.clear();
+    SumEdge edge;
+    const std::size_t ends = space_.all_ends.size();
+    for (ConvexSum sum(a, b); !space_.clipped.empty() && sum.next(edge);) {
+      space_.edges.push_back(edge);
+      keep_line({.kind = Kind::side, .edge = edge}, 1);
+    }
+    if (space_.clipped.empty()) return;
+    space_.all_ends.resize(ends);
+    const Stays outer = space_.clipped;
+    for (const SumEdge& one : space_.edges) keep({.edge = one});
+    end_part();
+    for (const SumEdge& one : space_.edges) {
+      space_.clipped = outer, space_.all_ends.resize(ends);
+      for (const int side : {-1, 1}) keep({.kind = Kind::foot, .sign = side, .edge = one});
+      for (const int side : {-1, 1}) keep_line({.kind = Kind::side, .edge = one}, side);
+      end_part();
+      space_.clipped = outer, space_.all_ends.resize(ends);
+      keep({.kind = Kind::corner, .edge = one});
+      end_part();
+    }
+  }
+
+  void begin_part() {
+    space_.clipped.begin(asked_);
+    space_.all_ends.clear();
+  }
+
+  /// What all conditions leave of the time asked about joins the stays.
+  void end_part() {
     for (const Stay& stay : space_.clipped) {
       const auto first_end = static_cast<std::uint32_t>(space_.ends.size());
       for (const StayEnd& end : space_.all_ends)
         if (end.at.meets(end.way == Way::in ? stay.begin : stay.end)) space_.ends.push_back(end);
-      space_.stays.push_back(
-          {stay, number, first_end, static_cast<std::uint32_t>(space_.ends.size()) - first_end});
+      space_.stays.push_back({stay, static_cast<std::uint32_t>(space_.tested.size() - 1), first_end,
+                              static_cast<std::uint32_t>(space_.ends.size()) - first_end});
     }
-    const auto count = static_cast<std::uint32_t>(space_.stays.size()) - first;
-    space_.tested.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b), first, count});
-    return std::span(space_.stays).subspan(first, count);
-  }
-
-  /// What all conditions leave of the time asked about.
-  void clip(const ConvexPiece& a, const ConvexPiece& b) {
-    space_.clipped.begin(asked_);
-    space_.all_ends.clear();
-    Condition condition;
-    if constexpr (D == 3)
-      for (const int side : {-1, 1}) keep({.along_z = side});
-    for (ConvexSum sum(a, b); !space_.clipped.empty() && sum.next(condition.edge);) keep(condition);
   }
 
   void keep(const Condition& condition) {
-    const Inside inside =
-        contact::inside(polynomial_of<Degree>(condition, x_, half_height_), lost_, asked_.end.high);
+    if (space_.clipped.empty()) return;
+    if (Degree > 1 && condition.kind == Kind::corner)
+      return keep(condition,
+                  inside_by_leaps([&](double tau) { return around_corner(condition, tau); }, lost_, asked_));
+    with_polynomial<Degree>(condition, x_, sizes_, [&](const auto& p) {
+      if constexpr (std::tuple_size_v<std::decay_t<decltype(p)>> < 5)
+        keep(condition, inside(p, lost_, asked_.end.high));
+    });
+  }
+
+  /// A condition of kind side by the line at distance R on one side, which has fewer powers.
+  void keep_line(const Condition& condition, int side) {
+    if (space_.clipped.empty()) return;
+    Powers<Bounded, Degree> p = beyond<Degree>(condition.edge, x_.data());
+    if (side < 0)
+      for (Bounded& c : p) c = -c;
+    p[0] = p[0] - sizes_.radius * sqrt(squared_length<Bounded>(condition.edge));
+    keep(condition, inside(p, lost_, asked_.end.high));
+  }
+
+  Powers<Bounded, 4> around_corner(const Condition& condition, double tau) const {
+    const auto x = seen_from<Degree>(relative_, tau);
+    const auto p = round_polynomial<Degree>(condition, x.data(), sizes_.radius);
+    Powers<Bounded, 4> all{};
+    std::copy(p.begin(), p.end(), all.begin());
+    return all;
+  }
+
+  void keep(const Condition& condition, const Inside& inside) {
     space_.clipped.keep(inside);
     if (!with_ends_) return;
     for (int i = 0; i < inside.count; ++i) {
@@ -119,12 +196,13 @@ class PieceTests {
   }
 
   const Pieces &a_, &b_;
+  const CertainMotion<D>& relative_;
   const Stay asked_;
-  const Bounded half_height_;
+  const PairSizes<Bounded> sizes_;
   const double lost_;
   const bool with_ends_;
   PieceSpace& space_;
-  Powers<Bounded, Degree> x_[D];
+  const std::array<Powers<Bounded, Degree>, D> x_;  ///< the motion from now on
 };
 
 }  // namespace foresee::contact

@@ -16,8 +16,14 @@ template <int D, int Degree>
 class StayInstants {
  public:
   StayInstants(const Setup& setup, const double* row_a, const double* row_b, const CertainMotion<D>& certain,
-               const Moments& moments, const Stay& asked)
-      : setup_(setup), row_a_(row_a), row_b_(row_b), certain_(certain), moments_(moments), asked_(asked) {}
+               const PairSizes<Bounded>& sizes, const Moments& moments, const Stay& asked)
+      : setup_(setup),
+        row_a_(row_a),
+        row_b_(row_b),
+        certain_(certain),
+        moments_(moments),
+        asked_(asked),
+        sizes_(sizes) {}
 
   /// Requires: the stay is certain, and these are its ends.
   Instant begin(const Stay& stay, std::span<const StayEnd> ends) {
@@ -38,37 +44,41 @@ class StayInstants {
  private:
   template <Way way>
   Instant instant(const StayEnd& end) {
-    const double base = std::clamp(end.at.low + 0.5 * (end.at.high - end.at.low), 0.0, asked_.end.high);
     const double width = (end.at.high - end.at.low) * (1 + 4 * unit_roundoff);
-    Powers<Bounded, Degree> x[D];
-    Powers<DoubleDouble, 0> place[D];
-    const auto& relative = this->relative();
-    for (int j = 0; j < D; ++j) {
-      const AxisView<> view = view_from<Degree>(certain_.axis[j], base, certain_.underflow);
-      x[j][0] = {view.p, view.ep}, x[j][1] = {view.q, view.eq};
-      if constexpr (Degree > 1) x[j][2] = {view.a, view.ea};
-      const DoubleDouble tau{base, 0};
-      place[j][0] = relative.x[j] + tau * (relative.v[j] + tau * relative.a[j]);
+    const double base = std::clamp(end.at.low + 0.5 * width, 0.0, asked_.end.high);
+    const auto place = place_at(base);
+    const DoubleDouble value =
+        with_polynomial<0>(end.condition, place, *fine_sizes_, [](const auto& p) { return p[0]; });
+    return with_polynomial<Degree>(
+        end.condition, seen_from<Degree>(certain_, base), sizes_, [&](const auto& p) {
+          const double lost = certain_.underflow + 0x1p-1060, slope = p[1].value;
+          // DoubleDouble loses at most 2^-97 of what the double bound counts in 2^-53.
+          const double error = p[0].error_bound(lost) * 0x1p-44 + certain_.underflow;
+          const double span = std::max(width, 2 * std::abs(value.high / slope));
+          return root_of<way>({value, error, slope, p[1].error_bound(lost), bend(p, lost, span)},
+                              setup_.horizon.now, base, width);
+        });
+  }
+
+  /// Bound on |p''| / 2 for so long.
+  template <std::size_t N>
+  static double bend(const std::array<Bounded, N>& p, double lost, double span) {
+    double bend = 0, weight = 1;
+    for (std::size_t k = 2; k < N; ++k, weight *= span)
+      bend += weight * static_cast<double>(k * (k - 1)) * (std::abs(p[k].value) + p[k].error_bound(lost));
+    return bend;
+  }
+
+  std::array<Powers<DoubleDouble, 0>, D> place_at(double tau) {
+    if (!fine_sizes_) {
+      fine_sizes_ = sizes_of<DoubleDouble>(setup_, row_a_, row_b_);
+      relative_ = relative_motion_of<DoubleDouble, D>(setup_, row_a_, row_b_);
     }
-    const Powers<Bounded, Degree> p = polynomial_of<Degree>(end.condition, x, half_height<Bounded>());
-    const DoubleDouble value = polynomial_of<0>(end.condition, place, half_height<DoubleDouble>())[0];
-    // DoubleDouble loses at most 2^-97 of what the double bound counts in 2^-53.
-    const double lost = certain_.underflow + 0x1p-1060;
-    double bend = 0;
-    if constexpr (Degree > 1) bend = std::abs(p[2].value) + p[2].error_bound(lost);
-    return root_of<way>({value, p[0].error_bound(lost) * 0x1p-44 + certain_.underflow, p[1].value,
-                         p[1].error_bound(lost), bend},
-                        setup_.horizon.now, base, width);
-  }
-
-  template <class T>
-  T half_height() const {
-    return D < 3 ? T{} : half_height_of<T>(setup_, row_a_, row_b_);
-  }
-
-  const RelativeMotion<DoubleDouble, D>& relative() {
-    if (!relative_) relative_ = relative_motion_of<DoubleDouble, D>(setup_, row_a_, row_b_);
-    return *relative_;
+    std::array<Powers<DoubleDouble, 0>, D> place;
+    const DoubleDouble t{tau, 0};
+    for (std::size_t j = 0; j < D; ++j)
+      place[j][0] = relative_.x[j] + t * (relative_.v[j] + t * relative_.a[j]);
+    return place;
   }
 
   const Setup& setup_;
@@ -76,7 +86,9 @@ class StayInstants {
   const CertainMotion<D>& certain_;
   const Moments& moments_;
   const Stay& asked_;
-  std::optional<RelativeMotion<DoubleDouble, D>> relative_;
+  const PairSizes<Bounded>& sizes_;
+  std::optional<PairSizes<DoubleDouble>> fine_sizes_;  ///< and the motion, once they are needed
+  RelativeMotion<DoubleDouble, D> relative_;
 };
 
 }  // namespace foresee::contact

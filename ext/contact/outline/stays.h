@@ -14,6 +14,7 @@
 #include <limits>
 #include <vector>
 
+#include "contact/certain/leaps.h"
 #include "numbers/powers.h"
 
 namespace foresee::contact {
@@ -50,6 +51,11 @@ struct Inside {
 Inside inside(const Powers<Bounded, 1>& p, double lost, double length);
 Inside inside(const Powers<Bounded, 2>& p, double lost, double length);
 
+/// The same for degree 4, which has no formula: in leaps over [asked.begin.low, asked.end.high].
+/// polynomial_at(tau): by powers of the time after tau.
+template <class PolynomialAt>
+Inside inside_by_leaps(PolynomialAt&& polynomial_at, double lost, const Stay& asked);
+
 class Stays {
  public:
   /// Begins anew, with one stay.
@@ -64,5 +70,37 @@ class Stays {
  private:
   std::vector<Stay> list_, kept_;
 };
+
+template <class PolynomialAt>
+Inside inside_by_leaps(PolynomialAt&& polynomial_at, double lost, const Stay& asked) {
+  const double last = asked.end.high;
+  const auto lasts = [&](double side) {
+    return [&polynomial_at, side, lost, last](double tau) {
+      return positive_during(polynomial_at(tau), side, lost, (last - tau) * (1 + 4 * unit_roundoff));
+    };
+  };
+  const auto is_certain = [&](double side) {
+    return [&polynomial_at, side, lost](double tau) {
+      const Bounded now = polynomial_at(tau)[0];
+      return side * now.value > now.error_bound(lost);
+    };
+  };
+  Inside found = Inside::never();
+  double tau = asked.begin.low;
+  while (found.count < 2) {
+    Bracket in, out;
+    in.before = leap(lasts(1), tau, last);
+    if (in.before == for_ever) break;
+    Stay& stay = found.list[static_cast<std::size_t>(found.count++)];
+    stay = {{in.before, Stay::inf}, {-Stay::inf, Stay::inf}};
+    if (!witness(is_certain(-1), in, in.before, last)) break;
+    stay.begin = in.after > asked.begin.low ? Enclosure{in.before, in.after} : Stay::always().begin;
+    out.before = leap(lasts(-1), in.after, last);
+    stay.end.low = std::min(out.before, Stay::inf);
+    if (out.before == for_ever || !witness(is_certain(1), out, out.before, last)) break;
+    stay.end.high = tau = out.after;
+  }
+  return found;
+}
 
 }  // namespace foresee::contact

@@ -24,7 +24,7 @@ class TreeWalk {
  public:
   /// `asked`: the moments asked about; `grown`: how near counts as touching.
   TreeWalk(const Pieces& a, const Pieces& b, const CertainMotion<D>& relative, const Period<double>& asked,
-           double grown)
+           const Bounded& grown)
       : a_(a), b_(b), chord_(relative, asked.end), asked_(asked), grown_(grown) {}
 
   /// Gives `visit` every pair of pieces that could touch, as long as `wanted`, which is asked again and
@@ -70,9 +70,8 @@ class TreeWalk {
     const Box<2>&box_a = a_.box(a), &box_b = b_.box(b);
     Bounded reach[4];
     for (int j = 0; j < 2; ++j) {
-      reach[2 * j].value = (box_b.upper[j] - box_a.lower[j]) + grown_;
-      reach[2 * j + 1].value = (box_a.upper[j] - box_b.lower[j]) + grown_;
-      for (int i : {2 * j, 2 * j + 1}) reach[i].error = 0;
+      reach[2 * j] = Bounded{box_b.upper[j]} - Bounded{box_a.lower[j]} + grown_;
+      reach[2 * j + 1] = Bounded{box_a.upper[j]} - Bounded{box_b.lower[j]} + grown_;
     }
     return chord_.between(faces, 2, reach, asked);
   }
@@ -80,7 +79,7 @@ class TreeWalk {
   const Pieces &a_, &b_;
   const Chord<D> chord_;
   const Period<double> asked_;
-  const double grown_;
+  const Bounded grown_;
 };
 
 }  // namespace foresee::contact
