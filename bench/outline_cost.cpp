@@ -1,7 +1,7 @@
 // What does exact contact of outlines cost? Beside a textbook's: all corners of each against all edges of the
 // other, in plain double.
 //
-//   bench_outline_cost [--quick]
+//   bench_outline_cost [--quick] [ships] [stars] [points]
 //
 // Ships of 5 to 11 corners over 600 s, stars of 100 corners over 60 s, points and such a star. The pairs are
 // candidates: their swept boxes meet. Prints nanoseconds of processor time a pair, medians over repetitions
@@ -180,9 +180,8 @@ void compare(const Scene& scene, int repetitions) {
 
 int main_of(const Options& options) {
   const int repetitions = options.has("--quick") ? 3 : 15;
-  compare(ships(400), repetitions);
-  compare(stars(60), repetitions);
-  compare(points(20000), repetitions);
+  for (const std::string& name : options.names({"ships", "stars", "points"}))
+    compare(name == "ships" ? ships(400) : name == "stars" ? stars(60) : points(20000), repetitions);
   return 0;
 }
 

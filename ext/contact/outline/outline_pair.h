@@ -130,19 +130,29 @@ class OutlinePair {
 
   void reach(const Enclosure& end) { last_ = {std::max(last_.low, end.low), std::max(last_.high, end.high)}; }
 
-  /// Whether stays that surely begin before the end so far moved it on.
+  /// Follows the contact along stays that surely begin before its end so far. Whether there may be others,
+  /// among what was passed by because it begins later than the end was then.
   bool goes_on() {
-    if (last_.low >= asked_.end.low) return false;
-    const double before = last_.low;
-    walk_.visit(
-        Order::later_first,
-        [this](const Period<double>& near) { return near.begin <= last_.high && near.end >= last_.low; },
-        [this](std::size_t a, std::size_t b) {
-          for (const PieceStay& stay : tests_.of(a, b))
-            if (is_joined(stay)) reach(stay.end);
-        });
-    return last_.low > before;
+    double passed_by = Stay::inf;
+    const auto wanted = [this, &passed_by](const Period<double>& near) {
+      if (near.end < last_.low || lasts_to_the_end()) return false;
+      if (near.begin <= last_.high) return true;
+      passed_by = std::min(passed_by, near.begin);
+      return false;
+    };
+    walk_.visit(Order::later_first, wanted, [this](std::size_t a, std::size_t b) {
+      for (const PieceStay& stay : tests_.of(a, b))
+        if (is_joined(stay)) reach(stay.end);
+    });
+    for (double before = -Stay::inf; before < last_.low;) {
+      before = last_.low;
+      for (const PieceStay& stay : tests_.all())
+        if (is_joined(stay)) reach(stay.end);
+    }
+    return passed_by <= last_.high;
   }
+
+  bool lasts_to_the_end() const { return last_.low >= asked_.end.high; }
 
   bool is_joined(const PieceStay& stay) const { return stay.is_certain() && stay.begin.high <= last_.low; }
   bool may_end_it(const PieceStay& stay) const { return is_joined(stay) && stay.end.high >= last_.low; }
@@ -185,8 +195,7 @@ class OutlinePair {
   }
 
   Instant latest_end() {
-    if (last_.low >= asked_.end.low && asked_.end.low == asked_.end.high)
-      return {moments_.dt_end, moments_.t_end};
+    if (lasts_to_the_end()) return {moments_.dt_end, moments_.t_end};
     Instant latest{-Stay::inf, -Stay::inf};
     for (const PieceStay& stay : tests_.all()) {
       if (may_continue_it(stay)) return unknown_instant();

@@ -7,37 +7,6 @@ namespace {
 
 constexpr double inf = Stay::inf;
 
-Stay common(const Stay& a, const Stay& b) {
-  return {{std::max(a.begin.low, b.begin.low), std::max(a.begin.high, b.begin.high)},
-          {std::min(a.end.low, b.end.low), std::min(a.end.high, b.end.high)}};
-}
-
-/// With the error in full, so that signs can be read from it.
-Bounded whole(const Bounded& c, double lost) {
-  return {c.value, c.error_bound(lost)};
-}
-
-int sign_of(const Bounded& c) {
-  return c.value > c.error ? 1 : c.value < -c.error ? -1 : 0;
-}
-
-Enclosure enclosure_of(const Bounded& root) {
-  const double error = root.error_bound(0x1p-1060) + 4 * unit_roundoff * std::abs(root.value);
-  if (!(std::abs(root.value) + error < inf)) return {-inf, inf};
-  return {root.value - error, root.value + error};
-}
-
-Inside inside_line(const Bounded& p0, const Bounded& p1, double length) {
-  const int way = sign_of(p1);
-  if (way == 0) {
-    const double moved = length * (std::abs(p1.value) + p1.error) * (1 + 0x1p-40);
-    const int side = sign_of({p0.value, p0.error + moved});
-    return side > 0 ? Inside::never() : Inside::one(side < 0 ? Stay::always() : Stay::in_doubt());
-  }
-  const Enclosure root = enclosure_of(-p0 / p1);
-  return Inside::one(way < 0 ? Stay{root, {inf, inf}} : Stay{{-inf, -inf}, root});
-}
-
 /// Above 0 but for a moment, if at all: where a discriminant is in doubt.
 Inside near_turn(const Bounded& p1, const Bounded& p2, const Bounded& discriminant) {
   const double half = std::sqrt(std::abs(discriminant.value) + discriminant.error);
@@ -47,19 +16,15 @@ Inside near_turn(const Bounded& p1, const Bounded& p2, const Bounded& discrimina
 
 }  // namespace
 
-Inside inside(const Powers<Bounded, 1>& p, double lost, double length) {
-  return inside_line(whole(p[0], lost), whole(p[1], lost), length);
-}
-
 Inside inside(const Powers<Bounded, 2>& p, double lost, double length) {
   if (p[2].value == 0 && p[2].error == 0) return inside(Powers<Bounded, 1>{p[0], p[1]}, lost, length);
-  const Bounded p0 = whole(p[0], lost), p1 = whole(p[1], lost), p2 = whole(p[2], lost);
-  const int lead = sign_of(p2);
+  const Bounded p0 = with_lost(p[0], lost), p1 = with_lost(p[1], lost), p2 = with_lost(p[2], lost);
+  const int lead = certain_sign(p2);
   if (lead == 0) {  // so little bent that it counts as an error
     const double bent = length * length * (std::abs(p2.value) + p2.error) * (1 + 0x1p-40);
     return inside_line({p0.value, p0.error + bent}, p1, length);
   }
-  const Bounded discriminant = whole(square(p1) - twice(twice(p0 * p2)), lost);
+  const Bounded discriminant = with_lost(square(p1) - twice(twice(p0 * p2)), lost);
   if (discriminant.value < -discriminant.error)
     return lead > 0 ? Inside::never() : Inside::one(Stay::always());
   // So far from 0 that nothing below is divided by what may vanish.
@@ -73,7 +38,7 @@ Inside inside(const Powers<Bounded, 2>& p, double lost, double length) {
   return {{Stay{{-inf, -inf}, one}, Stay{other, {inf, inf}}}, 2};
 }
 
-void Stays::keep(const Inside& other) {
+void Stays::keep_each(const Inside& other) {
   kept_.clear();
   for (const Stay& stay : list_)
     for (int i = 0; i < other.count; ++i) {

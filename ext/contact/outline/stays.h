@@ -38,6 +38,26 @@ struct Stay {
   static constexpr Stay in_doubt() { return {{-inf, inf}, {-inf, inf}}; }
 };
 
+/// The error in full, so that signs can be read from it.
+inline Bounded with_lost(const Bounded& c, double lost) {
+  return {c.value, c.error_bound(lost)};
+}
+/// -1, 1, or 0 where the error leaves it open.
+inline int certain_sign(const Bounded& c) {
+  return c.value > c.error ? 1 : c.value < -c.error ? -1 : 0;
+}
+/// Infinite where no double is near.
+inline Enclosure enclosure_of(const Bounded& root) {
+  const double error = root.error_bound(0x1p-1060) + 4 * unit_roundoff * std::abs(root.value);
+  if (!(std::abs(root.value) + error < Stay::inf)) return {-Stay::inf, Stay::inf};
+  return {root.value - error, root.value + error};
+}
+
+inline Stay common(const Stay& a, const Stay& b) {
+  return {{std::max(a.begin.low, b.begin.low), std::max(a.begin.high, b.begin.high)},
+          {std::min(a.end.low, b.end.low), std::min(a.end.high, b.end.high)}};
+}
+
 /// When one polynomial is at most 0: in order, and apart from each other where it is certain.
 struct Inside {
   std::array<Stay, 2> list;
@@ -47,8 +67,22 @@ struct Inside {
   static Inside one(const Stay& stay) { return {{stay}, 1}; }
 };
 
+/// Of p0 + p1 s, with the errors in full: for 0 <= s <= length.
+inline Inside inside_line(const Bounded& p0, const Bounded& p1, double length) {
+  const int way = certain_sign(p1);
+  if (way == 0) {
+    const double moved = length * (std::abs(p1.value) + p1.error) * (1 + 0x1p-40);
+    const int side = certain_sign({p0.value, p0.error + moved});
+    return side > 0 ? Inside::never() : Inside::one(side < 0 ? Stay::always() : Stay::in_doubt());
+  }
+  const Enclosure root = enclosure_of(-p0 / p1);
+  return Inside::one(way < 0 ? Stay{root, Stay::always().end} : Stay{Stay::always().begin, root});
+}
+
 /// For 0 <= s <= length; `lost`: what underflow takes from a coefficient.
-Inside inside(const Powers<Bounded, 1>& p, double lost, double length);
+inline Inside inside(const Powers<Bounded, 1>& p, double lost, double length) {
+  return inside_line(with_lost(p[0], lost), with_lost(p[1], lost), length);
+}
 Inside inside(const Powers<Bounded, 2>& p, double lost, double length);
 
 /// The same for degree 4, which has no formula: in leaps over [asked.begin.low, asked.end.high].
@@ -61,13 +95,19 @@ class Stays {
   /// Begins anew, with one stay.
   void begin(const Stay& stay) { list_.assign(1, stay); }
   /// What is in both.
-  void keep(const Inside& other);
+  void keep(const Inside& other) {
+    if (list_.size() != 1 || other.count != 1) return keep_each(other);
+    list_[0] = common(list_[0], other.list[0]);
+    if (!list_[0].is_possible()) list_.clear();
+  }
 
   bool empty() const { return list_.empty(); }
   auto begin() const { return list_.begin(); }
   auto end() const { return list_.end(); }
 
  private:
+  void keep_each(const Inside& other);
+
   std::vector<Stay> list_, kept_;
 };
 

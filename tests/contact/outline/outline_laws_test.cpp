@@ -94,5 +94,90 @@ TEST(OutlineLaws, APrismThatIsABoxMeetsCylindersAsTheBoxDoes) {
   compare_boxes(3, Shape::cylinder, true, scaled_count(400));
 }
 
+/// Draws scenes of all families, some of them grown and accelerated.
+template <class Check>
+void for_each_scene(int seeds, Check&& check) {
+  for (OutlineFamily family : outline_families())
+    for (const auto pairing :
+         {OutlinePairing::outlines, OutlinePairing::outline_and_point, OutlinePairing::outline_and_box})
+      for (int seed = 1000; seed < 1000 + seeds; ++seed) {
+        if (seed % 3 == 0) family.bent = true;
+        OutlineScene scene = draw_scene(family, pairing, static_cast<std::uint64_t>(seed));
+        if (seed % 2 == 0) scene.question.within = std::ldexp(0.5, family.scale);
+        ASSERT_NO_FATAL_FAILURE(check(scene, outline_contact(scene))) << family.name << '\n'
+                                                                      << described(scene);
+      }
+}
+
+OutlineScene stretched(OutlineScene scene, Corner factor) {
+  for (OutlinedObject* o : {&scene.a, &scene.b}) {
+    for (double* list : {o->row.x, o->row.v, o->row.a}) list[0] *= factor.x, list[1] *= factor.y;
+    o->row.half[0] *= std::abs(factor.x), o->row.half[1] *= std::abs(factor.y);
+    o->outline = changed(o->outline, factor);
+  }
+  scene.question.within *= std::abs(factor.y);
+  return scene;
+}
+
+TEST(OutlineLaws, ExchangingTheTwoChangesNothing) {
+  for_each_scene(scaled_count(10), [](const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
+    expect_same(answer, outline_contact({scene.b, scene.a, scene.question}), "exchanged");
+  });
+}
+
+TEST(OutlineLaws, AMirrorChangesNothing) {
+  for_each_scene(scaled_count(10), [](const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
+    expect_same(answer, outline_contact(stretched(scene, {-1, 1})), "mirrored");
+  });
+}
+
+TEST(OutlineLaws, LengthsInAnotherUnitChangeNothing) {
+  for_each_scene(scaled_count(10), [](const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
+    expect_same(answer, outline_contact(stretched(scene, {0x1p20, 0x1p20})), "scaled");
+  });
+}
+
+TEST(OutlineLaws, AnOutlineIsTouchedWhenTheFirstOfItsPiecesIs) {
+  for_each_scene(scaled_count(10), [](const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
+    std::optional<ContactTimes> first;
+    const ConvexPieces pieces = convex_pieces(scene.a.outline);
+    for (std::size_t p = 0; p < pieces.count(); ++p) {
+      OutlineScene alone = scene;
+      alone.a.outline = Outline();
+      alone.a.outline.begin_part();
+      for (const Corner& corner : pieces.corners(p)) alone.a.outline.add(corner);
+      const auto found = outline_contact(alone);
+      if (found && !(first && first->dt <= found->dt)) first = found;
+    }
+    ASSERT_EQ(first.has_value(), answer.has_value());
+    if (!first) return;
+    EXPECT_EQ(first->dt, answer->dt);
+    EXPECT_EQ(first->t, answer->t);
+    EXPECT_LE(first->dt_end, answer->dt_end);
+  });
+}
+
+TEST(OutlineLaws, AnUprightPrismWithoutEndIsItsOutline) {
+  for_each_scene(scaled_count(10), [](const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
+    if (scene.b.row.layout.shape == Shape::box) return;
+    OutlineScene prisms = scene;
+    for (OutlinedObject* o : {&prisms.a, &prisms.b}) {
+      o->row.layout.axes = 3, o->row.layout.shape = Shape::cylinder;
+      o->row.hz = 0x1p300;
+    }
+    expect_same(answer, outline_contact(prisms), "as prisms");
+  });
+}
+
+TEST(OutlineLaws, AGreaterDistanceIsReachedNoLater) {
+  for_each_scene(scaled_count(10), [](OutlineScene scene, const std::optional<ContactTimes>& answer) {
+    if (!answer) return;
+    scene.question.within += 0x1p-300;
+    const auto grown = outline_contact(scene);
+    ASSERT_TRUE(grown.has_value());
+    EXPECT_LE(grown->dt, answer->dt);
+  });
+}
+
 }  // namespace
 }  // namespace foresee::contact

@@ -179,18 +179,8 @@ class Draw {
       Object& row = o->row;
       for (double* list : {row.x, row.v, row.a, row.half})
         for (int j = 0; j < 2; ++j) list[j] *= factor;
-      o->outline = scaled(o->outline, factor);
+      o->outline = changed(o->outline, {factor, factor});
     }
-  }
-
-  static Outline scaled(const Outline& outline, double factor) {
-    Outline scaled;
-    for (std::size_t p = 0; p < outline.parts(); ++p)
-      for (std::size_t r = outline.part_begin(p); r < outline.part_begin(p + 1); ++r) {
-        r == outline.part_begin(p) ? scaled.begin_part() : scaled.begin_hole();
-        for (const Corner& c : outline.ring(r)) scaled.add({factor * c.x, factor * c.y});
-      }
-    return scaled;
   }
 
   const OutlineFamily& family_;
@@ -208,6 +198,16 @@ Outline outline_of(const std::vector<std::vector<Ring>>& parts) {
       for (std::size_t i = 0; i < ring.size(); i += 2) outline.add({ring[i] + 0.0, ring[i + 1] + 0.0});
     }
   return outline;
+}
+
+Outline changed(const Outline& outline, const Corner& factor) {
+  Outline changed;
+  for (std::size_t p = 0; p < outline.parts(); ++p)
+    for (std::size_t r = outline.part_begin(p); r < outline.part_begin(p + 1); ++r) {
+      r == outline.part_begin(p) ? changed.begin_part() : changed.begin_hole();
+      for (const Corner& c : outline.ring(r)) changed.add({factor.x * c.x + 0.0, factor.y * c.y + 0.0});
+    }
+  return changed;
 }
 
 std::span<const OutlineFamily> outline_families() {

@@ -24,6 +24,9 @@ struct OutlinedObject {
 using Ring = std::vector<double>;
 Outline outline_of(const std::vector<std::vector<Ring>>& parts);
 
+/// With both coordinates of all corners multiplied.
+Outline changed(const Outline& outline, const Corner& factor);
+
 struct OutlineScene {
   OutlinedObject a, b;
   ContactQuestion question;

@@ -57,6 +57,15 @@ std::optional<Stretch> meeting(const Place& p, const Place& e, const Place& q, c
   return {};
 }
 
+/// Whether a place is no farther than `radius` from the segment from p along e.
+bool is_near(const Place& place, const Place& p, const Place& e, const Rational& radius) {
+  Place gap = place - p;
+  const Rational along = dot(gap, e), length = dot(e, e), limit = radius * radius;
+  if (along > 0 && along < length) return cross(gap, e) * cross(gap, e) <= limit * length;
+  if (along > 0) gap = gap - e;
+  return dot(gap, gap) <= limit;
+}
+
 /// By how many rings' edges a ray to the right is crossed. Requires: on no edge.
 bool is_within(const Place& place, const Region& region) {
   bool within = false;
@@ -78,6 +87,16 @@ bool holds_one(const Region& outer, const Region& inner, const Place& shift) {
   });
 }
 
+/// Gives `take` where each edge begins, and how far it runs.
+template <class Take>
+void for_each_edge(const Region& region, Take&& take) {
+  for (const auto& ring : region)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Place p = place_of(ring[i]);
+      take(p, place_of(ring[(i + 1) % ring.size()]) - p);
+    }
+}
+
 class Scene {
  public:
   Scene(const Region& a, const Region& b, const Place& place, const Place& velocity, const Stretch& asked)
@@ -97,15 +116,11 @@ class Scene {
 
  private:
   void meet_boundaries() {
-    for (const auto& ring_a : a_)
-      for (std::size_t i = 0; i < ring_a.size(); ++i)
-        for (const auto& ring_b : b_)
-          for (std::size_t j = 0; j < ring_b.size(); ++j) {
-            const Place p = place_of(ring_a[i]), q = place_of(ring_b[j]);
-            const Place e = place_of(ring_a[(i + 1) % ring_a.size()]) - p;
-            const Place f = place_of(ring_b[(j + 1) % ring_b.size()]) - q;
-            if (const auto met = meeting(p, e, q, f, place_, velocity_, asked_)) contacts_.push_back(*met);
-          }
+    for_each_edge(a_, [&](const Place& p, const Place& e) {
+      for_each_edge(b_, [&](const Place& q, const Place& f) {
+        if (const auto met = meeting(p, e, q, f, place_, velocity_, asked_)) contacts_.push_back(*met);
+      });
+    });
   }
 
   /// Where no boundaries meet, nothing enters or leaves.
@@ -137,6 +152,19 @@ class Scene {
 std::optional<Stretch> first_contact(const Region& a, const Region& b, const Place& place,
                                      const Place& velocity, const Stretch& asked) {
   return Scene(a, b, place, velocity, asked).first_contact();
+}
+
+bool touch_at(const Region& a, const Region& b, const Place& place, const Rational& radius) {
+  const Place still{0, 0}, back{-place.x, -place.y};
+  bool near = holds_one(a, b, place) || holds_one(b, a, back);
+  for_each_edge(a, [&](const Place& p, const Place& e) {
+    for_each_edge(b, [&](const Place& q, const Place& f) {
+      near = near || is_near({q.x + place.x, q.y + place.y}, p, e, radius) ||
+             is_near({p.x - place.x, p.y - place.y}, q, f, radius) ||
+             meeting(p, e, q, f, place, still, {0, 0}).has_value();
+    });
+  });
+  return near;
 }
 
 bool is_rounded(double value, const Rational& exact) {

@@ -33,6 +33,9 @@ struct Stretch {
 std::optional<Stretch> first_contact(const Region& a, const Region& b, const Place& place,
                                      const Place& velocity, const Stretch& asked);
 
+/// Does b, moved by `place`, come within `radius` of a, or lie in it? At one moment, whatever the motion.
+bool touch_at(const Region& a, const Region& b, const Place& place, const Rational& radius);
+
 /// Is `value` the double nearest to `exact`, ties to even?
 bool is_rounded(double value, const Rational& exact);
 
