@@ -7,17 +7,11 @@
 #include <span>
 
 #include "contact/outline/pieces.h"
+#include "contact/outline/tested_pairs.h"
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 
 namespace foresee::contact {
-
-/// Numbers of two pieces, one of each object.
-struct PiecePair {
-  std::uint32_t a, b;
-
-  friend auto operator<=>(const PiecePair&, const PiecePair&) = default;
-};
 
 ContactSet critical_pieces(const Setup& setup, const Pieces& a, const Pieces& b,
                            std::span<const PiecePair> pairs);

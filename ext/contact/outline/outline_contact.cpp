@@ -122,7 +122,7 @@ class OutlineContact final : public Contact {
     std::vector<PiecePair> pairs;
     for (const PieceStay& stay : staged.tests().all())
       if (stay.begin.low <= period.end && stay.end.high >= period.begin)
-        pairs.push_back({staged.tests().pair_of(stay).a, staged.tests().pair_of(stay).b});
+        pairs.push_back(staged.tests().pair_of(stay));
     std::sort(pairs.begin(), pairs.end());
     pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
     const ContactSet set = critical_pieces(setup_, a_, b_, pairs);

@@ -14,6 +14,7 @@
 #include "contact/certain/certain_motion.h"
 #include "contact/outline/condition.h"
 #include "contact/outline/stays.h"
+#include "contact/outline/tested_pairs.h"
 #include "numbers/crossed_root.h"
 
 namespace foresee::contact {
@@ -34,8 +35,10 @@ struct PieceStay : Stay {
 /// Space for tests, used for one pair of objects after another.
 struct PieceSpace {
   struct Tested {
-    std::uint32_t a, b, first_stay, stay_count;
+    PiecePair pair;
+    std::uint32_t first_stay, stay_count;
   };
+  TestedPairs numbers;
   std::vector<Tested> tested;
   std::vector<PieceStay> stays;
   std::vector<StayEnd> ends;
@@ -44,7 +47,7 @@ struct PieceSpace {
   std::vector<StayEnd> all_ends;
   Stays clipped;
 
-  void clear() { tested.clear(), stays.clear(), ends.clear(); }
+  void clear() { numbers.clear(), tested.clear(), stays.clear(), ends.clear(); }
 };
 
 /// The relative motion by powers of the time after tau.
@@ -79,9 +82,11 @@ class PieceTests {
 
   /// The stays of two pieces.
   std::span<const PieceStay> of(std::size_t a, std::size_t b) {
-    for (const auto& t : space_.tested)
-      if (t.a == a && t.b == b) return std::span(space_.stays).subspan(t.first_stay, t.stay_count);
-    return test(a, b);
+    const PiecePair pair{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)};
+    const auto [number, is_new] = space_.numbers.add(pair);
+    if (is_new) test(pair);
+    const auto& tested = space_.tested[number];
+    return std::span(space_.stays).subspan(tested.first_stay, tested.stay_count);
   }
 
   /// All stays so far.
@@ -89,24 +94,23 @@ class PieceTests {
   std::span<const StayEnd> ends(const PieceStay& stay) const {
     return std::span(space_.ends).subspan(stay.first_end, stay.end_count);
   }
-  const PieceSpace::Tested& pair_of(const PieceStay& stay) const { return space_.tested[stay.tested]; }
+  const PiecePair& pair_of(const PieceStay& stay) const { return space_.tested[stay.tested].pair; }
 
  private:
   using Kind = Condition::Kind;
 
-  [[gnu::noinline]] std::span<const PieceStay> test(std::size_t a, std::size_t b) {
-    space_.tested.push_back({static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b),
-                             static_cast<std::uint32_t>(space_.stays.size()), 0});
+  [[gnu::noinline]] void test(const PiecePair& pair) {
+    const auto first = static_cast<std::uint32_t>(space_.stays.size());
+    space_.tested.push_back({pair, first, 0});
     begin_part();
     if constexpr (D == 3)
       for (const int side : {-1, 1}) keep({.kind = Kind::height, .sign = side});
+    const ConvexPiece a = a_.piece(pair.a), b = b_.piece(pair.b);
     if (sizes_.radius.value > 0)
-      test_grown(a_.piece(a), b_.piece(b));
+      test_grown(a, b);
     else
-      test_as_they_are(a_.piece(a), b_.piece(b));
-    auto& tested = space_.tested.back();
-    tested.stay_count = static_cast<std::uint32_t>(space_.stays.size()) - tested.first_stay;
-    return std::span(space_.stays).subspan(tested.first_stay, tested.stay_count);
+      test_as_they_are(a, b);
+    space_.tested.back().stay_count = static_cast<std::uint32_t>(space_.stays.size()) - first;
   }
 
   void test_as_they_are(const ConvexPiece& a, const ConvexPiece& b) {
