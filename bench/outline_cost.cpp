@@ -1,12 +1,12 @@
 // What does exact contact of outlines cost? Beside a textbook's: all corners of each against all edges of the
 // other, in plain double.
 //
-//   bench_outline_cost [--quick] [ships] [stars] [points]
+//   bench_outline_cost [--quick] [ships] [stars] [points] [ships-50]
 //
-// Ships of 5 to 11 corners over 600 s, stars of 100 corners over 60 s, points and such a star. The pairs are
-// candidates: their swept boxes meet. Prints nanoseconds of processor time a pair, medians over repetitions
-// in which both ran one after the other, and ratios of ours to plain, which finds the first moment: of
-// deciding, of the first moment, of that and the end.
+// Ships of 5 to 11 corners over 600 s, stars of 100 corners over 60 s, points and such a star; ships that
+// come within 50 m, without a rival. The pairs are candidates: their swept boxes meet. Prints nanoseconds of
+// processor time a pair, medians over repetitions in which both ran one after the other, and ratios: of
+// deciding and of the first moment to the plain first moment, of that and the end to all plain moments.
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -81,6 +81,7 @@ struct Scene {
   const char* name;
   Fleet a, b;
   double h;
+  double within = 0;
 };
 
 Scene ships(std::size_t count) {
@@ -115,11 +116,17 @@ Scene points(std::size_t count) {
   return scene;
 }
 
+Scene within(Scene scene, const char* name, double distance) {
+  scene.name = name, scene.within = distance;
+  return scene;
+}
+
 /// The pairs whose swept boxes meet.
 std::vector<Pair> candidates(const Scene& scene, std::size_t most) {
   const auto swept = [&scene](const Fleet& fleet, std::size_t i) {
     const Extents<2> extents = fleet.outlines.empty() ? Extents<2>::none() : fleet.outlines[i].extents();
-    return swept_box<2>(motion_of<2>(fleet.bodies(), i), {0, scene.h}, extents);
+    return swept_box<2>(motion_of<2>(fleet.bodies(), i), {0, scene.h},
+                        grown<2>(extents, Vec<2>::Constant(scene.within / 2)));
   };
   std::vector<Pair> pairs;
   for (std::uint32_t i = 0; i < scene.a.bodies().count; ++i) {
@@ -140,48 +147,52 @@ PlainOutlines plain_pair(const Scene& scene, const Pair& pair) {
           b[2] - a[2],           b[3] - a[3],           scene.h};
 }
 
-/// Nanoseconds a pair.
-struct Costs {
-  std::vector<double> plain, decide, first, both;
-};
-
+/// Both ways, one after the other.
 void compare(const Scene& scene, int repetitions) {
   const std::vector<Pair> pairs = candidates(scene, 20000);
-  const Setup setup{scene.a.bodies(), scene.b.bodies(), {0, scene.h}};
+  const Setup setup{scene.a.bodies(), scene.b.bodies(), {0, scene.h}, scene.within};
   const auto contact = make_outline_contact(setup, {&scene.a, &scene.b}, 1);
-  std::vector<Pair> hits, decided;
+  std::vector<Pair> hits;
   std::vector<ContactTimes> times;
   std::size_t plain_hits = 0;
-  const auto cost_of = [&](auto&& work) {
-    hits.clear(), times.clear();
-    return seconds_of(work) * 1e9 / static_cast<double>(pairs.size());
-  };
-  Costs costs;
-  for (int i = 0; i <= repetitions; ++i) {
+  const auto plain = [&](bool all) {
     plain_hits = 0;
-    const double plain = cost_of([&] {
-      for (const Pair& pair : pairs) plain_hits += first_touch(plain_pair(scene, pair)) >= 0;
-    });
-    const double decide = cost_of([&] { contact->decide(pairs, hits); });
-    const double first = cost_of([&] { contact->first_contacts(pairs, TimesWanted::begins, hits, times); });
-    const double both = cost_of([&] { contact->first_contacts(pairs, TimesWanted::both, hits, times); });
-    if (i == 0) continue;  // only warms up
-    costs.plain.push_back(plain), costs.decide.push_back(decide);
-    costs.first.push_back(first), costs.both.push_back(both);
+    for (const Pair& pair : pairs) plain_hits += first_touch(plain_pair(scene, pair), all) >= 0;
+  };
+  const auto ours = [&](TimesWanted wanted) { contact->first_contacts(pairs, wanted, hits, times); };
+  enum { first, all, decided, begins, both, count };
+  std::vector<double> costs[count];
+  for (int i = 0; i <= repetitions; ++i)
+    for (int what = 0; what < count; ++what) {
+      hits.clear(), times.clear();
+      const double seconds = seconds_of([&] {
+        if (what == first || what == all) return plain(what == all);
+        if (what == decided) return contact->decide(pairs, hits);
+        ours(what == begins ? TimesWanted::begins : TimesWanted::both);
+      });
+      if (i > 0) costs[what].push_back(seconds * 1e9 / static_cast<double>(pairs.size()));
+    }
+  std::printf("%s: %zu pairs, %zu touch", scene.name, pairs.size(), hits.size());
+  const bool has_rival = scene.within == 0;
+  if (has_rival)
+    std::printf(" (plain: %zu)\n    plain first %.0f ns, all %.0f ns", plain_hits, median(costs[first]),
+                median(costs[all]));
+  for (const auto& [name, what, rival] :
+       {std::tuple("decide", decided, first), {"t", begins, first}, {"t, t_end", both, all}}) {
+    std::printf("%s%s %.0f ns", has_rival || what != decided ? "; " : "\n    ", name, median(costs[what]));
+    if (has_rival) std::printf(", %.2fx", median(costs[what]) / median(costs[rival]));
   }
-  const double plain = median(costs.plain);
-  std::printf("%s: %zu pairs, %zu touch (plain: %zu)\n    plain %.0f ns", scene.name, pairs.size(),
-              hits.size(), plain_hits, plain);
-  for (const auto& [name, list] :
-       {std::pair("decide", &costs.decide), std::pair("t", &costs.first), std::pair("t, t_end", &costs.both)})
-    std::printf("; %s %.0f ns, %.2fx", name, median(*list), median(*list) / plain);
   std::printf("\n");
 }
 
 int main_of(const Options& options) {
   const int repetitions = options.has("--quick") ? 3 : 15;
-  for (const std::string& name : options.names({"ships", "stars", "points"}))
-    compare(name == "ships" ? ships(400) : name == "stars" ? stars(60) : points(20000), repetitions);
+  for (const std::string& name : options.names({"ships", "stars", "points", "ships-50"})) {
+    if (name == "ships") compare(ships(400), repetitions);
+    if (name == "stars") compare(stars(60), repetitions);
+    if (name == "points") compare(points(20000), repetitions);
+    if (name == "ships-50") compare(within(ships(400), "the same ships, within 50 m", 50), repetitions);
+  }
   return 0;
 }
 

@@ -41,14 +41,16 @@ inline bool is_within(std::span<const Corner> ring, double x, double y) {
   return within;
 }
 
-/// -1: never.
-inline double first_touch(const PlainOutlines& p) {
-  if (is_within(p.a, p.b[0].x + p.x, p.b[0].y + p.y)) return 0;
-  if (p.b.size() > 1 && is_within(p.b, p.a[0].x - p.x, p.a[0].y - p.y)) return 0;
+/// -1: never. `all`: also where they touch at the beginning, every corner is asked, as whoever wants to know
+/// the end must.
+inline double first_touch(const PlainOutlines& p, bool all) {
+  const bool at_once = is_within(p.a, p.b[0].x + p.x, p.b[0].y + p.y) ||
+                       (p.b.size() > 1 && is_within(p.b, p.a[0].x - p.x, p.a[0].y - p.y));
+  if (at_once && !all) return 0;
   const double never = 2 * p.h;
   double first = first_meeting(p.a, p.b, p.x, p.y, p.vx, p.vy, never);
   if (p.b.size() > 1) first = first_meeting(p.b, p.a, -p.x, -p.y, -p.vx, -p.vy, first);
-  return first <= p.h ? first : -1;
+  return at_once ? 0 : first <= p.h ? first : -1;
 }
 
 }  // namespace foresee::bench

@@ -100,20 +100,37 @@ class ExactPair {
     return compare(*a.first, *b.first) < 0;
   }
 
-  /// Brings the intervals that hang together with the first to the front, and counts them.
+  /// Brings the intervals that hang together with the first to the front, and counts them. In rough order of
+  /// their begins each is asked once, or nearly.
   static std::size_t joined_to_first(std::vector<TimeInterval>& intervals) {
+    std::sort(intervals.begin() + 1, intervals.end(), [](const TimeInterval& a, const TimeInterval& b) {
+      return a.first->at.rounded() < b.first->at.rounded();
+    });
+    std::vector<AlgebraicRoot*> latest{intervals[0].last};
     std::size_t joined = 1;
-    const auto joins = [&](const TimeInterval& s) {
-      return std::any_of(intervals.begin(), intervals.begin() + static_cast<std::ptrdiff_t>(joined),
-                         [&](const TimeInterval& other) { return compare(*s.first, *other.last) <= 0; });
-    };
-    for (;;) {
-      const auto rest = intervals.begin() + static_cast<std::ptrdiff_t>(joined);
-      const auto next = std::find_if(rest, intervals.end(), joins);
-      if (next == intervals.end()) return joined;
-      std::iter_swap(next, rest);
-      ++joined;
+    for (bool more = true; more;) {
+      more = false;
+      for (std::size_t i = joined; i < intervals.size(); ++i) {
+        if (!joins(intervals[i], latest)) continue;
+        reach(intervals[i].last, latest);
+        std::swap(intervals[i], intervals[joined++]);
+        more = true;
+      }
     }
+    return joined;
+  }
+
+  static bool joins(const TimeInterval& interval, const std::vector<AlgebraicRoot*>& latest) {
+    return std::any_of(latest.begin(), latest.end(),
+                       [&](AlgebraicRoot* last) { return compare(*interval.first, *last) <= 0; });
+  }
+
+  /// Of the ends reached, `latest` has those that 128 bits do not tell to be earlier than another.
+  static void reach(AlgebraicRoot* end, std::vector<AlgebraicRoot*>& latest) {
+    for (const AlgebraicRoot* known : latest)
+      if (known == end || (end->at - known->at).sign() == -1) return;
+    std::erase_if(latest, [end](const AlgebraicRoot* known) { return (known->at - end->at).sign() == -1; });
+    latest.push_back(end);
   }
 
   /// Begin and end of intervals that hang together. As rounding keeps order, ends that 128 bits do not tell

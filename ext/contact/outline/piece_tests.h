@@ -13,6 +13,7 @@
 
 #include "contact/certain/certain_motion.h"
 #include "contact/outline/condition.h"
+#include "contact/outline/pieces.h"
 #include "contact/outline/stays.h"
 #include "contact/outline/tested_pairs.h"
 #include "numbers/crossed_root.h"
@@ -45,7 +46,8 @@ struct PieceSpace {
   // Of the part at hand:
   std::vector<SumEdge> edges;
   std::vector<StayEnd> all_ends;
-  Stays clipped;
+  std::size_t heights = 0;  ///< as many of these are of all parts
+  Stays clipped, outer;
 
   void clear() { numbers.clear(), tested.clear(), stays.clear(), ends.clear(); }
 };
@@ -67,14 +69,14 @@ class PieceTests {
  public:
   /// `asked`: the moments asked about, enclosed.
   PieceTests(const Pieces& a, const Pieces& b, const CertainMotion<D>& relative, const Stay& asked,
-             const PairSizes<Bounded>& sizes, bool with_ends, PieceSpace& space)
+             const PairSizes<Bounded>& sizes, bool times_wanted, PieceSpace& space)
       : a_(a),
         b_(b),
         relative_(relative),
         asked_(asked),
         sizes_(sizes),
         lost_(relative.underflow + 0x1p-1060),
-        with_ends_(with_ends),
+        times_wanted_(times_wanted),
         space_(space),
         x_(seen_from<Degree>(relative, 0)) {
     space.clear();
@@ -102,9 +104,11 @@ class PieceTests {
   [[gnu::noinline]] void test(const PiecePair& pair) {
     const auto first = static_cast<std::uint32_t>(space_.stays.size());
     space_.tested.push_back({pair, first, 0});
-    begin_part();
+    space_.clipped.begin(asked_);
+    space_.all_ends.clear();
     if constexpr (D == 3)
       for (const int side : {-1, 1}) keep({.kind = Kind::height, .sign = side});
+    space_.heights = space_.all_ends.size();
     const ConvexPiece a = a_.piece(pair.a), b = b_.piece(pair.b);
     if (sizes_.radius.value > 0)
       test_grown(a, b);
@@ -123,30 +127,32 @@ class PieceTests {
   void test_grown(const ConvexPiece& a, const ConvexPiece& b) {
     space_.edges.clear();
     SumEdge edge;
-    const std::size_t ends = space_.all_ends.size();
     for (ConvexSum sum(a, b); !space_.clipped.empty() && sum.next(edge);) {
       space_.edges.push_back(edge);
-      keep_line({.kind = Kind::side, .edge = edge}, 1);
+      space_.clipped.keep(beside(edge, 1));
     }
     if (space_.clipped.empty()) return;
-    space_.all_ends.resize(ends);
-    const Stays outer = space_.clipped;
+    space_.outer.begin(space_.clipped);
     for (const SumEdge& one : space_.edges) keep({.edge = one});
     end_part();
     for (const SumEdge& one : space_.edges) {
-      space_.clipped = outer, space_.all_ends.resize(ends);
+      if (is_decided()) return;
+      begin_part();
       for (const int side : {-1, 1}) keep({.kind = Kind::foot, .sign = side, .edge = one});
-      for (const int side : {-1, 1}) keep_line({.kind = Kind::side, .edge = one}, side);
+      for (const int side : {-1, 1}) keep({.kind = Kind::side, .edge = one}, beside(one, side));
       end_part();
-      space_.clipped = outer, space_.all_ends.resize(ends);
+      begin_part();
       keep({.kind = Kind::corner, .edge = one});
       end_part();
     }
   }
 
   void begin_part() {
-    space_.clipped.begin(asked_);
-    space_.all_ends.clear();
+    space_.clipped.begin(space_.outer);
+    space_.all_ends.resize(space_.heights);
+  }
+  bool is_decided() const {
+    return !times_wanted_ && !space_.stays.empty() && space_.stays.back().is_certain();
   }
 
   /// What all conditions leave of the time asked about joins the stays.
@@ -171,14 +177,13 @@ class PieceTests {
     });
   }
 
-  /// A condition of kind side by the line at distance R on one side, which has fewer powers.
-  void keep_line(const Condition& condition, int side) {
-    if (space_.clipped.empty()) return;
-    Powers<Bounded, Degree> p = beyond<Degree>(condition.edge, x_.data());
+  /// When d is at most R from the line of an edge, on one side: fewer powers than on both.
+  Inside beside(const SumEdge& edge, int side) const {
+    Powers<Bounded, Degree> p = beyond<Degree>(edge, x_.data());
     if (side < 0)
       for (Bounded& c : p) c = -c;
-    p[0] = p[0] - sizes_.radius * sqrt(squared_length<Bounded>(condition.edge));
-    keep(condition, inside(p, lost_, asked_.end.high));
+    p[0] = p[0] - sizes_.radius * sqrt(squared_length<Bounded>(edge));
+    return inside(p, lost_, asked_.end.high);
   }
 
   Powers<Bounded, 4> around_corner(const Condition& condition, double tau) const {
@@ -190,8 +195,9 @@ class PieceTests {
   }
 
   void keep(const Condition& condition, const Inside& inside) {
+    if (space_.clipped.empty()) return;
     space_.clipped.keep(inside);
-    if (!with_ends_) return;
+    if (!times_wanted_) return;
     for (int i = 0; i < inside.count; ++i) {
       const Stay& stay = inside.list[static_cast<std::size_t>(i)];
       if (stay.begin.high > -Stay::inf) space_.all_ends.push_back({condition, Way::in, stay.begin});
@@ -204,7 +210,7 @@ class PieceTests {
   const Stay asked_;
   const PairSizes<Bounded> sizes_;
   const double lost_;
-  const bool with_ends_;
+  const bool times_wanted_;
   PieceSpace& space_;
   const std::array<Powers<Bounded, Degree>, D> x_;  ///< the motion from now on
 };

@@ -94,6 +94,7 @@ class Stays {
  public:
   /// Begins anew, with one stay.
   void begin(const Stay& stay) { list_.assign(1, stay); }
+  void begin(const Stays& other) { list_ = other.list_; }
   /// What is in both.
   void keep(const Inside& other) {
     if (list_.size() != 1 || other.count != 1) return keep_each(other);

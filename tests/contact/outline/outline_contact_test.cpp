@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "contact/case_count.h"
+#include "contact/outline/outline_pair.h"
 #include "contact/outline/outline_scenes.h"
 #include "contact/outline/rational_oracle.h"
 
@@ -55,7 +56,7 @@ TEST(OutlineContact, IsThatOfRationalNumbers) {
   for (const OutlineFamily& family : outline_families())
     for (const auto pairing :
          {OutlinePairing::outlines, OutlinePairing::outline_and_point, OutlinePairing::outline_and_box})
-      for (int seed = 0; seed < scaled_count(20); ++seed) {
+      for (int seed = 0; seed < scaled_count(32); ++seed) {
         const OutlineScene scene = draw_scene(family, pairing, static_cast<std::uint64_t>(seed));
         const auto answer = outline_contact(scene);
         contacts += answer.has_value();
@@ -140,6 +141,29 @@ TEST(OutlineContact, OfAnyRadiusAndMotionIsRightAtEveryMoment) {
             << described(scene);
       }
   EXPECT_GT(contacts, 100);
+}
+
+TEST(OutlineContact, OfRandomPairsIsToldByDoubles) {
+  const OutlineFamily any{.name = "any", .whole = false};
+  int contacts = 0, in_doubt = 0;
+  for (int seed = 0; seed < 1000; ++seed) {
+    const OutlineScene scene = draw_scene(any, OutlinePairing::outlines, static_cast<std::uint64_t>(seed));
+    const std::vector<double> row_a = scene.a.row.row(), row_b = scene.b.row.row();
+    const contact::Setup setup{
+        {scene.a.row.layout, row_a.data(), 1}, {scene.b.row.layout, row_b.data(), 1}, scene.question.horizon};
+    const Moments moments = moments_of(setup, row_a.data(), row_b.data());
+    const ConvexPieces cut_a = convex_pieces(scene.a.outline), cut_b = convex_pieces(scene.b.outline);
+    Pieces a, b;
+    a.take(cut_a), b.take(cut_b);
+    PieceSpace space;
+    OutlinePair<2, 1> pair(setup, row_a.data(), row_b.data(), a, b, moments, true, space);
+    Instant begin;
+    const Verdict touches = pair.first_contact(begin);
+    contacts += touches == Verdict::yes;
+    in_doubt += touches == Verdict::uncertain || (touches == Verdict::yes && !pair.end_of_contact().known());
+  }
+  EXPECT_GT(contacts, 200);
+  EXPECT_LE(in_doubt, 2);
 }
 
 }  // namespace
