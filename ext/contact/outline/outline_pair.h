@@ -54,7 +54,9 @@ class OutlinePair {
 
   /// Requires: first_contact() has said yes.
   Instant end_of_contact() {
-    if (!begins_as_one()) return unknown_instant();
+    last_ = {-Stay::inf, -Stay::inf};
+    for (const PieceStay& stay : tests_.all())
+      if (stay.is_certain() && stay.begin.high <= met_by_) reach(stay.end);
     do
       while (goes_on()) {
       }
@@ -62,7 +64,7 @@ class OutlinePair {
     return latest_end();
   }
 
-  /// After that: the last moment that certainly belongs to this contact; before all time if none does.
+  /// After that: the last moment that certainly belongs to this contact.
   double last_certain_moment() const { return last_.low; }
 
   /// For the exact stage, what is possible, in order of time: the earliest begin of any stay.
@@ -116,16 +118,6 @@ class OutlinePair {
       earliest = earlier(earliest, instants_.begin(stay, tests_.ends(stay)));
     }
     return earliest;
-  }
-
-  /// Of the stays that may be the earliest none ends before another begins.
-  bool begins_as_one() {
-    if (!begins_at_once())
-      for (const PieceStay& stay : tests_.all())
-        if (stay.begin.low <= met_by_ && stay.end.low < met_by_) return false;
-    for (const PieceStay& stay : tests_.all())
-      if (stay.begin.high <= met_by_ && stay.is_certain()) reach(stay.end);
-    return true;
   }
 
   void reach(const Enclosure& end) { last_ = {std::max(last_.low, end.low), std::max(last_.high, end.high)}; }

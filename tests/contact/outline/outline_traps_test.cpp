@@ -87,6 +87,16 @@ TEST(OutlineTraps, APointGoesThroughCutsAsIfThereWereNone) {
   expect_contact(within_ten(resting({comb}), moving_point({-1, 2}, {1, 1})), 1, 2);
 }
 
+TEST(OutlineTraps, APointBesideAReflexCornerIsOutForLessThanAnUlp) {
+  const Ring notched{-2, -2, 2, -2, 2, 1, 0, 0, -2, 1};
+  for (const double way : {-1, 1}) {
+    const auto passing = [way](double y) { return moving_point({-3 * way, y}, {way, 0}); };
+    expect_contact(within_ten(resting({notched}), passing(0x1p-60)), 1, 3);
+    expect_contact(within_ten(resting({notched}), passing(0)), 1, 5);
+    expect_contact(within_ten(resting({notched}), passing(-0x1p-60)), 1, 5);
+  }
+}
+
 TEST(OutlineTraps, ATouchAtTheEndOfWhatIsAskedCounts) {
   expect_contact(within_ten(resting({unit_square}), moving_point({11, 0.5}, {-1, 0})), 10, 10);
   EXPECT_FALSE(within_ten(resting({unit_square}), moving_point({std::nextafter(11, 12), 0.5}, {-1, 0})));
