@@ -78,9 +78,8 @@ class OutlineContact final : public Contact {
     if (touches == Verdict::uncertain) return exact_contact(row_a, row_b, staged, -Stay::inf);
     const Instant end = wanted == TimesWanted::both ? staged.end_of_contact() : begin;
     if (end.known()) return ContactTimes{begin.t, end.t, begin.dt, end.dt};
-    auto exact = exact_contact(row_a, row_b, staged, staged.last_certain_moment());
-    exact->t = begin.t, exact->dt = begin.dt;
-    return exact;
+    const auto exact = exact_contact(row_a, row_b, staged, staged.last_certain_moment());
+    return ContactTimes{begin.t, exact->t_end, begin.dt, exact->dt_end};
   }
 
   void take_pieces(const Pair& pair) {
@@ -96,6 +95,7 @@ class OutlineContact final : public Contact {
     ExactMoments moments = exact_moments_of(setup_, row_a, row_b);
     if (from == -Stay::inf) from = staged.first_possible(from);
     for (; from < Stay::inf; from = staged.first_possible(from)) {
+      if (moments.end < Dyadic(from)) break;
       begin_at(moments, from);
       const double until = staged.possible_until(from);
       const auto times =

@@ -26,6 +26,9 @@ class OutlinePair {
         walk_(a, b, relative_, {asked_.begin.low, asked_.end.high}, sizes_.radius),
         instants_(setup, row_a, row_b, relative_, sizes_, moments_, asked_) {}
 
+  OutlinePair(const OutlinePair&) = delete;
+  OutlinePair& operator=(const OutlinePair&) = delete;
+
   Verdict touches() {
     bool met = false;
     walk_.visit(

@@ -31,7 +31,7 @@ class Draw {
 
   OutlineScene scene() {
     OutlineScene scene;
-    scene.question.horizon = {.now = family_.ages > 0 ? 100.0 : 0.0, .h = 8};
+    scene.question.horizon = {.now = family_.ages > 0 ? 100.0 : family_.now, .h = 8};
     scene.a = object(true), scene.b = object(pairing_ == OutlinePairing::outlines);
     move(scene);
     scale(scene);
@@ -137,11 +137,11 @@ class Draw {
       for (auto i = family_.ulps > 0 ? below(family_.ulps + 1) : 0; i > 0; --i)
         b.x[j] = std::nextafter(b.x[j], below(2) ? 1e300 : -1e300);
     }
-    const double now = scene.question.horizon.now;
+    const double t = family_.ages > 0 ? scene.question.horizon.now : 0;
     for (Object* o : {&a, &b}) {
-      o->t = now;
+      o->t = t;
       if (family_.ages > 0) age(*o, std::abs(number(family_.ages)));
-      if (family_.lives) o->until = now + static_cast<double>(below(9));
+      if (family_.lives) o->until = t + static_cast<double>(below(9));
     }
   }
 
@@ -232,6 +232,8 @@ std::span<const OutlineFamily> outline_families() {
       {.name = "aged", .motion = Motion::meets_a_corner, .ages = 64},
       {.name = "aged, any numbers", .whole = false, .ages = 1e6},
       {.name = "short lives", .motion = Motion::meets_a_corner, .lives = true},
+      {.name = "lives that no double measures", .motion = Motion::meets_a_corner, .now = 0.1, .lives = true},
+      {.name = "slides that no double measures", .motion = Motion::along_an_edge, .now = 0.1, .lives = true},
       {.name = "turned", .motion = Motion::meets_a_corner, .turned = -1},
       {.name = "turned by 90", .motion = Motion::along_an_edge, .turned = 90},
       {.name = "turned by 30", .motion = Motion::along_an_edge, .turned = 30},

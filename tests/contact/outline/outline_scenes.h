@@ -50,6 +50,7 @@ struct OutlineFamily {
   bool whole = true;   ///< halves of whole numbers: exact touches, ties
   double offset = 0;   ///< far from the origin
   int scale = 0;       ///< lengths times 2^scale
+  double now = 0;      ///< when it is asked; what is known is as of 0
   double ages = 0;     ///< reference times lie up to this before now
   bool lives = false;  ///< they end to exist at a whole moment
   int turned = 0;      ///< so many degrees, or any heading if below 0
