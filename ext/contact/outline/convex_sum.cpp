@@ -1,8 +1,6 @@
 #include "contact/outline/convex_sum.h"
 
-#include <cmath>
-
-#include "numbers/dyadic.h"
+#include "shape/outline/orientation.h"
 
 namespace foresee::contact {
 namespace {
@@ -20,24 +18,7 @@ bool is_lower(const Corner& a, const Corner& b) {
   return a.y < b.y || (a.y == b.y && a.x < b.x);
 }
 
-/// Where doubles cannot tell.
-[[gnu::noinline]] int exact_sign_of_turn(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
-  using E = Exactly<Dyadic>;
-  return (E::difference_of(b.x, a.x) * E::difference_of(d.y, c.y) -
-          E::difference_of(b.y, a.y) * E::difference_of(d.x, c.x))
-      .sign();
-}
-
 }  // namespace
-
-int sign_of_turn(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
-  const double one = (b.x - a.x) * (d.y - c.y), other = (b.y - a.y) * (d.x - c.x), cross = one - other;
-  // Four roundings of each product, the difference's with it, and what underflow takes.
-  const double error = 5 * unit_roundoff * (std::abs(one) + std::abs(other)) + 0x1p-1000;
-  if (cross > error) return 1;
-  if (cross < -error) return -1;
-  return exact_sign_of_turn(a, b, c, d);
-}
 
 ConvexSum::ConvexSum(const ConvexPiece& a, const ConvexPiece& b)
     : a_{a, first_of(a, is_lower), a.edges()},
@@ -46,8 +27,8 @@ ConvexSum::ConvexSum(const ConvexPiece& a, const ConvexPiece& b)
 /// Neither is ever half a turn ahead of the other, so a cross product tells which direction comes first.
 bool ConvexSum::a_turns_first() const {
   if (a_.left == 0 || b_.left == 0) return b_.left == 0;
-  return sign_of_turn(*a_.along(a_.corner), *a_.along(a_.next()), *b_.along(b_.next()),
-                      *b_.along(b_.corner)) >= 0;
+  return turn_sign(*a_.along(a_.corner), *a_.along(a_.next()), *b_.along(b_.next()), *b_.along(b_.corner)) >=
+         0;
 }
 
 bool ConvexSum::next(SumEdge& edge) {

@@ -59,9 +59,6 @@ class ConvexSum {
   Walk a_, b_;
 };
 
-/// The sign of the cross product of two directions, from a to b and from c to d, exactly.
-int sign_of_turn(const Corner& a, const Corner& b, const Corner& c, const Corner& d);
-
 /// Where it begins, on an axis.
 template <class T>
 T begin_of(const SumEdge& edge, int axis) {

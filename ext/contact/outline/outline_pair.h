@@ -90,10 +90,9 @@ class OutlinePair {
       walk_.visit(
           Order::later_first,
           [&](const Period<double>& near) { return near.begin <= until && near.end >= from; },
-          [&](std::size_t a, std::size_t b) {
-            for (const PieceStay& stay : tests_.of(a, b))
-              if (stay.begin.low <= until && stay.end.high >= from) until = std::max(until, stay.end.high);
-          });
+          [this](std::size_t a, std::size_t b) { tests_.of(a, b); });
+      for (const PieceStay& stay : tests_.all())
+        if (stay.begin.low <= until && stay.end.high >= from) until = std::max(until, stay.end.high);
     }
     return until;
   }

@@ -21,16 +21,17 @@ bool exact_in_products(const DoubleDouble& gap) {
 
 }  // namespace
 
-int close_orientation(const Corner& a, const Corner& b, const Corner& c) {
-  const DoubleDouble ax = difference(a.x, c.x), ay = difference(a.y, c.y);
-  const DoubleDouble bx = difference(b.x, c.x), by = difference(b.y, c.y);
+int close_turn_sign(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
+  const DoubleDouble ax = difference(b.x, a.x), ay = difference(b.y, a.y);
+  const DoubleDouble bx = difference(d.x, c.x), by = difference(d.y, c.y);
   if (exact_in_products(ax) && exact_in_products(ay) && exact_in_products(bx) && exact_in_products(by)) {
     const DoubleDouble left = product(ax.high, by.high), right = product(ay.high, bx.high);
     // Equal products have equal parts, and greater ones no smaller high parts.
     return left.high != right.high ? sign_of(left.high - right.high) : sign_of(left.low - right.low);
   }
-  const Dyadic x(c.x), y(c.y);
-  return ((Dyadic(a.x) - x) * (Dyadic(b.y) - y) - (Dyadic(a.y) - y) * (Dyadic(b.x) - x)).sign();
+  return ((Dyadic(b.x) - Dyadic(a.x)) * (Dyadic(d.y) - Dyadic(c.y)) -
+          (Dyadic(b.y) - Dyadic(a.y)) * (Dyadic(d.x) - Dyadic(c.x)))
+      .sign();
 }
 
 bool is_counterclockwise(std::span<const Corner> ring) {

@@ -15,19 +15,25 @@
 
 namespace foresee::shape {
 
-/// What orientation() says where doubles with an error bound do not tell.
-int close_orientation(const Corner& a, const Corner& b, const Corner& c);
+/// What turn_sign() says where doubles with an error bound do not tell.
+int close_turn_sign(const Corner& a, const Corner& b, const Corner& c, const Corner& d);
+
+/// Whether the direction from c to d turns left (1) or right (-1) of that from a to b, or neither (0): the
+/// sign of their cross product. Requires: rounding to nearest.
+inline int turn_sign(const Corner& a, const Corner& b, const Corner& c, const Corner& d) {
+  constexpr double relative = 0x3.0000000000002p-53, underflow = 0x1p-960;
+  const double left = (b.x - a.x) * (d.y - c.y), right = (b.y - a.y) * (d.x - c.x);
+  const double cross = left - right;
+  const double error = relative * (std::abs(left) + std::abs(right)) + underflow;
+  if (cross > error) return 1;
+  if (cross < -error) return -1;
+  return close_turn_sign(a, b, c, d);
+}
 
 /// Whether c lies left (1) or right (-1) of the line from a to b, or on it (0): the sign of twice the area of
 /// the triangle. Requires: rounding to nearest.
 inline int orientation(const Corner& a, const Corner& b, const Corner& c) {
-  constexpr double relative = 0x3.0000000000002p-53, underflow = 0x1p-960;
-  const double left = (a.x - c.x) * (b.y - c.y), right = (a.y - c.y) * (b.x - c.x);
-  const double twice_area = left - right;
-  const double error = relative * (std::abs(left) + std::abs(right)) + underflow;
-  if (twice_area > error) return 1;
-  if (twice_area < -error) return -1;
-  return close_orientation(a, b, c);
+  return turn_sign(c, a, c, b);
 }
 
 /// The order of a sweep: by x, then by y.

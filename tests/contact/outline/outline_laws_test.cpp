@@ -134,6 +134,8 @@ TEST(OutlineLaws, AMirrorChangesNothing) {
 TEST(OutlineLaws, LengthsInAnotherUnitChangeNothing) {
   for_each_scene(scaled_count(10), [](const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
     expect_same(answer, outline_contact(stretched(scene, {0x1p20, 0x1p20})), "scaled");
+    // Where squares vanish, what is near is left to exact numbers.
+    expect_same(answer, outline_contact(stretched(scene, {0x1p-290, 0x1p-290})), "made small");
   });
 }
 

@@ -1,0 +1,95 @@
+// Stays against the signs of polynomials at single moments: what is certain holds, what is not possible does
+// not.
+#include "contact/outline/stays.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "numbers/dyadic.h"
+
+namespace foresee::contact {
+namespace {
+
+constexpr double length = 8, lost = 0x1p-988;
+
+template <std::size_t N>
+int sign_at(const std::array<double, N>& p, double s) {
+  Dyadic value;
+  for (std::size_t k = N; k-- > 0;) value = value * Dyadic(s) + Dyadic(p[k]);
+  return value.sign();
+}
+
+template <std::size_t N>
+void expect_right(const std::array<double, N>& p, const Inside& inside) {
+  for (int i = 0; i <= 64; ++i) {
+    const double s = length * i / 64;
+    bool possible = false, certain = false;
+    for (int j = 0; j < inside.count; ++j) {
+      const Stay& stay = inside.list[static_cast<std::size_t>(j)];
+      possible |= stay.begin.low <= s && s <= stay.end.high;
+      certain |= stay.begin.high <= s && s <= stay.end.low;
+    }
+    const bool holds = sign_at(p, s) <= 0;
+    ASSERT_TRUE(possible || !holds) << "at " << s;
+    ASSERT_TRUE(holds || !certain) << "at " << s;
+  }
+}
+
+/// Halves of whole numbers, so that roots are double, at the moments asked, or nowhere; or any.
+template <std::size_t N, class Check>
+void for_each_polynomial(Check&& check) {
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 3000; ++i) {
+    std::array<double, N> p;
+    std::array<Bounded, N> bounded;
+    for (std::size_t k = 0; k < N; ++k) {
+      const double any = std::uniform_real_distribution<double>(-4, 4)(random);
+      p[k] = i % 2 ? any : std::round(any) / 2;
+      bounded[k] = {p[k], i % 3 ? 0x1p-50 * std::abs(p[k]) : 0};
+    }
+    ASSERT_NO_FATAL_FAILURE(check(p, bounded)) << i;
+  }
+}
+
+TEST(Stays, OfALineHoldWhereItsSignSays) {
+  for_each_polynomial<2>(
+      [](const auto& p, const auto& bounded) { expect_right(p, inside(bounded, lost, length)); });
+}
+
+TEST(Stays, OfAParabolaHoldWhereItsSignSays) {
+  for_each_polynomial<3>(
+      [](const auto& p, const auto& bounded) { expect_right(p, inside(bounded, lost, length)); });
+}
+
+TEST(Stays, FoundInLeapsHoldWhereTheSignSays) {
+  for_each_polynomial<5>([](auto p, const auto& /*bounded*/) {
+    p[4] = std::abs(p[4]);  // as squares have it
+    const auto seen_from = [&p](double tau) {
+      Powers<Bounded, 4> seen;
+      for (std::size_t k = 0; k < 5; ++k) seen[k] = {p[k], 0};
+      for (std::size_t k = 0; k < 4; ++k)
+        for (std::size_t i = 4; i-- > k;) seen[i] = seen[i] + Bounded{tau, 0} * seen[i + 1];
+      return seen;
+    };
+    expect_right(p, inside_by_leaps(seen_from, lost, {{0, 0}, {length, length}}));
+  });
+}
+
+TEST(Stays, WhatIsKeptIsInBoth) {
+  Stays stays;
+  stays.begin({{0, 0}, {8, 8}});
+  stays.keep({{Stay{{-Stay::inf, -Stay::inf}, {3, 4}}, Stay{{5, 6}, {Stay::inf, Stay::inf}}}, 2});
+  ASSERT_EQ(stays.end() - stays.begin(), 2);
+  stays.keep(Inside::one({{3.5, 3.75}, {Stay::inf, Stay::inf}}));
+  EXPECT_FALSE(stays.begin()->is_certain());  // it may end before it begins
+  EXPECT_TRUE((stays.begin() + 1)->is_certain());
+  stays.keep(Inside::one({{4.5, 4.5}, {5.5, 5.5}}));
+  ASSERT_EQ(stays.end() - stays.begin(), 1);
+  EXPECT_EQ(stays.begin()->begin.low, 5);
+  stays.keep(Inside::never());
+  EXPECT_TRUE(stays.empty());
+}
+
+}  // namespace
+}  // namespace foresee::contact
