@@ -1,14 +1,14 @@
-// Contact of what has an outline: two outlines, or one and a point, a box, a prism's flat outline included.
-// A class of its own behind the room's door: its sets are made for each pair, from its pieces, and not once a
-// statement from a few lengths in the rows. A table that declares no shape never comes here, and pays
-// nothing.
+// When do two touch of which one has an outline? Two outlines, or one and a point, disc, box or cylinder; on
+// three axes outlines are those of upright prisms. A class of its own behind the room's door: its sets are
+// made pair by pair, from the pieces of both, and not once a statement from a few lengths in the rows.
 //
 //   const OutlineRows* rows = …;                       // whose pieces are made when a row is first asked for
 //   auto contact = make_outline_contact(setup, {.a = rows, .b = nullptr}, degree);
 //
-// make_contact() chooses it where a side declares `shape`; setup and bodies are those of any contact, with
-// the rest of a row (r, hz) in its place. The stages of a pair: trees of boxes, pieces in doubles with error
-// bounds, the crossing in DoubleDouble, exact numbers for the pieces that are left (docs/exactness.md).
+// For make_contact() to choose, by the declarations, where a side has outlines: once a statement, so that a
+// table without never comes here and pays nothing. Setup and bodies are those of any contact, with what else
+// a row says (r, hz) in its place. The stages of a pair: trees of boxes, pieces in doubles with error bounds,
+// the crossing in DoubleDouble, exact numbers for the pieces that are left (docs/exactness.md).
 #pragma once
 
 #include <memory>

@@ -29,6 +29,7 @@ class OutlinePair {
   OutlinePair(const OutlinePair&) = delete;
   OutlinePair& operator=(const OutlinePair&) = delete;
 
+  /// Is there a contact? Stops at the first that is certain.
   Verdict touches() {
     bool met = false;
     walk_.visit(
@@ -70,7 +71,9 @@ class OutlinePair {
   /// After that: the last moment that certainly belongs to this contact.
   double last_certain_moment() const { return last_.low; }
 
-  /// For the exact stage, what is possible, in order of time: the earliest begin of any stay.
+  // For the exact stage: what is possible, in order of time.
+
+  /// When contact may begin that begins later than `after`; infinite if none may.
   double first_possible(double after) {
     double first = Stay::inf;
     walk_.visit(
@@ -82,7 +85,8 @@ class OutlinePair {
         });
     return first;
   }
-  /// Until when contact may last that may be at `from`.
+  /// Until when contact may last that may be at `from`. All pieces that may touch meanwhile have been tested
+  /// then.
   double possible_until(double from) {
     double until = from;
     for (double reached = -Stay::inf; reached < until;) {
@@ -96,6 +100,7 @@ class OutlinePair {
     }
     return until;
   }
+
   PieceTests<D, Degree>& tests() { return tests_; }
 
  private:

@@ -1,7 +1,7 @@
 // When do two convex pieces touch, certainly and possibly? Each pair of pieces is tested once: all conditions
 // of their sum (convex_sum.h), in doubles with error bounds.
 //
-//   PieceTests<2, 1> tests(setup, a, b, relative, asked, space);
+//   PieceTests<2, 1> tests(a, b, relative, asked, sizes, true, space);
 //   for (const PieceStay& stay : tests.of(piece_a, piece_b)) best = std::min(best, stay.begin.high);
 //
 // Corners are differenced before the motion comes in, and the motion's positions before that, so that far
@@ -12,45 +12,10 @@
 #include <span>
 
 #include "contact/certain/certain_motion.h"
-#include "contact/outline/condition.h"
+#include "contact/outline/piece_space.h"
 #include "contact/outline/pieces.h"
-#include "contact/outline/stays.h"
-#include "contact/outline/tested_pairs.h"
-#include "numbers/crossed_root.h"
 
 namespace foresee::contact {
-
-/// A condition that begins or ceases to hold where a stay may begin or end.
-struct StayEnd {
-  Condition condition;
-  Way way;
-  Enclosure at;
-};
-
-/// A stay of two pieces, and what it may begin and end with.
-struct PieceStay : Stay {
-  std::uint32_t tested;                ///< number of the pair of pieces
-  std::uint32_t first_end, end_count;  ///< among all ends
-};
-
-/// Space for tests, used for one pair of objects after another.
-struct PieceSpace {
-  struct Tested {
-    PiecePair pair;
-    std::uint32_t first_stay, stay_count;
-  };
-  TestedPairs numbers;
-  std::vector<Tested> tested;
-  std::vector<PieceStay> stays;
-  std::vector<StayEnd> ends;
-  // Of the part at hand:
-  std::vector<SumEdge> edges;
-  std::vector<StayEnd> all_ends;
-  std::size_t heights = 0;  ///< as many of these are of all parts
-  Stays clipped, outer;
-
-  void clear() { numbers.clear(), tested.clear(), stays.clear(), ends.clear(); }
-};
 
 /// The relative motion by powers of the time after tau.
 template <int Degree, int D>
@@ -104,7 +69,7 @@ class PieceTests {
   [[gnu::noinline]] void test(const PiecePair& pair) {
     const auto first = static_cast<std::uint32_t>(space_.stays.size());
     space_.tested.push_back({pair, first, 0});
-    space_.clipped.begin(asked_);
+    space_.clipped.start(asked_);
     space_.all_ends.clear();
     if constexpr (D == 3)
       for (const int side : {-1, 1}) keep({.kind = Kind::height, .sign = side});
@@ -132,7 +97,7 @@ class PieceTests {
       space_.clipped.keep(beside(edge, 1));
     }
     if (space_.clipped.empty()) return;
-    space_.outer.begin(space_.clipped);
+    space_.outer.start(space_.clipped);
     for (const SumEdge& one : space_.edges) keep({.edge = one});
     end_part();
     for (const SumEdge& one : space_.edges) {
@@ -148,7 +113,7 @@ class PieceTests {
   }
 
   void begin_part() {
-    space_.clipped.begin(space_.outer);
+    space_.clipped.start(space_.outer);
     space_.all_ends.resize(space_.heights);
   }
   bool is_decided() const {
@@ -171,6 +136,7 @@ class PieceTests {
     if (Degree > 1 && condition.kind == Kind::corner)
       return keep(condition,
                   inside_by_leaps([&](double tau) { return around_corner(condition, tau); }, lost_, asked_));
+    // Of more powers are sides alone, which beside() has, and corners.
     with_polynomial<Degree>(condition, x_, sizes_, [&](const auto& p) {
       if constexpr (std::tuple_size_v<std::decay_t<decltype(p)>> < 5)
         keep(condition, inside(p, lost_, asked_.end.high));

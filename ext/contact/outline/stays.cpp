@@ -42,7 +42,7 @@ void Stays::keep_each(const Inside& other) {
   kept_.clear();
   for (const Stay& stay : list_)
     for (int i = 0; i < other.count; ++i) {
-      const Stay both = common(stay, other.list[static_cast<std::size_t>(i)]);
+      const Stay both = overlap(stay, other.list[static_cast<std::size_t>(i)]);
       if (both.is_possible()) kept_.push_back(both);
     }
   list_.swap(kept_);

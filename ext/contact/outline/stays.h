@@ -1,9 +1,10 @@
 // When are polynomials certainly, and when possibly, at most 0 together? Stays: stretches of time whose ends
 // are known up to rounding.
 //
-//   Stays stays({0, 600});                                 // all of it
+//   Stays stays;
+//   stays.start({{0, 0}, {600, 600}});                     // all of what is asked about
 //   stays.keep(inside(p, lost, 600));                      // for each polynomial p that has to be <= 0
-//   stays[0].is_certain()                                  // surely not empty
+//   for (const Stay& stay : stays) met |= stay.is_certain();     // surely not empty
 //
 // The two ends are enclosed apart from each other. Nothing possible is ever lost: a stay may turn out not to
 // be one, and then it is not certain. Roots come from the formula that does not cancel, with error bounds.
@@ -53,7 +54,7 @@ inline Enclosure enclosure_of(const Bounded& root) {
   return {root.value - error, root.value + error};
 }
 
-inline Stay common(const Stay& a, const Stay& b) {
+inline Stay overlap(const Stay& a, const Stay& b) {
   return {{std::max(a.begin.low, b.begin.low), std::max(a.begin.high, b.begin.high)},
           {std::min(a.end.low, b.end.low), std::min(a.end.high, b.end.high)}};
 }
@@ -92,13 +93,13 @@ Inside inside_by_leaps(PolynomialAt&& polynomial_at, double lost, const Stay& as
 
 class Stays {
  public:
-  /// Begins anew, with one stay.
-  void begin(const Stay& stay) { list_.assign(1, stay); }
-  void begin(const Stays& other) { list_ = other.list_; }
+  /// Begins anew, with one stay or with those of another.
+  void start(const Stay& stay) { list_.assign(1, stay); }
+  void start(const Stays& other) { list_ = other.list_; }
   /// What is in both.
   void keep(const Inside& other) {
     if (list_.size() != 1 || other.count != 1) return keep_each(other);
-    list_[0] = common(list_[0], other.list[0]);
+    list_[0] = overlap(list_[0], other.list[0]);
     if (!list_[0].is_possible()) list_.clear();
   }
 

@@ -1,7 +1,7 @@
 // Which pieces of two objects could touch, and when at most? Both trees of boxes from their roots downwards,
 // a pair of nodes at a time, each cutting the time that is left by the chord (certain/chord.h).
 //
-//   const TreeWalk<2> walk(a, b, relative, {0, 600});
+//   const TreeWalk<2> walk(a, b, relative, {0, 600}, radius);
 //   walk.visit(Order::earlier_first, [](const Period<double>& near) { return near.begin <= best; },
 //              [&](std::size_t piece_a, std::size_t piece_b) { … });
 //

@@ -78,7 +78,7 @@ TEST(Stays, FoundInLeapsHoldWhereTheSignSays) {
 
 TEST(Stays, WhatIsKeptIsInBoth) {
   Stays stays;
-  stays.begin({{0, 0}, {8, 8}});
+  stays.start({{0, 0}, {8, 8}});
   stays.keep({{Stay{{-Stay::inf, -Stay::inf}, {3, 4}}, Stay{{5, 6}, {Stay::inf, Stay::inf}}}, 2});
   ASSERT_EQ(stays.end() - stays.begin(), 2);
   stays.keep(Inside::one({{3.5, 3.75}, {Stay::inf, Stay::inf}}));

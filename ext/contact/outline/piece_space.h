@@ -1,0 +1,46 @@
+// The stays of all pairs of pieces that were tested (piece_tests.h), side by side in memory that is used
+// again for the next pair of objects.
+#pragma once
+
+#include <vector>
+
+#include "contact/outline/condition.h"
+#include "contact/outline/stays.h"
+#include "contact/outline/tested_pairs.h"
+#include "numbers/crossed_root.h"
+
+namespace foresee::contact {
+
+/// A condition that begins or ceases to hold where a stay may begin or end.
+struct StayEnd {
+  Condition condition;
+  Way way;
+  Enclosure at;
+};
+
+/// A stay of two pieces, and what it may begin and end with.
+struct PieceStay : Stay {
+  std::uint32_t tested;                ///< number of the pair of pieces
+  std::uint32_t first_end, end_count;  ///< among all ends
+};
+
+/// Space for tests, used for one pair of objects after another.
+struct PieceSpace {
+  struct Tested {
+    PiecePair pair;
+    std::uint32_t first_stay, stay_count;
+  };
+  TestedPairs numbers;
+  std::vector<Tested> tested;
+  std::vector<PieceStay> stays;
+  std::vector<StayEnd> ends;
+  // Of the part at hand:
+  std::vector<SumEdge> edges;
+  std::vector<StayEnd> all_ends;
+  std::size_t heights = 0;  ///< as many of these are of all parts
+  Stays clipped, outer;
+
+  void clear() { numbers.clear(), tested.clear(), stays.clear(), ends.clear(); }
+};
+
+}  // namespace foresee::contact
