@@ -69,7 +69,7 @@ void compare_boxes(int axes, Shape shape, bool grown, int cases) {
     other.hz = other.half[2];
     ContactQuestion question{.horizon = {.now = 0, .h = 6}};
     if (grown) question.within = std::abs(number(1));
-    if (axes == 3) question.within_z = std::abs(number(1));
+    if (shape == Shape::cylinder) question.within_z = std::abs(number(1));
     const auto expected = contact(box, other, question);
     contacts += expected.has_value();
     const OutlineScene scene{as_outline(box), {other, {}}, question};
@@ -89,6 +89,9 @@ TEST(OutlineLaws, AnOutlineThatIsABoxMeetsBoxesAsTheBoxDoes) {
 }
 TEST(OutlineLaws, AnOutlineThatIsABoxMeetsDiscsAsTheBoxDoes) {
   compare_boxes(2, Shape::ball, true, scaled_count(400));
+}
+TEST(OutlineLaws, APrismThatIsABoxMeetsBoxesAsTheBoxDoes) {
+  compare_boxes(3, Shape::box, false, scaled_count(400));
 }
 TEST(OutlineLaws, APrismThatIsABoxMeetsCylindersAsTheBoxDoes) {
   compare_boxes(3, Shape::cylinder, true, scaled_count(400));
