@@ -92,26 +92,31 @@ class OutlineContact final : public Contact {
   /// whose begin then is `from`.
   std::optional<ContactTimes> exact_contact(const double* row_a, const double* row_b, Staged& staged,
                                             double from) {
-    ExactMoments moments = exact_moments_of(setup_, row_a, row_b);
+    const ExactMoments asked = exact_moments_of(setup_, row_a, row_b);
     if (from == -Stay::inf) from = staged.first_possible(from);
     for (; from < Stay::inf; from = staged.first_possible(from)) {
-      if (moments.end < Dyadic(from)) break;
-      begin_at(moments, from);
+      if (asked.end < Dyadic(from)) break;
       const double until = staged.possible_until(from);
-      const auto times =
-          exactly<std::optional<ContactTimes>>(row_a, row_b, moments, staged, {from, until}, exact_times);
+      const auto times = exactly<std::optional<ContactTimes>>(row_a, row_b, between(asked, from, until),
+                                                              staged, {from, until}, exact_times);
       if (times) return times;
       from = until;
     }
     return {};
   }
 
-  /// Nothing before `from` is asked about any more.
-  static void begin_at(ExactMoments& moments, double from) {
-    const Dyadic begin(from);
-    if (begin <= moments.begin) return;
-    moments.begin = begin;
-    moments.rounded.dt_begin = from, moments.rounded.t_begin = rounded(begin + moments.now);
+  /// Nothing before `from` or after `until` is asked about: the pieces may touch again, but others before.
+  static ExactMoments between(ExactMoments moments, double from, double until) {
+    const Dyadic begin(from), end(until);
+    if (moments.begin < begin) {
+      moments.begin = begin;
+      moments.rounded.dt_begin = from, moments.rounded.t_begin = rounded(begin + moments.now);
+    }
+    if (end < moments.end) {
+      moments.end = end;
+      moments.rounded.dt_end = until, moments.rounded.t_end = rounded(end + moments.now);
+    }
+    return moments;
   }
 
   /// The exact stage's answer about the pieces that may touch within the period.

@@ -137,7 +137,9 @@ TEST(OutlineLaws, AMirrorChangesNothing) {
 TEST(OutlineLaws, LengthsInAnotherUnitChangeNothing) {
   for_each_scene(scaled_count(10), [](const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
     expect_same(answer, outline_contact(stretched(scene, {0x1p20, 0x1p20})), "scaled");
-    // Where squares vanish, what is near is left to exact numbers.
+    // Where squares vanish, what is near is left to exact numbers. Of a subnormal number digits would.
+    for (const double x : scene.b.row.x)
+      if (x != 0 && std::abs(x) < 0x1p-700) return;
     expect_same(answer, outline_contact(stretched(scene, {0x1p-290, 0x1p-290})), "made small");
   });
 }
@@ -156,7 +158,7 @@ TEST(OutlineLaws, AnOutlineIsTouchedWhenTheFirstOfItsPiecesIs) {
     }
     ASSERT_EQ(first.has_value(), answer.has_value());
     if (!first) return;
-    EXPECT_EQ(first->dt, answer->dt);
+    ASSERT_EQ(first->dt, answer->dt);
     EXPECT_EQ(first->t, answer->t);
     EXPECT_LE(first->dt_end, answer->dt_end);
   });

@@ -97,6 +97,15 @@ TEST(OutlineTraps, APointBesideAReflexCornerIsOutForLessThanAnUlp) {
   }
 }
 
+TEST(OutlineTraps, WhatIsMissedByAnUlpAndTouchedLaterIsNotTheFirst) {
+  // Up from just above the lower of two squares, just into the upper, and down again onto the lower.
+  OutlinedObject squares{object(2, Shape::point), outline_of({{unit_square}, {{0, 2, 1, 2, 1, 3, 0, 3}}})};
+  OutlinedObject point{object(2, Shape::point), {}};
+  point.row.x[0] = 0.5, point.row.x[1] = std::nextafter(1, 2);
+  point.row.v[1] = 1, point.row.a[1] = -0.5;
+  expect_contact(within_ten(squares, point), 2 - 0x1p-25, 2 + 0x1p-25);
+}
+
 TEST(OutlineTraps, ATouchAtTheEndOfWhatIsAskedCounts) {
   expect_contact(within_ten(resting({unit_square}), moving_point({11, 0.5}, {-1, 0})), 10, 10);
   EXPECT_FALSE(within_ten(resting({unit_square}), moving_point({std::nextafter(11, 12), 0.5}, {-1, 0})));
