@@ -71,7 +71,7 @@ class Critical {
 
 }  // namespace
 
-ContactSet critical_pieces(const Setup& setup, const Pieces& a, const Pieces& b,
+ContactSet critical_pieces(const Setup& setup, const ObjectPieces& a, const ObjectPieces& b,
                            std::span<const PiecePair> pairs) {
   Critical critical(setup);
   for (const PiecePair& pair : pairs) critical.add(a.piece(pair.a), b.piece(pair.b));

@@ -6,14 +6,14 @@
 
 #include <span>
 
-#include "contact/outline/pieces.h"
+#include "contact/outline/object_pieces.h"
 #include "contact/outline/tested_pairs.h"
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 
 namespace foresee::contact {
 
-ContactSet critical_pieces(const Setup& setup, const Pieces& a, const Pieces& b,
+ContactSet critical_pieces(const Setup& setup, const ObjectPieces& a, const ObjectPieces& b,
                            std::span<const PiecePair> pairs);
 
 }  // namespace foresee::contact

@@ -13,7 +13,7 @@ namespace foresee::contact {
 namespace {
 
 /// What the row of a table looks like.
-void take(Pieces& pieces, const Bodies& bodies, const OutlineRows* outlines, std::size_t i) {
+void take(ObjectPieces& pieces, const Bodies& bodies, const OutlineRows* outlines, std::size_t i) {
   const ConvexPieces* const known = outlines ? outlines->pieces(i) : nullptr;
   if (known) return pieces.take(*known);
   if (bodies.at.half == Offsets::absent) return pieces.take_point();
@@ -137,7 +137,7 @@ class OutlineContact final : public Contact {
 
   const Setup setup_;
   const OutlineTables outlines_;
-  Pieces a_, b_;
+  ObjectPieces a_, b_;
   PieceSpace space_;
 };
 

@@ -16,8 +16,8 @@ template <int D, int Degree>
 class OutlinePair {
  public:
   /// The moments must not be none. `times_wanted`: more is asked than whether they touch.
-  OutlinePair(const Setup& setup, const double* row_a, const double* row_b, const Pieces& a, const Pieces& b,
-              const Moments& moments, bool times_wanted, PieceSpace& space)
+  OutlinePair(const Setup& setup, const double* row_a, const double* row_b, const ObjectPieces& a,
+              const ObjectPieces& b, const Moments& moments, bool times_wanted, PieceSpace& space)
       : moments_(moments),
         relative_(certain_motion_of<D, Degree>(setup, row_a, row_b)),
         asked_(asked_of(moments)),

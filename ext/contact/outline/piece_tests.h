@@ -12,8 +12,8 @@
 #include <span>
 
 #include "contact/certain/certain_motion.h"
+#include "contact/outline/object_pieces.h"
 #include "contact/outline/piece_space.h"
-#include "contact/outline/pieces.h"
 
 namespace foresee::contact {
 
@@ -33,8 +33,8 @@ template <int D, int Degree>
 class PieceTests {
  public:
   /// `asked`: the moments asked about, enclosed.
-  PieceTests(const Pieces& a, const Pieces& b, const CertainMotion<D>& relative, const Stay& asked,
-             const PairSizes<Bounded>& sizes, bool times_wanted, PieceSpace& space)
+  PieceTests(const ObjectPieces& a, const ObjectPieces& b, const CertainMotion<D>& relative,
+             const Stay& asked, const PairSizes<Bounded>& sizes, bool times_wanted, PieceSpace& space)
       : a_(a),
         b_(b),
         relative_(relative),
@@ -171,7 +171,7 @@ class PieceTests {
     }
   }
 
-  const Pieces &a_, &b_;
+  const ObjectPieces &a_, &b_;
   const CertainMotion<D>& relative_;
   const Stay asked_;
   const PairSizes<Bounded> sizes_;

@@ -12,7 +12,7 @@
 #include <cstdint>
 
 #include "contact/certain/chord.h"
-#include "contact/outline/pieces.h"
+#include "contact/outline/object_pieces.h"
 
 namespace foresee::contact {
 
@@ -23,20 +23,21 @@ template <int D>
 class TreeWalk {
  public:
   /// `asked`: the moments asked about; `grown`: how near counts as touching.
-  TreeWalk(const Pieces& a, const Pieces& b, const CertainMotion<D>& relative, const Period<double>& asked,
-           const Bounded& grown)
+  TreeWalk(const ObjectPieces& a, const ObjectPieces& b, const CertainMotion<D>& relative,
+           const Period<double>& asked, const Bounded& grown)
       : a_(a), b_(b), chord_(relative, asked.end), asked_(asked), grown_(grown) {}
 
   /// Gives `visit` every pair of pieces that could touch, as long as `wanted`, which is asked again and
   /// again, is for some of that time.
   template <class Wanted, class Visit>
   void visit(Order order, Wanted&& wanted, Visit&& visit) const {
-    descend({Pieces::root, Pieces::root, near(Pieces::root, Pieces::root, asked_)}, order, wanted, visit);
+    descend({ObjectPieces::root, ObjectPieces::root, near(ObjectPieces::root, ObjectPieces::root, asked_)},
+            order, wanted, visit);
   }
 
  private:
   struct Nodes {
-    Pieces::Node a, b;
+    ObjectPieces::Node a, b;
     Period<double> near;
   };
 
@@ -47,9 +48,9 @@ class TreeWalk {
     if (a_.is_leaf(nodes.a) && b_.is_leaf(nodes.b)) return visit(a_.item(nodes.a), b_.item(nodes.b));
     Nodes one = nodes, other = nodes;
     if (splits_a(nodes.a, nodes.b))
-      one.a = Pieces::left(nodes.a), other.a = Pieces::right(nodes.a);
+      one.a = ObjectPieces::left(nodes.a), other.a = ObjectPieces::right(nodes.a);
     else
-      one.b = Pieces::left(nodes.b), other.b = Pieces::right(nodes.b);
+      one.b = ObjectPieces::left(nodes.b), other.b = ObjectPieces::right(nodes.b);
     one.near = this->near(one.a, one.b, near), other.near = this->near(other.a, other.b, near);
     const bool swap =
         order == Order::earlier_first ? other.near.begin < one.near.begin : other.near.end > one.near.end;
@@ -57,14 +58,14 @@ class TreeWalk {
     descend(swap ? one : other, order, wanted, visit);
   }
 
-  bool splits_a(Pieces::Node a, Pieces::Node b) const {
+  bool splits_a(ObjectPieces::Node a, ObjectPieces::Node b) const {
     if (a_.is_leaf(a) || b_.is_leaf(b)) return b_.is_leaf(b);
     return size_of(a_.box(a)) >= size_of(b_.box(b));
   }
   static double size_of(const Box<2>& box) { return (box.upper - box.lower).sum(); }
 
   /// Of `asked`, when boxes could touch.
-  Period<double> near(Pieces::Node a, Pieces::Node b, const Period<double>& asked) const {
+  Period<double> near(ObjectPieces::Node a, ObjectPieces::Node b, const Period<double>& asked) const {
     static constexpr Faces faces[] = {{.axis = 0, .below = 0, .above = 1},
                                       {.axis = 1, .below = 2, .above = 3}};
     const Box<2>&box_a = a_.box(a), &box_b = b_.box(b);
@@ -76,7 +77,7 @@ class TreeWalk {
     return chord_.between(faces, 2, reach, asked);
   }
 
-  const Pieces &a_, &b_;
+  const ObjectPieces &a_, &b_;
   const Chord<D> chord_;
   const Period<double> asked_;
   const Bounded grown_;

@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "contact/outline/object_pieces.h"
 #include "contact/outline/outline_scenes.h"
-#include "contact/outline/pieces.h"
 #include "numbers/dyadic.h"
 
 namespace foresee::contact {
@@ -40,7 +40,7 @@ TEST(ConvexSum, HoldsAllDifferencesOfCorners) {
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
       const OutlineScene scene = draw_scene(family, OutlinePairing::outlines, seed);
       const ConvexPieces cut_a = convex_pieces(scene.a.outline), cut_b = convex_pieces(scene.b.outline);
-      Pieces a, b;
+      ObjectPieces a, b;
       a.take(cut_a), b.take(cut_b);
       for (std::size_t i = 0; i < cut_a.count(); ++i)
         for (std::size_t j = 0; j < cut_b.count(); ++j)
@@ -51,7 +51,7 @@ TEST(ConvexSum, HoldsAllDifferencesOfCorners) {
 TEST(ConvexSum, TakesBoxesOfAnySizeAndPoints) {
   const Outline hull = outline_of({{{-1, -2, 1, -2, 0, 2}}});
   const ConvexPieces cut = convex_pieces(hull);
-  Pieces a, b;
+  ObjectPieces a, b;
   a.take(cut);
   for (const auto& [hx, hy] : {std::pair(1.0, 2.0), {0.0, 2.0}, {1.0, 0.0}, {0.0, 0.0}}) {
     b.take_box(hx, hy);

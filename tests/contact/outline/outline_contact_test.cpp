@@ -153,7 +153,7 @@ TEST(OutlineContact, OfRandomPairsIsToldByDoubles) {
         {scene.a.row.layout, row_a.data(), 1}, {scene.b.row.layout, row_b.data(), 1}, scene.question.horizon};
     const Moments moments = moments_of(setup, row_a.data(), row_b.data());
     const ConvexPieces cut_a = convex_pieces(scene.a.outline), cut_b = convex_pieces(scene.b.outline);
-    Pieces a, b;
+    ObjectPieces a, b;
     a.take(cut_a), b.take(cut_b);
     PieceSpace space;
     OutlinePair<2, 1> pair(setup, row_a.data(), row_b.data(), a, b, moments, true, space);

@@ -1,4 +1,4 @@
-#include "contact/outline/pieces.h"
+#include "contact/outline/object_pieces.h"
 
 namespace foresee::contact {
 namespace {
@@ -8,13 +8,13 @@ constexpr Corner square[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 
 }  // namespace
 
-void Pieces::take_box(double hx, double hy) {
+void ObjectPieces::take_box(double hx, double hy) {
   pieces_ = nullptr, is_point_ = false;
   for (std::size_t i = 0; i < corners_.size(); ++i) corners_[i] = {hx * square[i].x, hy * square[i].y};
   box_ = {Vec<2>(-hx, -hy), Vec<2>(hx, hy)};
 }
 
-ConvexPiece Pieces::piece(std::size_t i) const {
+ConvexPiece ObjectPieces::piece(std::size_t i) const {
   if (!pieces_) return {std::span(corners_).first(is_point_ ? 1 : 4), square, nullptr};
   const std::span<const Corner> corners = pieces_->corners(i);
   return {corners, corners.data(), pieces_->inner(i).data()};

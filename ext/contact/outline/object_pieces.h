@@ -1,7 +1,7 @@
 // What does an object of an outline's pair look like to contact? Pieces under a tree of boxes: those of its
 // outline, or the one that its half extents make; a point is a box of no size.
 //
-//   Pieces pieces;
+//   ObjectPieces pieces;
 //   pieces.take(outlines.pieces(row));                 // or take_box(8, 90), take_point()
 //   if (pieces.is_leaf(node)) test(pieces.piece(pieces.item(node)));
 #pragma once
@@ -14,7 +14,7 @@
 namespace foresee::contact {
 
 /// Of one object at a time; what was taken must outlive its use.
-class Pieces {
+class ObjectPieces {
  public:
   using Node = BoxTree<2>::Node;
   static constexpr Node root = BoxTree<2>::root;
