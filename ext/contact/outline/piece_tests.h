@@ -88,7 +88,8 @@ class PieceTests {
     end_part();
   }
 
-  /// First the polygon that R moves the edges out to, which is more; then all parts of the grown sum.
+  /// First the polygon that R moves the edges out to, which is more; then all parts of the grown sum. Each
+  /// lies in that polygon, so it begins and ends with conditions of its own: the polygon's edges are no ends.
   void test_grown(const ConvexPiece& a, const ConvexPiece& b) {
     space_.edges.clear();
     SumEdge edge;
@@ -148,7 +149,8 @@ class PieceTests {
     Powers<Bounded, Degree> p = beyond<Degree>(edge, x_.data());
     if (side < 0)
       for (Bounded& c : p) c = -c;
-    p[0] = p[0] - sizes_.radius * sqrt(squared_length<Bounded>(edge));
+    // R may be large: what underflow loses of the square counts before the product.
+    p[0] = p[0] - sizes_.radius * sqrt(with_lost(squared_length<Bounded>(edge), 0x1p-1060));
     return inside(p, lost_, asked_.end.high);
   }
 

@@ -31,14 +31,14 @@ class StayInstants {
     if (asked_.begin.meets(stay.begin)) begin = {moments_.dt_begin, moments_.t_begin};
     for (const StayEnd& end : ends)
       if (end.way == Way::in) begin = later(begin, instant<Way::in>(end));
-    return begin;
+    return begin.dt > -Stay::inf ? begin : unknown_instant();
   }
   Instant end(const Stay& stay, std::span<const StayEnd> ends) {
     Instant last{Stay::inf, Stay::inf};
     if (asked_.end.meets(stay.end)) last = {moments_.dt_end, moments_.t_end};
     for (const StayEnd& end : ends)
       if (end.way == Way::out) last = earlier(last, instant<Way::out>(end));
-    return last;
+    return last.dt < Stay::inf ? last : unknown_instant();
   }
 
  private:

@@ -135,6 +135,16 @@ TEST(OutlineTraps, ADistanceIsReachedExactly) {
   EXPECT_FALSE(within_ten(resting({unit_square}), point, std::nextafter(5, 0)));
 }
 
+TEST(OutlineTraps, AnEdgeWhoseSquaredLengthVanishesGrowsAsFarAsOthers) {
+  const Ring wedge{-1, -5, 0, 0, -1, 5}, blunt{-1, -5, 0, 0, -1e-161, 1e-160, -1, 5};
+  for (const double way : {-10, 10}) {
+    const OutlinedObject point = moving_point({way < 0 ? 60.0 : 1.0, 5}, {way, 0});
+    const auto found = within_ten(resting({wedge}), point, 50);
+    ASSERT_TRUE(found.has_value());
+    expect_contact(within_ten(resting({blunt}), point, 50), found->t, found->t_end);
+  }
+}
+
 TEST(OutlineTraps, FarFromTheOriginNothingIsLost) {
   OutlinedObject a = moving({frame[0]}, {1e7, -1e7}, {0, 0});
   OutlinedObject b = moving({frame[0]}, {1e7 + 12, -1e7 + 10}, {-1, 0});
