@@ -21,7 +21,8 @@ Inside inside(const Powers<Bounded, 2>& p, double lost, double length) {
   const Bounded p0 = with_lost(p[0], lost), p1 = with_lost(p[1], lost), p2 = with_lost(p[2], lost);
   const int lead = certain_sign(p2);
   if (lead == 0) {  // so little bent that it counts as an error
-    const double bent = length * length * (std::abs(p2.value) + p2.error) * (1 + 0x1p-40);
+    // No square of a time: it may vanish where this does not.
+    const double bent = length * (length * (std::abs(p2.value) + p2.error)) * (1 + 0x1p-40);
     return inside_line({p0.value, p0.error + bent}, p1, length);
   }
   const Bounded discriminant = with_lost(square(p1) - twice(twice(p0 * p2)), lost);

@@ -62,6 +62,15 @@ TEST(Stays, OfAParabolaHoldWhereItsSignSays) {
       [](const auto& p, const auto& bounded) { expect_right(p, inside(bounded, lost, length)); });
 }
 
+TEST(Stays, OfAParabolaInDoubtReachAsFarAsItBends) {
+  // 2^-301 - 2^900 s^2 is below 0 at 2^-600, whose square is no double.
+  const Inside inside =
+      contact::inside(Powers<Bounded, 2>{{{0x1p-301, 0}, {}, {0, 0x1p900}}}, lost, 0x1p-600);
+  ASSERT_EQ(inside.count, 1);
+  EXPECT_TRUE(inside.list[0].is_possible());
+  EXPECT_FALSE(inside.list[0].is_certain());
+}
+
 TEST(Stays, FoundInLeapsHoldWhereTheSignSays) {
   for_each_polynomial<5>([](auto p, const auto& /*bounded*/) {
     p[4] = std::abs(p[4]);  // as squares have it
