@@ -42,10 +42,12 @@ double Turn::rounded_sum(double a, double b) {
   const double size = std::abs(ac.high) + std::abs(bs.high);
   const DoubleDouble rough = sum(ac.high, bs.high);
   const double rest = rough.low + (ac.low + bs.low + (a * c.low + b * s.low));
-  // Sine and cosine are off by 2^-100 of them, what is rounded here by 2^-102 of the size.
+  // Sine and cosine are off by 2^-100 of them, what is rounded here by 2^-102 of the size: unless a sine or a
+  // product is so small that its digits end before.
   const double error = 0x1p-98 * size;
   const double low = rough.high + (rest - error), high = rough.high + (rest + error);
-  if (low == high && size > 0x1p-900 && size < 0x1p900) return low;
+  const bool all_digits = std::abs(degrees_) > 0x1p-900 && size > 0x1p-900 && size < 0x1p900;
+  if (low == high && all_digits) return low;
   return rounded_sum_of_more_bits(a, b);
 }
 

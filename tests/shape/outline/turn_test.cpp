@@ -109,7 +109,8 @@ TEST(Turn, IsRoundedOnceByHardHeadings) {
   for (int h = -360; h <= 360; h += 15)
     for (const double heading : {double(h), std::nextafter(h, 500.0), std::nextafter(h, -500.0)})
       if (std::abs(heading) <= 360) expect_correct(heading, corners);
-  for (const double heading : {5e-324, 1e-300, -1e-300, 1e-17, 1e-8, 90 + 1e-13})
+  corners.insert(corners.end(), {{0x1p890, 0}, {0, 0x1p890}});  // which a sine of few digits reaches
+  for (const double heading : {5e-324, 1e-321, 1e-300, -1e-300, 1e-17, 1e-8, 90 + 1e-13})
     expect_correct(heading, corners);
 }
 
