@@ -190,7 +190,8 @@ class OutlinePair {
       if (only) return false;
       only = &end;
     }
-    return only && only->condition.edge.inner;
+    // Around a corner R ends beside the cut that begins there, not beyond it.
+    return only && only->condition.kind != Condition::Kind::corner && only->condition.edge.inner;
   }
 
   Instant latest_end() {
