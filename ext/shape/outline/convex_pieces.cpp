@@ -129,10 +129,6 @@ ConvexPieces::ConvexPieces(std::shared_ptr<const Cut> cut, std::span<const Corne
   tree_ = BoxTree<2>(boxes);
 }
 
-ConvexPieces ConvexPieces::one(std::span<const Corner> ring) {
-  return {uncut(ring.size(), false), ring};
-}
-
 ConvexPieces convex_pieces(const Outline& outline) {
   const FloatEnvironment environment;
   const std::span<const Corner> corners = outline.corners();

@@ -42,8 +42,6 @@ class ConvexPieces {
   ConvexPieces() = default;
   /// Requires: the places in `cut` are of `corners`, and its pieces in an order for a tree.
   ConvexPieces(std::shared_ptr<const Cut> cut, std::span<const Corner> corners);
-  /// One piece without cuts: what is convex as it is, a point too. Requires: counterclockwise.
-  static ConvexPieces one(std::span<const Corner> ring);
 
   std::size_t count() const { return cut_ ? cut_->ends.size() : 0; }
   std::span<const Corner> corners(std::size_t piece) const {

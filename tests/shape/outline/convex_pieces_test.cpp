@@ -133,13 +133,6 @@ TEST(ConvexPieces, AConvexOutlineIsOnePieceEitherWayRound) {
   }
 }
 
-TEST(ConvexPieces, APointIsAPiece) {
-  const ConvexPieces point = ConvexPieces::one(std::vector<Corner>{{3, 4}});
-  EXPECT_EQ(point.count(), 1u);
-  EXPECT_EQ(point.corners(0)[0], (Corner{3, 4}));
-  EXPECT_EQ(point.bounds(0).lower[1], 4);
-}
-
 TEST(ConvexPieces, AnAngleIsTwoPiecesWithACutBetween) {
   const ConvexPieces pieces = convex_pieces(read_outline("POLYGON((0 0, 4 0, 4 1, 1 1, 1 4, 0 4, 0 0))"));
   ASSERT_EQ(pieces.count(), 2u);
