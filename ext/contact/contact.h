@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "shape/bodies.h"
 
 namespace foresee::contact {
@@ -57,7 +58,8 @@ class Contact {
   /// Appends to `hits` those of `pairs` that touch, in their order. No pair is wrong: decided is what the
   /// real numbers do that the stored doubles are, without a tolerance, and whichever stage tells
   /// (docs/exactness.md). Cost: some tens of nanoseconds for most pairs; microseconds, rarely more, for what
-  /// doubles cannot tell (docs/accuracy.md). An interrupt is not asked: some hundred pairs a call.
+  /// doubles cannot tell (docs/accuracy.md). An interrupt is not asked, but where heed() says so: some
+  /// hundred pairs a call.
   virtual void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) = 0;
 
   /// The same, and appends the times of each hit to `times`: each is the exact moment, rounded once. Ends
@@ -76,6 +78,9 @@ class Contact {
     double within_z;
   };
   virtual Reach reach() const = 0;
+
+  /// From now on, where a single pair may take long, `interrupt` is asked meanwhile; it must outlive this.
+  virtual void heed(Interrupt& /*interrupt*/) {}
 };
 
 /// Requires: a and b have the same number of axes. `name_a` and `name_b` are what messages call the two

@@ -9,8 +9,8 @@ class Critical {
  public:
   ContactSet set;
 
-  explicit Critical(const Setup& setup)
-      : radius_(set.sum(set.in_both(setup.a.at.r, setup.b.at.r), set.given(setup.within))) {
+  Critical(const Setup& setup, bool grown) {
+    if (grown) radius_ = set.sum(set.in_both(setup.a.at.r, setup.b.at.r), set.given(setup.within));
     if (setup.a.layout.axes < 3) return;
     const int heights = set.in_both(place_of_half_height(setup.a.at), place_of_half_height(setup.b.at));
     const Size size{set.sum(heights, set.given(setup.within_z))};
@@ -65,15 +65,15 @@ class Critical {
     return line;
   }
 
-  const int radius_;
+  int radius_ = no_length;
   std::vector<int> along_z_;
 };
 
 }  // namespace
 
 ContactSet critical_pieces(const Setup& setup, const ObjectPieces& a, const ObjectPieces& b,
-                           std::span<const PiecePair> pairs) {
-  Critical critical(setup);
+                           std::span<const PiecePair> pairs, bool grown) {
+  Critical critical(setup, grown);
   for (const PiecePair& pair : pairs) critical.add(a.piece(pair.a), b.piece(pair.b));
   return std::move(critical.set);
 }

@@ -13,7 +13,8 @@
 
 namespace foresee::contact {
 
+/// `grown`: how near counts as touching is more than 0, for these objects.
 ContactSet critical_pieces(const Setup& setup, const ObjectPieces& a, const ObjectPieces& b,
-                           std::span<const PiecePair> pairs);
+                           std::span<const PiecePair> pairs, bool grown);
 
 }  // namespace foresee::contact

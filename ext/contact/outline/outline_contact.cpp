@@ -1,6 +1,7 @@
 #include "contact/outline_contact.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "base/float_environment.h"
 #include "contact/closest_approach.h"
@@ -27,6 +28,7 @@ class OutlineContact final : public Contact {
   OutlineContact(const Setup& setup, const OutlineTables& outlines) : setup_(setup), outlines_(outlines) {}
 
   Reach reach() const override { return {setup_.within, setup_.within_z}; }
+  void heed(Interrupt& interrupt) override { steps_.emplace(interrupt); }
 
   void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) override {
     const FloatEnvironment environment;
@@ -59,11 +61,10 @@ class OutlineContact final : public Contact {
     const Moments moments = moments_of(setup_, row_a, row_b);
     if (moments.none) return false;
     take_pieces(pair);
-    Staged staged(setup_, row_a, row_b, a_, b_, moments, false, space_);
+    Staged staged(setup_, row_a, row_b, a_, b_, moments, false, space_, *steps_);
     const Verdict touches = staged.touches();
     if (touches != Verdict::uncertain) return touches == Verdict::yes;
-    return exactly<bool>(row_a, row_b, exact_moments_of(setup_, row_a, row_b), staged,
-                         {-Stay::inf, Stay::inf}, exact_touches);
+    return exactly_touches(row_a, row_b, staged);
   }
 
   std::optional<ContactTimes> first_contact(const Pair& pair, TimesWanted wanted) {
@@ -71,15 +72,19 @@ class OutlineContact final : public Contact {
     const Moments moments = moments_of(setup_, row_a, row_b);
     if (moments.none) return {};
     take_pieces(pair);
-    Staged staged(setup_, row_a, row_b, a_, b_, moments, true, space_);
+    Staged staged(setup_, row_a, row_b, a_, b_, moments, true, space_, *steps_);
     Instant begin;
     const Verdict touches = staged.first_contact(begin);
     if (touches == Verdict::no) return {};
-    if (touches == Verdict::uncertain) return exact_contact(row_a, row_b, staged, -Stay::inf);
+    if (touches == Verdict::uncertain) {
+      const auto exact = exact_contact(row_a, row_b, staged, -Stay::inf, staged.met_by());
+      if (!exact || exact->dt_end < Stay::inf) return exact;
+      begin = {exact->dt, exact->t};
+    }
     const Instant end = wanted == TimesWanted::both ? staged.end_of_contact() : begin;
     if (end.known()) return ContactTimes{begin.t, end.t, begin.dt, end.dt};
     const auto exact = exact_contact(row_a, row_b, staged, staged.last_certain_moment());
-    return ContactTimes{begin.t, exact->t_end, begin.dt, exact->dt_end};
+    return ContactTimes{begin.t, exact.value().t_end, begin.dt, exact.value().dt_end};
   }
 
   void take_pieces(const Pair& pair) {
@@ -88,49 +93,74 @@ class OutlineContact final : public Contact {
     if (a_.is_point() && b_.is_point()) a_.take_box(0, 0);  // a sum needs edges
   }
 
+  /// Some pieces at a time.
+  [[gnu::noinline]] bool exactly_touches(const double* row_a, const double* row_b, Staged& staged) {
+    constexpr std::size_t at_a_time = 1024;
+    const ExactMoments asked = exact_moments_of(setup_, row_a, row_b);
+    std::vector<PiecePair> pairs;
+    const auto met = [&] {
+      return !pairs.empty() && exactly<bool>(row_a, row_b, asked, staged, pairs, exact_touches);
+    };
+    bool touches = false;
+    staged.possible_pairs({-Stay::inf, Stay::inf}, [&](const PiecePair& pair) {
+      pairs.push_back(pair);
+      if (pairs.size() < at_a_time) return true;
+      touches = met();
+      pairs.clear();
+      return !touches;
+    });
+    return touches || met();
+  }
+
   /// The first contact that ends at `from` or later, exactly. `from` is before all contact, or within one,
-  /// whose begin then is `from`.
-  std::optional<ContactTimes> exact_contact(const double* row_a, const double* row_b, Staged& staged,
-                                            double from) {
+  /// whose begin then is `from`. Of a contact that lasts until `met_by`, when they touch, the end is
+  /// infinite.
+  [[gnu::noinline]] std::optional<ContactTimes> exact_contact(const double* row_a, const double* row_b,
+                                                              Staged& staged, double from,
+                                                              double met_by = Stay::inf) {
     const ExactMoments asked = exact_moments_of(setup_, row_a, row_b);
     if (from == -Stay::inf) from = staged.first_possible(from);
     for (; from < Stay::inf; from = staged.first_possible(from)) {
       if (asked.end < Dyadic(from)) break;
-      const double until = staged.possible_until(from);
-      const auto times = exactly<std::optional<ContactTimes>>(row_a, row_b, between(asked, from, until),
-                                                              staged, {from, until}, exact_times);
+      const double until = met_by < Stay::inf ? met_by : staged.possible_until(from);
+      ExactMoments moments = asked;
+      begin_at(moments, from);
+      if (end_at(moments, until) && until == met_by)
+        moments.rounded.dt_end = moments.rounded.t_end = Stay::inf;
+      std::vector<PiecePair> pairs;
+      staged.possible_pairs({from, until}, [&pairs](const PiecePair& pair) {
+        pairs.push_back(pair);
+        return true;
+      });
+      const auto times =
+          exactly<std::optional<ContactTimes>>(row_a, row_b, moments, staged, pairs, exact_times);
       if (times) return times;
       from = until;
     }
     return {};
   }
 
-  /// Nothing before `from` or after `until` is asked about: the pieces may touch again, but others before.
-  static ExactMoments between(ExactMoments moments, double from, double until) {
-    const Dyadic begin(from), end(until);
-    if (moments.begin < begin) {
-      moments.begin = begin;
-      moments.rounded.dt_begin = from, moments.rounded.t_begin = rounded(begin + moments.now);
-    }
-    if (end < moments.end) {
-      moments.end = end;
-      moments.rounded.dt_end = until, moments.rounded.t_end = rounded(end + moments.now);
-    }
-    return moments;
+  /// Nothing before `from` is asked about: the pieces may touch again, but others before.
+  static void begin_at(ExactMoments& moments, double from) {
+    const Dyadic begin(from);
+    if (!(moments.begin < begin)) return;
+    moments.begin = begin;
+    moments.rounded.dt_begin = from, moments.rounded.t_begin = rounded(begin + moments.now);
+  }
+  /// Nor after `until`. Whether anything was.
+  static bool end_at(ExactMoments& moments, double until) {
+    const Dyadic end(until);
+    if (!(end < moments.end)) return false;
+    moments.end = end;
+    moments.rounded.dt_end = until, moments.rounded.t_end = rounded(end + moments.now);
+    return true;
   }
 
-  /// The exact stage's answer about the pieces that may touch within the period.
+  /// The exact stage's answer about these pieces.
   template <class Answer>
-  [[gnu::noinline]] Answer exactly(const double* row_a, const double* row_b, const ExactMoments& moments,
-                                   Staged& staged, const Period<double>& period,
-                                   Answer (*ask)(PairPolynomials&, const ExactMoments&)) {
-    std::vector<PiecePair> pairs;
-    for (const PieceStay& stay : staged.tests().all())
-      if (stay.begin.low <= period.end && stay.end.high >= period.begin)
-        pairs.push_back(staged.tests().pair_of(stay));
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-    const ContactSet set = critical_pieces(setup_, a_, b_, pairs);
+  Answer exactly(const double* row_a, const double* row_b, const ExactMoments& moments, const Staged& staged,
+                 std::span<const PiecePair> pairs, Answer (*ask)(PairPolynomials&, const ExactMoments&)) {
+    const ContactSet set = critical_pieces(setup_, a_, b_, pairs, staged.is_grown());
     PairPolynomials polynomials(set, setup_, row_a, row_b);
     return ask(polynomials, moments);
   }
@@ -139,6 +169,8 @@ class OutlineContact final : public Contact {
   const OutlineTables outlines_;
   ObjectPieces a_, b_;
   PieceSpace space_;
+  NeverInterrupt never_;
+  std::optional<Steps> steps_{never_};
 };
 
 }  // namespace

@@ -15,15 +15,17 @@ namespace foresee::contact {
 template <int D, int Degree>
 class OutlinePair {
  public:
-  /// The moments must not be none. `times_wanted`: more is asked than whether they touch.
+  /// The moments must not be none. `times_wanted`: more is asked than whether they touch. An interrupt is
+  /// heeded at each of the `steps`.
   OutlinePair(const Setup& setup, const double* row_a, const double* row_b, const ObjectPieces& a,
-              const ObjectPieces& b, const Moments& moments, bool times_wanted, PieceSpace& space)
+              const ObjectPieces& b, const Moments& moments, bool times_wanted, PieceSpace& space,
+              Steps& steps)
       : moments_(moments),
         relative_(certain_motion_of<D, Degree>(setup, row_a, row_b)),
         asked_(asked_of(moments)),
         sizes_(sizes_of<Bounded>(setup, row_a, row_b)),
         tests_(a, b, relative_, asked_, sizes_, times_wanted, space),
-        walk_(a, b, relative_, {asked_.begin.low, asked_.end.high}, sizes_.radius),
+        walk_(a, b, relative_, {asked_.begin.low, asked_.end.high}, sizes_.radius, steps),
         instants_(setup, row_a, row_b, relative_, sizes_, moments_, asked_) {}
 
   OutlinePair(const OutlinePair&) = delete;
@@ -31,39 +33,41 @@ class OutlinePair {
 
   /// Is there a contact? Stops at the first that is certain.
   Verdict touches() {
-    bool met = false;
+    Verdict touches = Verdict::no;
     walk_.visit(
-        Order::earlier_first, [&met](const Period<double>&) { return !met; },
-        [this, &met](std::size_t a, std::size_t b) {
-          for (const PieceStay& stay : tests_.of(a, b)) met = met || stay.is_certain();
+        Order::earlier_first, [&](const Period<double>&) { return touches != Verdict::yes; },
+        [&](std::size_t a, std::size_t b, const Period<double>&) {
+          for (const PieceStay& stay : tests_.of(a, b))
+            if (touches != Verdict::yes) touches = stay.is_certain() ? Verdict::yes : Verdict::uncertain;
         });
-    if (met) return Verdict::yes;
-    return tests_.all().empty() ? Verdict::no : Verdict::uncertain;
+    return touches;
   }
 
   /// Is there a contact, and when does it begin? yes: `begin` is known.
   Verdict first_contact(Instant& begin) {
-    met_by_ = Stay::inf;
+    bool possible = false;
     walk_.visit(
         Order::earlier_first,
         [this](const Period<double>& near) { return near.begin <= met_by_ && !begins_at_once(); },
-        [this](std::size_t a, std::size_t b) {
-          for (const PieceStay& stay : tests_.of(a, b))
+        [&](std::size_t a, std::size_t b, const Period<double>&) {
+          if (tests_.is_full()) take_begins();
+          for (const PieceStay& stay : tests_.of(a, b)) {
+            possible = true;
             if (stay.is_certain()) met_by_ = std::min(met_by_, stay.begin.high);
+          }
         });
-    if (tests_.all().empty()) return Verdict::no;
+    if (!possible) return Verdict::no;
     begin = earliest_begin();
     return begin.known() ? Verdict::yes : Verdict::uncertain;
   }
 
-  /// Requires: first_contact() has said yes.
+  /// By then they certainly touch; infinite if that is not known. Requires: first_contact() was asked.
+  double met_by() const { return met_by_; }
+
+  /// Requires: the contact lasts from its begin to met_by(), which is finite.
   Instant end_of_contact() {
-    last_ = {-Stay::inf, -Stay::inf};
-    for (const PieceStay& stay : tests_.all())
-      if (stay.is_certain() && stay.begin.high <= met_by_) reach(stay.end);
-    do
-      while (goes_on()) {
-      }
+    last_ = {met_by_, met_by_};
+    do follow();
     while (goes_through_a_cut());
     return latest_end();
   }
@@ -79,29 +83,56 @@ class OutlinePair {
     walk_.visit(
         Order::earlier_first,
         [&](const Period<double>& near) { return near.end > after && near.begin < first; },
-        [&](std::size_t a, std::size_t b) {
-          for (const PieceStay& stay : tests_.of(a, b))
-            if (stay.begin.low > after) first = std::min(first, stay.begin.low);
+        [&](std::size_t a, std::size_t b, const Period<double>& near) {
+          for (const PieceStay& stay : tests_.of(a, b)) {
+            const auto [begin, end] = possible(stay, near);
+            if (begin <= end && begin > after) first = std::min(first, begin);
+          }
         });
     return first;
   }
-  /// Until when contact may last that may be at `from`. All pieces that may touch meanwhile have been tested
-  /// then.
+  /// Until when contact may last that may be at `from`.
   double possible_until(double from) {
-    double until = from;
-    for (double reached = -Stay::inf; reached < until;) {
-      reached = until;
+    double until = from, passed_by = from;
+    while (passed_by <= until) {
+      passed_by = Stay::inf;
+      const auto begins_by_then = [&](double begin) {
+        if (begin > until) passed_by = std::min(passed_by, begin);
+        return begin <= until;
+      };
       walk_.visit(
-          Order::later_first,
-          [&](const Period<double>& near) { return near.begin <= until && near.end >= from; },
-          [this](std::size_t a, std::size_t b) { tests_.of(a, b); });
-      for (const PieceStay& stay : tests_.all())
-        if (stay.begin.low <= until && stay.end.high >= from) until = std::max(until, stay.end.high);
+          Order::earlier_first,
+          [&](const Period<double>& near) { return near.end >= from && begins_by_then(near.begin); },
+          [&](std::size_t a, std::size_t b, const Period<double>& near) {
+            for (const PieceStay& stay : tests_.of(a, b)) {
+              const auto [begin, end] = possible(stay, near);
+              if (begin <= end && end >= from && begins_by_then(begin)) until = std::max(until, end);
+            }
+          });
     }
     return until;
   }
+  /// Gives `take` each pair of pieces that may touch within the period, as long as it returns true.
+  template <class Take>
+  void possible_pairs(const Period<double>& period, Take&& take) {
+    bool more = true;
+    walk_.visit(
+        Order::earlier_first,
+        [&](const Period<double>& near) {
+          return more && near.begin <= period.end && near.end >= period.begin;
+        },
+        [&](std::size_t a, std::size_t b, const Period<double>& near) {
+          const auto stays = tests_.of(a, b);
+          if (std::any_of(stays.begin(), stays.end(), [&](const PieceStay& stay) {
+                const auto [begin, end] = possible(stay, near);
+                return begin <= end && begin <= period.end && end >= period.begin;
+              }))
+            more = take(PiecePair{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
+        });
+  }
 
-  PieceTests<D, Degree>& tests() { return tests_; }
+  /// How near counts as touching is more than 0.
+  bool is_grown() const { return sizes_.radius.value > 0; }
 
  private:
   /// Outward and inward.
@@ -113,42 +144,54 @@ class OutlinePair {
     return {{begin - wider_begin, begin + wider_begin}, {end - wider_end, end + wider_end}};
   }
 
+  /// At no other moment may they touch; never if the end is before the begin.
+  static Period<double> possible(const PieceStay& stay, const Period<double>& near) {
+    return {std::max(stay.begin.low, near.begin), std::min(stay.end.high, near.end)};
+  }
+
   /// They certainly touch when what is asked about begins.
   bool begins_at_once() const { return met_by_ <= asked_.begin.low; }
 
-  Instant earliest_begin() {
-    if (begins_at_once()) return {moments_.dt_begin, moments_.t_begin};
-    Instant earliest{Stay::inf, Stay::inf};
+  /// Of the stays found so far that may be the first, when they begin.
+  void take_begins() {
     for (const PieceStay& stay : tests_.all()) {
       if (stay.begin.low > met_by_) continue;
-      if (!stay.is_certain()) return unknown_instant();
-      earliest = earlier(earliest, instants_.begin(stay, tests_.ends(stay)));
+      const Instant begin = stay.is_certain() ? instants_.begin(stay, tests_.ends(stay)) : unknown_instant();
+      if (begin.known())
+        earliest_ = earlier(earliest_, begin);
+      else
+        unknown_from_ = std::min(unknown_from_, stay.begin.low);
     }
-    return earliest;
+  }
+
+  Instant earliest_begin() {
+    if (begins_at_once()) return {moments_.dt_begin, moments_.t_begin};
+    take_begins();
+    return unknown_from_ <= met_by_ ? unknown_instant() : earliest_;
   }
 
   void reach(const Enclosure& end) { last_ = {std::max(last_.low, end.low), std::max(last_.high, end.high)}; }
 
-  /// Follows the contact along stays that surely begin before its end so far. Whether there may be others,
-  /// among what was passed by because it begins later than the end was then.
-  bool goes_on() {
-    double passed_by = Stay::inf;
-    const auto wanted = [this, &passed_by](const Period<double>& near) {
-      if (near.end < last_.low || lasts_to_the_end()) return false;
-      if (near.begin <= last_.high) return true;
-      passed_by = std::min(passed_by, near.begin);
-      return false;
-    };
-    walk_.visit(Order::later_first, wanted, [this](std::size_t a, std::size_t b) {
-      for (const PieceStay& stay : tests_.of(a, b))
-        if (is_joined(stay)) reach(stay.end);
-    });
-    for (double before = -Stay::inf; before < last_.low;) {
-      before = last_.low;
-      for (const PieceStay& stay : tests_.all())
-        if (is_joined(stay)) reach(stay.end);
+  /// Follows the contact along stays that surely begin before its end so far. The first walk looks for those
+  /// that end last; what it passes by, as it begins later than the end was then, the next take in order.
+  void follow() {
+    double passed_by = -Stay::inf, waiting = Stay::inf;  // begins of nodes, and of stays
+    for (Order order = Order::later_first; passed_by <= last_.high || waiting <= last_.low;
+         order = Order::earlier_first) {
+      passed_by = waiting = Stay::inf;
+      const auto wanted = [this, &passed_by](const Period<double>& near) {
+        if (near.end < last_.low || lasts_to_the_end()) return false;
+        if (near.begin > last_.high) passed_by = std::min(passed_by, near.begin);
+        return near.begin <= last_.high;
+      };
+      walk_.visit(order, wanted, [this, &waiting](std::size_t a, std::size_t b, const Period<double>&) {
+        for (const PieceStay& stay : tests_.of(a, b))
+          if (is_joined(stay))
+            reach(stay.end);
+          else if (stay.is_certain())
+            waiting = std::min(waiting, stay.begin.high);
+      });
     }
-    return passed_by <= last_.high;
   }
 
   bool lasts_to_the_end() const { return last_.low >= asked_.end.high; }
@@ -160,23 +203,35 @@ class OutlinePair {
     return !is_joined(stay) && stay.begin.low <= last_.high && stay.end.high > last_.low;
   }
 
+  /// Gives `use` all stays that may end the contact or continue it.
+  template <class Use>
+  void at_the_end(Use&& use) {
+    walk_.visit(
+        Order::later_first,
+        [this](const Period<double>& near) { return near.begin <= last_.high && near.end >= last_.low; },
+        [this, &use](std::size_t a, std::size_t b, const Period<double>&) {
+          for (const PieceStay& stay : tests_.of(a, b)) use(stay);
+        });
+  }
+
   /// What leaves a piece through a cut of its outline, and nowhere else, is in a neighbour: whoever begins
   /// then continues it, and no comparison is needed.
   bool goes_through_a_cut() {
-    const PieceStay* ending = nullptr;
+    int ending = 0;
+    bool at_a_cut = false;
     double latest_begin = -Stay::inf, earliest_end = Stay::inf;
     Enclosure reached = last_;
-    for (const PieceStay& stay : tests_.all()) {
+    at_the_end([&](const PieceStay& stay) {
       if (may_end_it(stay)) {
-        if (ending) return false;
-        ending = &stay;
+        ++ending;
+        at_a_cut = ends_at_a_cut(stay);
       } else if (may_continue_it(stay)) {
         latest_begin = std::max(latest_begin, stay.begin.high);
         earliest_end = std::min(earliest_end, stay.end.low);
         reached = {std::max(reached.low, stay.end.low), std::max(reached.high, stay.end.high)};
       }
-    }
-    if (!ending || !ends_at_a_cut(*ending)) return false;
+    });
+    if (ending != 1 || !at_a_cut) return false;
     if (!(latest_begin <= earliest_end && reached.low > last_.high)) return false;
     last_ = reached;
     return true;
@@ -197,10 +252,10 @@ class OutlinePair {
   Instant latest_end() {
     if (lasts_to_the_end()) return {moments_.dt_end, moments_.t_end};
     Instant latest{-Stay::inf, -Stay::inf};
-    for (const PieceStay& stay : tests_.all()) {
-      if (may_continue_it(stay)) return unknown_instant();
-      if (may_end_it(stay)) latest = later(latest, instants_.end(stay, tests_.ends(stay)));
-    }
+    at_the_end([this, &latest](const PieceStay& stay) {
+      if (may_continue_it(stay)) latest = unknown_instant();
+      if (latest.known() && may_end_it(stay)) latest = later(latest, instants_.end(stay, tests_.ends(stay)));
+    });
     return latest;
   }
 
@@ -212,6 +267,8 @@ class OutlinePair {
   const TreeWalk<D> walk_;
   StayInstants<D, Degree> instants_;
   double met_by_ = Stay::inf;               ///< by then they certainly touch
+  Instant earliest_{Stay::inf, Stay::inf};  ///< of the begins that are known
+  double unknown_from_ = Stay::inf;         ///< and since when one may be that is not
   Enclosure last_{-Stay::inf, -Stay::inf};  ///< the end of the contact, as far as it was followed
 };
 

@@ -20,18 +20,16 @@ struct StayEnd {
 
 /// A stay of two pieces, and what it may begin and end with.
 struct PieceStay : Stay {
-  std::uint32_t tested;                ///< number of the pair of pieces
   std::uint32_t first_end, end_count;  ///< among all ends
 };
 
 /// Space for tests, used for one pair of objects after another.
 struct PieceSpace {
   struct Tested {
-    PiecePair pair;
     std::uint32_t first_stay, stay_count;
   };
   TestedPairs numbers;
-  std::vector<Tested> tested;
+  std::vector<Tested> tested;  ///< by those numbers
   std::vector<PieceStay> stays;
   std::vector<StayEnd> ends;
   // Of the part at hand:

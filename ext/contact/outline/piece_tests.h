@@ -1,5 +1,5 @@
-// When do two convex pieces touch, certainly and possibly? Each pair of pieces is tested once: all conditions
-// of their sum (convex_sum.h), in doubles with error bounds.
+// When do two convex pieces touch, certainly and possibly? Each pair of pieces is tested once, as long as
+// there are not too many: all conditions of their sum (convex_sum.h), in doubles with error bounds.
 //
 //   PieceTests<2, 1> tests(a, b, relative, asked, sizes, true, space);
 //   for (const PieceStay& stay : tests.of(piece_a, piece_b)) best = std::min(best, stay.begin.high);
@@ -47,28 +47,41 @@ class PieceTests {
     space.clear();
   }
 
-  /// The stays of two pieces.
+  /// The stays of two pieces, until others are asked for.
   std::span<const PieceStay> of(std::size_t a, std::size_t b) {
     const PiecePair pair{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)};
+    if (!times_wanted_ || is_full()) space_.clear();
+    if (!times_wanted_) return test(pair);  // whoever wants no times asks once
     const auto [number, is_new] = space_.numbers.add(pair);
-    if (is_new) test(pair);
+    if (is_new) {
+      const auto first = static_cast<std::uint32_t>(space_.stays.size());
+      space_.tested.push_back({first, static_cast<std::uint32_t>(test(pair).size())});
+    }
     const auto& tested = space_.tested[number];
     return std::span(space_.stays).subspan(tested.first_stay, tested.stay_count);
   }
 
-  /// All stays so far.
+  /// Before another pair is tested all are forgotten: so the memory for a pair of outlines is bounded, and
+  /// they are tested again if they are asked for again.
+  bool is_full() const {
+    return space_.tested.size() + space_.stays.size() + space_.ends.size() >= most_known;
+  }
+
+  /// All stays that are known.
   std::span<const PieceStay> all() const { return space_.stays; }
   std::span<const StayEnd> ends(const PieceStay& stay) const {
     return std::span(space_.ends).subspan(stay.first_end, stay.end_count);
   }
-  const PiecePair& pair_of(const PieceStay& stay) const { return space_.tested[stay.tested].pair; }
 
  private:
   using Kind = Condition::Kind;
 
-  [[gnu::noinline]] void test(const PiecePair& pair) {
-    const auto first = static_cast<std::uint32_t>(space_.stays.size());
-    space_.tested.push_back({pair, first, 0});
+  /// Some megabytes.
+  static constexpr std::size_t most_known = 1 << 15;
+
+  /// Their stays join all others.
+  [[gnu::noinline]] std::span<const PieceStay> test(const PiecePair& pair) {
+    const std::size_t first = space_.stays.size();
     space_.clipped.start(asked_);
     space_.all_ends.clear();
     if constexpr (D == 3)
@@ -79,7 +92,7 @@ class PieceTests {
       test_grown(a, b);
     else
       test_as_they_are(a, b);
-    space_.tested.back().stay_count = static_cast<std::uint32_t>(space_.stays.size()) - first;
+    return std::span(space_.stays).subspan(first);
   }
 
   void test_as_they_are(const ConvexPiece& a, const ConvexPiece& b) {
@@ -127,8 +140,7 @@ class PieceTests {
       const auto first_end = static_cast<std::uint32_t>(space_.ends.size());
       for (const StayEnd& end : space_.all_ends)
         if (end.at.meets(end.way == Way::in ? stay.begin : stay.end)) space_.ends.push_back(end);
-      space_.stays.push_back({stay, static_cast<std::uint32_t>(space_.tested.size() - 1), first_end,
-                              static_cast<std::uint32_t>(space_.ends.size()) - first_end});
+      space_.stays.push_back({stay, first_end, static_cast<std::uint32_t>(space_.ends.size()) - first_end});
     }
   }
 

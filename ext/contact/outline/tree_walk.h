@@ -1,9 +1,9 @@
 // Which pieces of two objects could touch, and when at most? Both trees of boxes from their roots downwards,
 // a pair of nodes at a time, each cutting the time that is left by the chord (certain/chord.h).
 //
-//   const TreeWalk<2> walk(a, b, relative, {0, 600}, radius);
+//   const TreeWalk<2> walk(a, b, relative, {0, 600}, radius, steps);
 //   walk.visit(Order::earlier_first, [](const Period<double>& near) { return near.begin <= best; },
-//              [&](std::size_t piece_a, std::size_t piece_b) { … });
+//              [&](std::size_t piece_a, std::size_t piece_b, const Period<double>& near) { … });
 //
 // A box along the axes is enough for a node: nothing turns, so that none ever loosens. Cost: some ten
 // nanoseconds a pair of nodes.
@@ -11,6 +11,7 @@
 
 #include <cstdint>
 
+#include "base/steps.h"
 #include "contact/certain/chord.h"
 #include "contact/outline/object_pieces.h"
 
@@ -22,13 +23,13 @@ enum class Order : std::uint8_t { earlier_first, later_first };
 template <int D>
 class TreeWalk {
  public:
-  /// `asked`: the moments asked about; `grown`: how near counts as touching.
+  /// `asked`: the moments asked about; `grown`: how near counts as touching. Each pair of nodes is a step.
   TreeWalk(const ObjectPieces& a, const ObjectPieces& b, const CertainMotion<D>& relative,
-           const Period<double>& asked, const Bounded& grown)
-      : a_(a), b_(b), chord_(relative, asked.end), asked_(asked), grown_(grown) {}
+           const Period<double>& asked, const Bounded& grown, Steps& steps)
+      : a_(a), b_(b), chord_(relative, asked.end), asked_(asked), grown_(grown), steps_(steps) {}
 
-  /// Gives `visit` every pair of pieces that could touch, as long as `wanted`, which is asked again and
-  /// again, is for some of that time.
+  /// Gives `visit` every pair of pieces that could touch, and when at most, as long as `wanted`, which is
+  /// asked again and again, is for some of that time.
   template <class Wanted, class Visit>
   void visit(Order order, Wanted&& wanted, Visit&& visit) const {
     descend({ObjectPieces::root, ObjectPieces::root, near(ObjectPieces::root, ObjectPieces::root, asked_)},
@@ -43,9 +44,10 @@ class TreeWalk {
 
   template <class Wanted, class Visit>
   void descend(const Nodes& nodes, Order order, Wanted&& wanted, Visit&& visit) const {
+    steps_();
     const Period<double>& near = nodes.near;
     if (!(near.begin <= near.end) || !wanted(near)) return;
-    if (a_.is_leaf(nodes.a) && b_.is_leaf(nodes.b)) return visit(a_.item(nodes.a), b_.item(nodes.b));
+    if (a_.is_leaf(nodes.a) && b_.is_leaf(nodes.b)) return visit(a_.item(nodes.a), b_.item(nodes.b), near);
     Nodes one = nodes, other = nodes;
     if (splits_a(nodes.a, nodes.b))
       one.a = ObjectPieces::left(nodes.a), other.a = ObjectPieces::right(nodes.a);
@@ -81,6 +83,7 @@ class TreeWalk {
   const Chord<D> chord_;
   const Period<double> asked_;
   const Bounded grown_;
+  Steps& steps_;
 };
 
 }  // namespace foresee::contact

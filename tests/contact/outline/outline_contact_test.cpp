@@ -156,7 +156,9 @@ TEST(OutlineContact, OfRandomPairsIsToldByDoubles) {
     ObjectPieces a, b;
     a.take(cut_a), b.take(cut_b);
     PieceSpace space;
-    OutlinePair<2, 1> pair(setup, row_a.data(), row_b.data(), a, b, moments, true, space);
+    NeverInterrupt never;
+    Steps steps(never);
+    OutlinePair<2, 1> pair(setup, row_a.data(), row_b.data(), a, b, moments, true, space, steps);
     Instant begin;
     const Verdict touches = pair.first_contact(begin);
     contacts += touches == Verdict::yes;

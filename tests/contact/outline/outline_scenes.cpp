@@ -246,6 +246,11 @@ OutlineScene draw_scene(const OutlineFamily& family, OutlinePairing pairing, std
 }
 
 std::optional<ContactTimes> outline_contact(const OutlineScene& scene) {
+  NeverInterrupt never;
+  return outline_contact(scene, never);
+}
+
+std::optional<ContactTimes> outline_contact(const OutlineScene& scene, Interrupt& interrupt) {
   const std::vector<double> row_a = scene.a.row.row(), row_b = scene.b.row.row();
   const Setup setup{{scene.a.row.layout, row_a.data(), 1},
                     {scene.b.row.layout, row_b.data(), 1},
@@ -254,7 +259,9 @@ std::optional<ContactTimes> outline_contact(const OutlineScene& scene) {
                     scene.question.within_z.value_or(0)};
   const OneOutline a(scene.a.outline), b(scene.b.outline);
   const int degree = scene.a.row.layout.law == Law::uniform ? 1 : 2;
-  return answer_of(*make_outline_contact(setup, {&a, &b}, degree));
+  const auto contact = make_outline_contact(setup, {&a, &b}, degree);
+  contact->heed(interrupt);
+  return answer_of(*contact);
 }
 
 std::string described(const OutlineScene& scene) {

@@ -34,6 +34,8 @@ struct OutlineScene {
 
 /// The answer of the contact room; decide() and both ways of asking for times must agree.
 std::optional<ContactTimes> outline_contact(const OutlineScene& scene);
+/// The same, heeding an interrupt.
+std::optional<ContactTimes> outline_contact(const OutlineScene& scene, Interrupt& interrupt);
 
 /// How the numbers of a family look.
 struct OutlineFamily {
