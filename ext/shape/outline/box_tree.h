@@ -11,7 +11,7 @@
 // heading.
 //
 // Cost: order n log n, once an outline; a tree n, some nanoseconds a box. No leaf lies deeper than
-// log2(n) + 1, so that a stack of 2 * deepest nodes is enough for a walk, depth first.
+// log2(n) + 1, so that a walk may be recursive.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,6 @@ class BoxTree {
  public:
   using Node = std::uint32_t;
   static constexpr Node root = 0;
-  static constexpr int deepest = 32;
 
   BoxTree() = default;
   /// Of boxes in an order as tree_order() gives it. Requires: at least one, none empty.

@@ -174,15 +174,6 @@ std::optional<Flaw> ring_of_few_corners(const Outline& outline) {
   return std::nullopt;
 }
 
-/// Where two rings of a valid outline touch at a corner of only one of them; the first from the left.
-std::optional<Flaw> edge_touch_of(const Outline& outline) {
-  if (outline.rings() == 1) return std::nullopt;
-  const FloatEnvironment environment;
-  Validity validity(outline);
-  validity.check();
-  return validity.edge_touch();
-}
-
 }  // namespace
 
 std::optional<Flaw> flaw_of(const Outline& outline) {
@@ -201,9 +192,23 @@ void check_outline(const Outline& outline) {
   if (const auto flaw = flaw_of(outline)) throw Error(shown(*flaw, outline));
 }
 
+std::optional<Flaw> edge_touch_of(const Outline& outline) {
+  if (outline.rings() == 1) return std::nullopt;
+  const FloatEnvironment environment;
+  Validity validity(outline);
+  validity.check();
+  return validity.edge_touch();
+}
+
 void check_turned(const Outline& outline, const Outline& turned, double heading) {
   if (std::fmod(heading, 90) == 0) return;
-  if (const auto flaw = edge_touch_of(outline)) throw Error(shown_turned(*flaw, outline, heading));
+  check_turned(outline, edge_touch_of(outline), turned, heading);
+}
+
+void check_turned(const Outline& outline, const std::optional<Flaw>& edge_touch, const Outline& turned,
+                  double heading) {
+  if (std::fmod(heading, 90) == 0) return;
+  if (edge_touch) throw Error(shown_turned(*edge_touch, outline, heading));
   const auto flaw = flaw_of(turned);
   if (!flaw) return;
   const bool same_places = outline.corners().size() == turned.corners().size();

@@ -144,11 +144,14 @@ class WktReader {
       const double x = number();
       outline_.add({x, number()});
       if (!take(',')) break;
-      if (outline_.corners().size() > most_corners) refuse_corners();
+      if (outline_.corners().size() > most_corners) refuse_corners(1);
     }
     if (!take(')')) refuse_corner_end();
     const std::size_t last = outline_.rings() - 1;
-    if (outline_.close_ring() || outline_.ring(last).size() == 1) return;
+    if (outline_.close_ring() || outline_.ring(last).size() == 1) {
+      if (outline_.corners().size() > most_corners) refuse_corners(0);
+      return;
+    }
     throw Error(name_of_ring(outline_, last) + " is not closed: write the first corner (" +
                 shown(outline_.ring(last).front()) + ") again at its end");
   }
@@ -177,14 +180,15 @@ class WktReader {
   }
 
   /// More than there may be have been read: counts the others by the commas before them, as rings are closed.
-  [[noreturn]] void refuse_corners() {
-    std::size_t corners = outline_.corners().size();
-    bool closed = false;
+  /// `begun`: of how many the comma has been read.
+  [[noreturn]] void refuse_corners(std::size_t begun) {
+    std::size_t corners = outline_.corners().size() + begun;
+    bool closed = begun == 0;
     for (const char c : text_.substr(at_)) {
       if (c == ',') ++corners, closed = false;
       if (c == ')' && !closed) --corners, closed = true;
     }
-    throw Error(std::to_string(corners + 1) + " corners; at most " + std::to_string(most_corners) +
+    throw Error(std::to_string(corners) + " corners; at most " + std::to_string(most_corners) +
                 ": simplify the outline");
   }
 

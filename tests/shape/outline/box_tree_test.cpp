@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 #include <numeric>
 #include <random>
 
@@ -30,7 +31,7 @@ std::vector<std::size_t> items_near(const BoxTree<2>& tree, const Box<2>& box, s
   std::vector<std::size_t> found;
   std::vector<BoxTree<2>::Node> stack{tree.root};
   while (!stack.empty()) {
-    EXPECT_LE(stack.size(), static_cast<std::size_t>(tree.deepest));
+    EXPECT_LE(stack.size(), std::bit_width(tree.items()) + 1u);
     const auto node = stack.back();
     stack.pop_back();
     ++visits;

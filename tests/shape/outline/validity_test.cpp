@@ -182,6 +182,18 @@ TEST(Validity, ATurnPartsACornerFromAnEdge) {
             "");
 }
 
+TEST(Validity, WhereEdgesAreTouchedIsAskedOnceForAllTurns) {
+  const Outline outline = read_outline("POLYGON((0 0, 4 0, 4 4, 0 4, 0 0), (2 0, 3 1, 1 1, 2 0))");
+  const auto touch = edge_touch_of(outline);
+  ASSERT_TRUE(touch.has_value());
+  EXPECT_EQ(touch->place, (Corner{2, 0}));
+  EXPECT_THROW(check_turned(outline, touch, turned(outline, 37.5), 37.5), Error);
+  EXPECT_NO_THROW(check_turned(outline, touch, turned(outline, 270), 270));
+  const Outline square = read_outline("POLYGON((0 0, 4 0, 4 4, 0 4, 0 0))");
+  EXPECT_FALSE(edge_touch_of(square).has_value());
+  EXPECT_NO_THROW(check_turned(square, {}, turned(square, 37.5), 37.5));
+}
+
 TEST(Validity, ATurnMayCloseAGapOfAnUlp) {
   // Two parts beside each other, an ulp of 1 apart, far out.
   const Outline outline = read_outline(

@@ -149,6 +149,8 @@ TEST(WktReader, MoreCornersAreCounted) {
             "65537 corners; at most 65536: simplify the outline");
   EXPECT_EQ(refusal("MULTIPOLYGON((" + ring_of(65534) + ", " + ring_of(100) + "), (" + ring_of(7) + "))"),
             "65641 corners; at most 65536: simplify the outline");
+  EXPECT_EQ(refusal("POLYGON(" + ring_of(65536) + ", (0 0))"),
+            "65537 corners; at most 65536: simplify the outline");
 }
 
 /// Texts of two million characters.
