@@ -25,8 +25,9 @@ class OutlinePair {
         asked_(asked_of(moments)),
         sizes_(sizes_of<Bounded>(setup, row_a, row_b)),
         tests_(a, b, relative_, asked_, sizes_, times_wanted, space),
-        walk_(a, b, relative_, {asked_.begin.low, asked_.end.high}, sizes_.radius, steps),
-        instants_(setup, row_a, row_b, relative_, sizes_, moments_, asked_) {}
+        walk_(a, b, relative_, {asked_.begin.low, asked_.end.high}, sizes_, steps),
+        instants_(setup, row_a, row_b, relative_, sizes_, moments_, asked_),
+        seen_(space.seen) {}
 
   OutlinePair(const OutlinePair&) = delete;
   OutlinePair& operator=(const OutlinePair&) = delete;
@@ -67,8 +68,10 @@ class OutlinePair {
   /// Requires: the contact lasts from its begin to met_by(), which is finite.
   Instant end_of_contact() {
     last_ = {met_by_, met_by_};
+    for (const PieceStay& stay : tests_.all())
+      if (stay.is_certain() && stay.begin.high <= met_by_) reach(stay.end);
     do follow();
-    while (goes_through_a_cut());
+    while (!lasts_to_the_end() && goes_through_a_cut());
     return latest_end();
   }
 
@@ -172,25 +175,46 @@ class OutlinePair {
 
   void reach(const Enclosure& end) { last_ = {std::max(last_.low, end.low), std::max(last_.high, end.high)}; }
 
-  /// Follows the contact along stays that surely begin before its end so far. The first walk looks for those
-  /// that end last; what it passes by, as it begins later than the end was then, the next take in order.
+  /// Follows the contact along stays that surely begin before its end so far. Each walk looks for those that
+  /// end last; the next is for what it passed by, as it begins later than the end was then.
   void follow() {
-    double passed_by = -Stay::inf, waiting = Stay::inf;  // begins of nodes, and of stays
-    for (Order order = Order::later_first; passed_by <= last_.high || waiting <= last_.low;
-         order = Order::earlier_first) {
-      passed_by = waiting = Stay::inf;
+    double passed_by = Stay::inf, forgotten = Stay::inf;  // the earliest begins of nodes, and of stays
+    do {
+      passed_by = forgotten = Stay::inf;
+      seen_.clear(), all_seen_ = true;
       const auto wanted = [this, &passed_by](const Period<double>& near) {
         if (near.end < last_.low || lasts_to_the_end()) return false;
         if (near.begin > last_.high) passed_by = std::min(passed_by, near.begin);
         return near.begin <= last_.high;
       };
-      walk_.visit(order, wanted, [this, &waiting](std::size_t a, std::size_t b, const Period<double>&) {
-        for (const PieceStay& stay : tests_.of(a, b))
-          if (is_joined(stay))
-            reach(stay.end);
-          else if (stay.is_certain())
-            waiting = std::min(waiting, stay.begin.high);
-      });
+      walk_.visit(Order::later_first, wanted,
+                  [this, &forgotten](std::size_t a, std::size_t b, const Period<double>&) {
+                    if (tests_.is_full()) forgotten = std::min(forgotten, forget_seen());
+                    for (const PieceStay& stay : tests_.of(a, b)) {
+                      if (is_joined(stay)) reach(stay.end);
+                      seen_.push_back(stay);
+                    }
+                  });
+      join_seen();
+    } while (passed_by <= last_.high || forgotten <= last_.low);
+  }
+
+  /// When the first begins of those that are not joined so far.
+  double forget_seen() {
+    double first = Stay::inf;
+    for (const PieceStay& stay : seen_)
+      if (stay.is_certain() && !is_joined(stay)) first = std::min(first, stay.begin.high);
+    seen_.clear(), all_seen_ = false;
+    return first;
+  }
+
+  /// Those too that were seen before the contact reached them: in the order of their begins.
+  void join_seen() {
+    std::sort(seen_.begin(), seen_.end(),
+              [](const Stay& a, const Stay& b) { return a.begin.high < b.begin.high; });
+    for (const PieceStay& stay : seen_) {
+      if (stay.begin.high > last_.low) break;
+      if (stay.is_certain()) reach(stay.end);
     }
   }
 
@@ -203,9 +227,10 @@ class OutlinePair {
     return !is_joined(stay) && stay.begin.low <= last_.high && stay.end.high > last_.low;
   }
 
-  /// Gives `use` all stays that may end the contact or continue it.
+  /// Gives `use` all stays that may end the contact or continue it. Requires: follow().
   template <class Use>
   void at_the_end(Use&& use) {
+    if (all_seen_) return static_cast<void>(std::for_each(seen_.begin(), seen_.end(), use));
     walk_.visit(
         Order::later_first,
         [this](const Period<double>& near) { return near.begin <= last_.high && near.end >= last_.low; },
@@ -266,6 +291,8 @@ class OutlinePair {
   PieceTests<D, Degree> tests_;
   const TreeWalk<D> walk_;
   StayInstants<D, Degree> instants_;
+  std::vector<PieceStay>& seen_;            ///< by the last walk of follow()
+  bool all_seen_ = false;                   ///< and known still
   double met_by_ = Stay::inf;               ///< by then they certainly touch
   Instant earliest_{Stay::inf, Stay::inf};  ///< of the begins that are known
   double unknown_from_ = Stay::inf;         ///< and since when one may be that is not

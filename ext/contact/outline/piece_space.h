@@ -32,6 +32,7 @@ struct PieceSpace {
   std::vector<Tested> tested;  ///< by those numbers
   std::vector<PieceStay> stays;
   std::vector<StayEnd> ends;
+  std::vector<PieceStay> seen;
   // Of the part at hand:
   std::vector<SumEdge> edges;
   std::vector<StayEnd> all_ends;

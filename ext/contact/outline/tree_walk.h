@@ -1,7 +1,7 @@
 // Which pieces of two objects could touch, and when at most? Both trees of boxes from their roots downwards,
 // a pair of nodes at a time, each cutting the time that is left by the chord (certain/chord.h).
 //
-//   const TreeWalk<2> walk(a, b, relative, {0, 600}, radius, steps);
+//   const TreeWalk<2> walk(a, b, relative, {0, 600}, sizes, steps);
 //   walk.visit(Order::earlier_first, [](const Period<double>& near) { return near.begin <= best; },
 //              [&](std::size_t piece_a, std::size_t piece_b, const Period<double>& near) { … });
 //
@@ -13,6 +13,7 @@
 
 #include "base/steps.h"
 #include "contact/certain/chord.h"
+#include "contact/outline/condition.h"
 #include "contact/outline/object_pieces.h"
 
 namespace foresee::contact {
@@ -23,10 +24,15 @@ enum class Order : std::uint8_t { earlier_first, later_first };
 template <int D>
 class TreeWalk {
  public:
-  /// `asked`: the moments asked about; `grown`: how near counts as touching. Each pair of nodes is a step.
+  /// `asked`: the moments asked about. Each pair of nodes is a step.
   TreeWalk(const ObjectPieces& a, const ObjectPieces& b, const CertainMotion<D>& relative,
-           const Period<double>& asked, const Bounded& grown, Steps& steps)
-      : a_(a), b_(b), chord_(relative, asked.end), asked_(asked), grown_(grown), steps_(steps) {}
+           const Period<double>& asked, const PairSizes<Bounded>& sizes, Steps& steps)
+      : a_(a),
+        b_(b),
+        chord_(relative, asked.end),
+        asked_(overlap_along_z(chord_, asked, sizes.height)),
+        grown_(sizes.radius),
+        steps_(steps) {}
 
   /// Gives `visit` every pair of pieces that could touch, and when at most, as long as `wanted`, which is
   /// asked again and again, is for some of that time.
@@ -65,6 +71,16 @@ class TreeWalk {
     return size_of(a_.box(a)) >= size_of(b_.box(b));
   }
   static double size_of(const Box<2>& box) { return (box.upper - box.lower).sum(); }
+
+  /// Of `asked`, when two prisms could overlap along z, whatever their outlines.
+  static Period<double> overlap_along_z(const Chord<D>& chord, const Period<double>& asked,
+                                        const Bounded& height) {
+    static constexpr Faces faces = {.axis = 2, .below = 0, .above = 0};
+    if constexpr (D < 3)
+      return asked;
+    else
+      return chord.between(&faces, 1, &height, asked);
+  }
 
   /// Of `asked`, when boxes could touch.
   Period<double> near(ObjectPieces::Node a, ObjectPieces::Node b, const Period<double>& asked) const {
