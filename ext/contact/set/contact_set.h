@@ -38,8 +38,8 @@ struct Length {
 
 /// One piece: where the primitives `all` are at most 0. Two lists change no piece and save work: where the
 /// piece holds, those `around` it hold too; and of the union nothing is lost if `beyond` must be at least 0,
-/// as elsewhere another piece covers this one. `ball` is one of `all` that no other piece has: its roots
-/// are costly, so the exact stage looks for them last, and only when the rest holds.
+/// as elsewhere another piece covers this one. `ball` is a ball or strip, one of `all` that no other piece
+/// has: its roots are costly, so the exact stage looks for them last, and only when the rest holds.
 struct Conditions {
   std::vector<int> all, around = {}, beyond = {};
   int ball = -1;  ///< -1: none
