@@ -133,9 +133,7 @@ class OutlinePair {
             more = take(PiecePair{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
         });
   }
-
-  /// How near counts as touching is more than 0.
-  bool is_grown() const { return sizes_.radius.value > 0; }
+  bool is_grown() const { return sizes_.radius.value > 0; }  ///< near counts as touching
 
  private:
   /// Outward and inward.
@@ -248,8 +246,7 @@ class OutlinePair {
     Enclosure reached = last_;
     at_the_end([&](const PieceStay& stay) {
       if (may_end_it(stay)) {
-        ++ending;
-        at_a_cut = ends_at_a_cut(stay);
+        ++ending, at_a_cut = ends_at_a_cut(stay);
       } else if (may_continue_it(stay)) {
         latest_begin = std::max(latest_begin, stay.begin.high);
         earliest_end = std::min(earliest_end, stay.end.low);
