@@ -182,8 +182,9 @@ Powers<T, 2 * K> ball_polynomial(const Primitive& ball, const Powers<T, K>* x, c
 }
 
 /// Gives `take` the primitive by powers of the time after tau: at most 0 inside. `x`: the relative motion on
-/// each axis, likewise as it is seen from tau. A ball has powers up to 2 K, others up to K. `wanted` is asked
-/// with the value at tau whether more than that value matters; if not, the rest may be anything.
+/// each axis, likewise as it is seen from tau. Strips and balls have powers up to 2 K, others up to K. Of a
+/// ball `wanted` is asked with the value at tau whether more than that value matters; if not, the rest may be
+/// anything.
 template <int K, class T, class Lengths, class Moment, class Wanted, class Take>
 [[gnu::always_inline]] inline auto with_polynomial(const Primitive& primitive, const Powers<T, K>* x,
                                                    const Lengths& lengths, const Moment& tau, Wanted&& wanted,
