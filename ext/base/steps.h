@@ -6,6 +6,8 @@
 // Requires: what is sorted may be left in any order by the exception. Cost: a nanosecond a step.
 #pragma once
 
+#include <cstdint>
+
 #include "base/error.h"
 
 namespace foresee::base {
@@ -17,12 +19,13 @@ class Steps {
   void operator()() {
     if (++steps_ % between == 0) interrupt_.check();
   }
+  std::uint64_t taken() const { return steps_; }
 
  private:
   static constexpr unsigned between = 1 << 14;
 
   Interrupt& interrupt_;
-  unsigned steps_ = 0;
+  std::uint64_t steps_ = 0;
 };
 
 }  // namespace foresee::base

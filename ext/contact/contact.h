@@ -31,6 +31,7 @@ struct ContactQuestion {
   double within = 0;  ///< coming this close counts as touching; >= 0, finite
   std::optional<double> within_z =
       {};  ///< three axes: the limit along z, apart from the one in x and y; >= 0, finite
+  bool rectangles_for_outlines = false;  ///< in place of each outline the smallest one around it
 };
 
 /// Begin and end of the first contact, clipped to the moments asked about: absolute, and measured from `now`.
@@ -81,12 +82,15 @@ class Contact {
 
   /// From now on, where a single pair may take long, `interrupt` is asked meanwhile; it must outlive this.
   virtual void heed(Interrupt& /*interrupt*/) {}
+
+  /// What the pairs asked about so far took, in words; "" where nothing was counted.
+  virtual std::string effort() const { return ""; }
 };
 
 /// Requires: a and b have the same number of axes. `name_a` and `name_b` are what messages call the two
 /// sides. The table of docs/semantics.md says which distance decides. Throws Error for pairs without a
 /// distance (docs/sql_reference.md): a cylinder and a ball, whatever its r; within_z with fewer than three
-/// axes, or where neither side is a point or a cylinder. The bodies must outlive the contact.
+/// axes, or where neither side is a point, a cylinder or a prism. The bodies must outlive the contact.
 std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const ContactQuestion& question,
                                       const std::string& name_a, const std::string& name_b);
 

@@ -1,6 +1,7 @@
 // The table of docs/semantics.md#contact, which distance a pair of shapes has, as one decision per statement.
 #include "base/error.h"
 #include "contact/contact.h"
+#include "contact/outline_contact.h"
 #include "contact/set/shape_pairs.h"
 #include "contact/typed_contact.h"
 
@@ -24,6 +25,7 @@ bool is_box(const Bodies& bodies) {
     case Shape::point:
     case Shape::ball:
     case Shape::cylinder:
+    case Shape::outline:
       return false;
   }
   throw Error("contact of a shape that this version does not know");
@@ -36,10 +38,15 @@ bool has(const Bodies& a, const Bodies& b, Shape shape) {
 void require_cylinders_or_points(const Bodies& a, const Bodies& b) {
   if (a.layout.axes != 3)
     throw Error("within_z is for tables with x, y and z; leave it out here (within covers every axis)");
-  if (!has(a, b, Shape::point) && !has(a, b, Shape::cylinder))
+  if (!has(a, b, Shape::point) && !has(a, b, Shape::cylinder) && !has(a, b, Shape::outline))
     throw Error(
-        "within_z needs points or cylinders (r with hz) on one side; between balls or boxes leave it out: "
-        "within covers every axis");
+        "within_z needs points, cylinders (r with hz) or prisms (shape with hz) on one side; between balls "
+        "or "
+        "boxes leave it out: within covers every axis");
+}
+
+const char* plural_of(Shape shape) {
+  return shape == Shape::cylinder ? "cylinders" : shape == Shape::outline ? "prisms" : nullptr;
 }
 
 /// By declarations alone: no answer may be an error for some rows, ids or methods only.
@@ -49,12 +56,27 @@ void require_no_ball_with_cylinder(const Bodies& a, const Bodies& b, const std::
   const bool ball_a = a.layout.shape == Shape::ball;
   const std::string& ball = ball_a ? name_a : name_b;
   const std::string& upright = ball_a ? name_b : name_a;
-  const Bodies& other = ball_a ? b : a;
-  const bool is_cylinder = other.layout.shape == Shape::cylinder;
-  throw Error("no distance is defined between " + upright +
-              (is_cylinder ? " (cylinders)" : " (points, which within_z makes cylinders)") + " and " + ball +
+  const char* const other = plural_of((ball_a ? b : a).layout.shape);
+  throw Error("no distance is defined between " + upright + " (" +
+              (other ? other : "points, which within_z makes cylinders") + ") and " + ball +
               " (balls): declare hz in " + ball + " to make them cylinders" +
-              (is_cylinder ? "" : ", or leave out within_z"));
+              (other ? "" : ", or leave out within_z"));
+}
+
+std::unique_ptr<Contact> make_contact_of_outlines(const Bodies& a, const Bodies& b,
+                                                  const ContactQuestion& question, const std::string& name_a,
+                                                  const std::string& name_b) {
+  const bool prisms = a.layout.axes == 3;
+  if (prisms) require_no_ball_with_cylinder(a, b, name_a, name_b);
+  const Setup setup{a, b, question.horizon, question.within,
+                    prisms ? question.within_z.value_or(0) : question.within};
+  const auto outlines = [&](const Bodies& bodies) -> const OutlineRows* {
+    if (question.rectangles_for_outlines || bodies.layout.shape != Shape::outline) return nullptr;
+    if (!bodies.outlines && bodies.count > 0) throw Error("nobody knows the outlines of these rows");
+    return bodies.outlines;
+  };
+  return make_outline_contact(setup, {outlines(a), outlines(b)},
+                              std::max(degree_of(a.layout.law), degree_of(b.layout.law)));
 }
 
 }  // namespace
@@ -62,6 +84,7 @@ void require_no_ball_with_cylinder(const Bodies& a, const Bodies& b, const std::
 std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const ContactQuestion& question,
                                       const std::string& name_a, const std::string& name_b) {
   if (question.within_z) require_cylinders_or_points(a, b);
+  if (has(a, b, Shape::outline)) return make_contact_of_outlines(a, b, question, name_a, name_b);
   const double within = question.within;
   const int degree = std::max(degree_of(a.layout.law), degree_of(b.layout.law));
   const bool box_a = is_box(a), box_b = is_box(b), box = box_a || box_b;

@@ -15,26 +15,19 @@
 
 #include "contact/contact.h"
 #include "contact/set/relative_motion.h"
-#include "shape/outline/convex_pieces.h"
+#include "shape/outline/outline_rows.h"
 
 namespace foresee::contact {
 
-/// Who knows the outlines of a table's rows. Asked by several threads at a time.
-class OutlineRows {
- public:
-  virtual ~OutlineRows() = default;
-  /// The pieces of this row's outline as it lies, which live as long as this; null: it has none, and is the
-  /// point, disc or cylinder that its sizes say.
-  virtual const ConvexPieces* pieces(std::size_t row) const = 0;
-};
-
-/// Of both tables; null: one without outlines, whose rows are what their layout says.
+/// Of both tables; null: one without outlines, whose rows are what their layout says. That of a layout of
+/// outlines are the smallest rectangles around them, grown by r.
 struct OutlineTables {
   const OutlineRows *a = nullptr, *b = nullptr;
 };
 
-/// `degree`: of the relative motion, at most 2. Requires: two axes, or three, and then the outlines are those
-/// of upright prisms; the tables outlive the contact.
+/// Where the setup has a window the first table is that window, or the zone whose outline it has: then the
+/// window bounds it along z alone. `degree`: of the relative motion, at most 2. Requires: two axes, or three,
+/// and then the outlines are those of upright prisms; the tables outlive the contact.
 std::unique_ptr<Contact> make_outline_contact(const Setup& setup, const OutlineTables& outlines, int degree);
 
 }  // namespace foresee::contact

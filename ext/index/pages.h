@@ -33,6 +33,10 @@
 #include "base/error.h"
 #include "shape/layout.h"
 
+namespace foresee::shape {
+class OutlineSource;
+}
+
 namespace foresee::index {
 
 /// Nodes contradict one another: a parent without its child, levels that do not count down. Thrown instead of
@@ -69,6 +73,8 @@ class NodeSource {
   /// 0: no objects.
   virtual NodeNumber find_root() = 0;
   virtual std::shared_ptr<const Node> read(NodeNumber number) = 0;
+  /// Of the outlines that records name by number; null where their layout has none. Lives as long as this.
+  virtual OutlineSource* outlines() { return nullptr; }
 };
 
 /// What the tree needs to change itself. Any call may throw; the caller then undoes what was announced.

@@ -17,6 +17,8 @@
 
 namespace foresee::shape {
 
+class OutlineRows;
+
 struct Bodies {
   Bodies() = default;
   Bodies(const Layout& layout, const double* rows, std::size_t count)
@@ -28,6 +30,7 @@ struct Bodies {
   Offsets at;
   const double* rows = nullptr;
   std::size_t count = 0;
+  const OutlineRows* outlines = nullptr;  ///< of Shape::outline, for contact: which row looks how
 };
 
 template <int D>

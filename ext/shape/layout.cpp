@@ -26,8 +26,13 @@ Offsets offsets_of(const Layout& layout, bool stored) {
   }
   with_shape(layout.shape, [&](auto shape) {
     for (const SizeColumn& column : shape.sizes)
-      at.*column.place = take(column.on_all_axes ? layout.axes : 1);
+      if (has_column(layout, column)) at.*column.place = take(column.on_all_axes ? layout.axes : 1);
   });
+  if (layout.shape == Shape::outline) {
+    at.outline = take(1);
+    if (layout.has_heading) at.heading = take(1);
+    at.bounds = take(4);
+  }
   if (layout.has_until) at.until = take(1);
   at.size = next;
   return at;

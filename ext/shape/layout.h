@@ -19,6 +19,7 @@ enum class Shape : std::uint8_t {
   box,       ///< half extents on every axis
   ball,      ///< radius: an interval, a disc or a ball
   cylinder,  ///< three axes only: radius in x and y, half extent in z
+  outline,   ///< a flat outline of its own, or on three axes the upright prism over it; grown by a radius
 };
 
 struct Layout {
@@ -27,6 +28,8 @@ struct Layout {
   Shape shape = Shape::point;
   bool has_t = false;
   bool has_until = false;
+  bool has_radius = false;   ///< of Shape::outline: each outline grows by an r
+  bool has_heading = false;  ///< of Shape::outline: each outline is turned
 
   friend bool operator==(const Layout&, const Layout&) = default;
 };
@@ -43,7 +46,10 @@ struct Offsets {
   int mass = absent;   ///< only in records
   int half = absent;   ///< half extents of a box
   int r = absent;      ///< radius of a ball or cylinder
-  int hz = absent;     ///< half height of a cylinder
+  int hz = absent;     ///< half height of a cylinder or prism
+  int outline = absent;  ///< number of the outline (storage/table/outlines.h); 0: none
+  int heading = absent;  ///< by which it is turned, in degrees clockwise
+  int bounds = absent;   ///< lower x, lower y, upper x, upper y of the turned outline around the centre
   int until = absent;  ///< last moment of the motion, +infinity for ever
   int size = 0;        ///< doubles per object
 
@@ -55,7 +61,7 @@ inline double value_or(const double* row, int place, double otherwise) {
 }
 
 /// The order of the doubles as they are stored: t, x…, v…, a… or force… and mass, the sizes of the shape,
-/// until.
+/// outline, heading and bounds, until.
 Offsets record_offsets(const Layout& layout);
 
 /// The order of the doubles that queries read: the same, with the acceleration in place of force and mass.

@@ -4,14 +4,16 @@
 //   with_shape(layout.shape, [&](auto shape) { return shape.template extents<2>(row, at); });
 //
 // A shape is a type of static members: `shape`, its name in a layout; `sizes`, its columns in the order of a
-// record, each a number >= 0; `extents`, the smallest box around it, and `core`, a box within it, both seen
-// from the position of the object. What it is for contact says contact/make_contact.cpp, by pairs of shapes.
+// record, each a number >= 0 (of an outline not all need be there); `extents`, the smallest box around it and
+// its position, and `core`, a box within it, both seen from that position. What it is for contact says
+// contact/make_contact.cpp, by pairs of shapes.
 #pragma once
 
 #include "base/error.h"
 #include "shape/ball.h"
 #include "shape/box.h"
 #include "shape/cylinder.h"
+#include "shape/outline_shape.h"
 #include "shape/point.h"
 
 namespace foresee::shape {
@@ -28,6 +30,8 @@ decltype(auto) with_shape(Shape shape, Use&& use) {
       return use(BallShape{});
     case Shape::cylinder:
       return use(CylinderShape{});
+    case Shape::outline:
+      return use(OutlineShape{});
   }
   throw Error("a layout of a shape that this version does not know");
 }

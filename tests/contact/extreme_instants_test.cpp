@@ -68,7 +68,7 @@ TEST(ExtremeInstants, TheSlopeOfAChordOverflowsWhereThePlacesDoNot) {
 }
 
 TEST(ExtremeInstants, AWindowIsEnteredWhereMomentsAreSubnormal) {
-  const MovingWindow window({.lower = {0, -1}, .upper = {0x1p-76, 1}}, 2, 0);
+  const MovingWindow window({.lower = {0, -1}, .upper = {0x1p-76, 1}}, {.axes = 2}, 0);
   Object point = object(2, Shape::point);
   point.layout.law = Law::uniform, point.x[0] = -5.7 * 0x1p-74, point.v[0] = 0x1p1000;
   const std::vector<double> row = point.row();

@@ -167,7 +167,7 @@ TEST(Door, ShapesOfALaterVersionAreRefused) {
   later.layout.shape = static_cast<Shape>(99);
   EXPECT_THROW(make_contact(points, later, asked(1), "a", "b"), Error);
   EXPECT_THROW(make_contact(later, points, asked(1, 1), "a", "b"), Error);
-  const MovingWindow window({}, 2, 0);
+  const MovingWindow window({}, {.axes = 2}, 0);
   EXPECT_THROW(make_window_contact(window, later, {0, 1}), Error);
 }
 

@@ -8,6 +8,7 @@
 
 #include "contact/outline/convex_sum.h"
 #include "contact/set/relative_motion.h"
+#include "contact/set/window_faces.h"
 
 namespace foresee::contact {
 
@@ -24,11 +25,14 @@ struct Condition {
   SumEdge edge = {};
 };
 
-/// What the rows of a pair say beside the pieces, and the question: R, and how far apart the centres are
-/// along z that just touch.
+/// What the rows of a pair say beside the pieces, and the question: R, and how far b may lie below and above
+/// a along z that just touches it. A window need not have both faces there.
 template <class T>
 struct PairSizes {
-  T radius, height;
+  T radius, below, above;
+  bool has_below = true, has_above = true;
+
+  bool has_face(int side) const { return side < 0 ? has_below : has_above; }
 };
 
 /// Where an object's half height stands in its row: that of a prism, cylinder or box.
@@ -42,9 +46,17 @@ PairSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row
     using E = Exactly<T>;
     return E::number(value_or(row_a, place_a, 0)) + E::number(value_or(row_b, place_b, 0)) + E::number(more);
   };
-  PairSizes<T> sizes{sum(setup.a.at.r, setup.b.at.r, setup.within), {}};
-  if (setup.a.layout.axes == 3)
-    sizes.height = sum(place_of_half_height(setup.a.at), place_of_half_height(setup.b.at), setup.within_z);
+  const int height_a = place_of_half_height(setup.a.at), height_b = place_of_half_height(setup.b.at);
+  PairSizes<T> sizes{sum(setup.a.at.r, setup.b.at.r, setup.within), {}, {}};
+  if (setup.a.layout.axes < 3) return sizes;
+  if (!setup.window) {
+    sizes.below = sizes.above = sum(height_a, height_b, setup.within_z);
+    return sizes;
+  }
+  const WindowFaces& faces = *setup.window;  // a is where the axes meet
+  sizes.has_below = faces.has_lower(2), sizes.has_above = faces.has_upper(2);
+  if (sizes.has_below) sizes.below = sum(height_a, height_b, -faces.lower[2]);
+  if (sizes.has_above) sizes.above = sum(height_a, height_b, faces.upper[2]);
   return sizes;
 }
 
@@ -81,7 +93,7 @@ auto with_polynomial(const Condition& condition, const std::array<Powers<T, K>, 
       Powers<T, K> p = x[D - 1];
       if (condition.sign < 0)
         for (T& c : p) c = -c;
-      p[0] = p[0] - sizes.height;
+      p[0] = p[0] - (condition.sign < 0 ? sizes.below : sizes.above);
       return take(p);
     }
     default:

@@ -1,6 +1,7 @@
 #include "contact/outline/critical_pieces.h"
 
 #include "contact/outline/condition.h"
+#include "contact/set/rounded_box.h"
 
 namespace foresee::contact {
 namespace {
@@ -13,8 +14,10 @@ class Critical {
     if (grown) radius_ = set.sum(set.in_both(setup.a.at.r, setup.b.at.r), set.given(setup.within));
     if (setup.a.layout.axes < 3) return;
     const int heights = set.in_both(place_of_half_height(setup.a.at), place_of_half_height(setup.b.at));
-    const Size size{set.sum(heights, set.given(setup.within_z))};
-    for (const int side : {-1, 1}) along_z_.push_back(set.bound(2, side, size));
+    Faces across_z{.axis = 2, .below = set.given(setup.within_z), .above = set.given(setup.within_z)};
+    if (setup.window) across_z = faces_from_origin(*setup.window);
+    across_z = contact::grown(set, across_z, heights);
+    along_z_ = between(set, {&across_z, 1});
   }
 
   void add(const ConvexPiece& a, const ConvexPiece& b) {
@@ -43,6 +46,13 @@ class Critical {
     set.add_piece(around);
   }
 
+  /// Of a window whose body is where the axes meet.
+  Faces faces_from_origin(const WindowFaces& window) {
+    Faces faces{.axis = 2, .has_below = window.has_lower(2), .has_above = window.has_upper(2)};
+    if (faces.has_below) faces.below = set.given(-window.lower[2]);
+    if (faces.has_above) faces.above = set.given(window.upper[2]);
+    return faces;
+  }
   int difference(double a, double b) { return set.difference(set.given(a), set.given(b)); }
   /// Numbers of both lengths of its direction.
   std::array<int, 2> run_of(const SumEdge& edge) {

@@ -8,10 +8,12 @@ constexpr Corner square[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 
 }  // namespace
 
-void ObjectPieces::take_box(double hx, double hy) {
+void ObjectPieces::take_box(const Box<2>& box) {
   pieces_ = nullptr, is_point_ = false;
-  for (std::size_t i = 0; i < corners_.size(); ++i) corners_[i] = {hx * square[i].x, hy * square[i].y};
-  box_ = {Vec<2>(-hx, -hy), Vec<2>(hx, hy)};
+  box_ = box;
+  for (std::size_t i = 0; i < corners_.size(); ++i)
+    corners_[i] = {square[i].x < 0 ? box.lower[0] : box.upper[0],
+                   square[i].y < 0 ? box.lower[1] : box.upper[1]};
 }
 
 ConvexPiece ObjectPieces::piece(std::size_t i) const {

@@ -2,7 +2,7 @@
 // outline, or the one that its half extents make; a point is a box of no size.
 //
 //   ObjectPieces pieces;
-//   pieces.take(outlines.pieces(row));                 // or take_box(8, 90), take_point()
+//   pieces.take(outlines.pieces(row));                 // or take_box(8, 90), take_box(box), take_point()
 //   if (pieces.is_leaf(node)) test(pieces.piece(pieces.item(node)));
 #pragma once
 
@@ -20,12 +20,14 @@ class ObjectPieces {
   static constexpr Node root = BoxTree<2>::root;
 
   void take(const ConvexPieces& pieces) { pieces_ = &pieces; }
-  void take_box(double hx, double hy);
+  void take_box(const Box<2>& box);
+  void take_box(double hx, double hy) { take_box({Vec<2>(-hx, -hy), Vec<2>(hx, hy)}); }
   void take_point() {
     take_box(0, 0);
     is_point_ = true;
   }
 
+  std::size_t count() const { return pieces_ ? pieces_->count() : 1; }
   ConvexPiece piece(std::size_t i) const;
   const Box<2>& box(Node node) const { return pieces_ ? pieces_->tree().box(node) : box_; }
   bool is_leaf(Node node) const { return !pieces_ || pieces_->tree().is_leaf(node); }

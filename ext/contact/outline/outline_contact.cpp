@@ -8,6 +8,7 @@
 #include "contact/exact/exact_contact.h"
 #include "contact/outline/critical_pieces.h"
 #include "contact/outline/outline_pair.h"
+#include "contact/outline/window_near.h"
 #include "contact/typed_contact.h"
 
 namespace foresee::contact {
@@ -17,9 +18,14 @@ namespace {
 void take(ObjectPieces& pieces, const Bodies& bodies, const OutlineRows* outlines, std::size_t i) {
   const ConvexPieces* const known = outlines ? outlines->pieces(i) : nullptr;
   if (known) return pieces.take(*known);
-  if (bodies.at.half == Offsets::absent) return pieces.take_point();
-  const double* const half = bodies.row(i) + bodies.at.half;
-  pieces.take_box(half[0], half[1]);
+  const double* const row = bodies.row(i);
+  const Offsets& at = bodies.at;
+  if (!outlines && at.bounds != Offsets::absent) {
+    const double* const bounds = row + at.bounds;
+    return pieces.take_box({Vec<2>(bounds[0], bounds[1]), Vec<2>(bounds[2], bounds[3])});
+  }
+  if (at.half == Offsets::absent) return pieces.take_point();
+  pieces.take_box(row[at.half], row[at.half + 1]);
 }
 
 template <int D, int Degree>
@@ -29,6 +35,11 @@ class OutlineContact final : public Contact {
 
   Reach reach() const override { return {setup_.within, setup_.within_z}; }
   void heed(Interrupt& interrupt) override { steps_.emplace(interrupt); }
+
+  std::string effort() const override {
+    return a_pair(pieces_) + " pieces, " + a_pair(steps_->taken()) + " node tests and " +
+           a_pair(space_.tests) + " leaf tests a pair";
+  }
 
   void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) override {
     const FloatEnvironment environment;
@@ -88,9 +99,19 @@ class OutlineContact final : public Contact {
   }
 
   void take_pieces(const Pair& pair) {
-    take(a_, setup_.a, outlines_.a, pair.a);
+    if (setup_.window && !outlines_.a)
+      a_.take_box(window_near(setup_, setup_.b.row(pair.b)));
+    else
+      take(a_, setup_.a, outlines_.a, pair.a);
     take(b_, setup_.b, outlines_.b, pair.b);
+    ++pairs_, pieces_ += a_.count() + b_.count();
     if (a_.is_point() && b_.is_point()) a_.take_box(0, 0);  // a sum needs edges
+  }
+
+  /// To one decimal.
+  std::string a_pair(std::uint64_t all) const {
+    const std::uint64_t tenths = pairs_ == 0 ? 0 : (10 * all + pairs_ / 2) / pairs_;
+    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
   }
 
   /// Some pieces at a time.
@@ -171,6 +192,7 @@ class OutlineContact final : public Contact {
   PieceSpace space_;
   NeverInterrupt never_;
   std::optional<Steps> steps_{never_};
+  std::uint64_t pairs_ = 0, pieces_ = 0;  ///< that were asked about, and what they have together
 };
 
 }  // namespace

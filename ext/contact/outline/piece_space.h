@@ -39,6 +39,8 @@ struct PieceSpace {
   std::size_t heights = 0;  ///< as many of these are of all parts
   Stays clipped, outer;
 
+  std::uint64_t tests = 0;  ///< of two pieces, in all pairs of objects so far
+
   void clear() { numbers.clear(), tested.clear(), stays.clear(), ends.clear(); }
 };
 

@@ -82,10 +82,12 @@ class PieceTests {
   /// Their stays join all others.
   [[gnu::noinline]] std::span<const PieceStay> test(const PiecePair& pair) {
     const std::size_t first = space_.stays.size();
+    ++space_.tests;
     space_.clipped.start(asked_);
     space_.all_ends.clear();
     if constexpr (D == 3)
-      for (const int side : {-1, 1}) keep({.kind = Kind::height, .sign = side});
+      for (const int side : {-1, 1})
+        if (sizes_.has_face(side)) keep({.kind = Kind::height, .sign = side});
     space_.heights = space_.all_ends.size();
     const ConvexPiece a = a_.piece(pair.a), b = b_.piece(pair.b);
     if (sizes_.radius.value > 0)

@@ -30,7 +30,7 @@ class TreeWalk {
       : a_(a),
         b_(b),
         chord_(relative, asked.end),
-        asked_(overlap_along_z(chord_, asked, sizes.height)),
+        asked_(overlap_along_z(chord_, asked, sizes)),
         grown_(sizes.radius),
         steps_(steps) {}
 
@@ -74,12 +74,12 @@ class TreeWalk {
 
   /// Of `asked`, when two prisms could overlap along z, whatever their outlines.
   static Period<double> overlap_along_z(const Chord<D>& chord, const Period<double>& asked,
-                                        const Bounded& height) {
-    static constexpr Faces faces = {.axis = 2, .below = 0, .above = 0};
-    if constexpr (D < 3)
-      return asked;
-    else
-      return chord.between(&faces, 1, &height, asked);
+                                        const PairSizes<Bounded>& sizes) {
+    if constexpr (D < 3) return asked;
+    const Faces faces{
+        .axis = 2, .below = 0, .above = 1, .has_below = sizes.has_below, .has_above = sizes.has_above};
+    const Bounded reach[] = {sizes.below, sizes.above};
+    return chord.between(&faces, 1, reach, asked);
   }
 
   /// Of `asked`, when boxes could touch.

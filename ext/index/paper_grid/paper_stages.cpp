@@ -28,6 +28,8 @@ class TypedStages final : public PaperStages {
     boxes_a_ = swept_boxes<D>(a, horizon, margin, interrupt);
     if (between) boxes_b_ = swept_boxes<D>(b, horizon, margin, interrupt);
     count(PaperStage::projection_overlap).seconds = thread_seconds() - begin;
+    // Nothing follows from a centre that an outline need not be around.
+    if (a.at.outline != Offsets::absent || b_.at.outline != Offsets::absent) return;
     centres_ = make_contact(centres_of(a), centres_of(b), {.horizon = horizon}, "a", "b");
   }
 
@@ -74,7 +76,7 @@ class TypedStages final : public PaperStages {
   std::size_t move_hits_to_front(std::vector<Pair>& pairs) {
     const double begin = thread_seconds();
     hits_.clear();
-    for (std::size_t i = 0; i < pairs.size(); i += pairs_per_check) {
+    for (std::size_t i = 0; centres_ && i < pairs.size(); i += pairs_per_check) {
       interrupt_.check();
       centres_->decide(std::span(pairs).subspan(i, std::min(pairs_per_check, pairs.size() - i)), hits_);
     }
@@ -104,7 +106,7 @@ class TypedStages final : public PaperStages {
   Vec<D> margin_;
   Interrupt& interrupt_;
   std::vector<Box<D>> boxes_a_, boxes_b_;  // b: only in a join between two
-  std::unique_ptr<Contact> centres_;
+  std::unique_ptr<Contact> centres_;       // null: of outlines
   std::vector<Pair> hits_, others_;
   std::vector<TwoTrajectories> trajectories_;  // of the pairs behind the hits that stage c has kept
 };

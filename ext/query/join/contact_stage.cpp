@@ -5,7 +5,9 @@
 namespace foresee::query {
 
 ContactStage::ContactStage(const JoinQuestion& question, Interrupt& interrupt)
-    : question_(question), interrupt_(interrupt), contact_(contact_of(question)) {}
+    : question_(question), interrupt_(interrupt), contact_(contact_of(question)) {
+  contact_->heed(interrupt);
+}
 
 // The exact arithmetic may take some ten microseconds a pair, so a batch is asked in slices that can be
 // interrupted.

@@ -29,8 +29,10 @@ class Explanation {
         a_(*question.a),
         b_(question.b ? *question.b : a_),
         interrupt_(interrupt),
-        contact_(contact_of(question)),
+        contact_(contact_of(question, true)),
+        refinement_(has_outlines() ? contact_of(question) : nullptr),
         plan_(plan_join(question, contact_->reach())) {
+    if (refinement_) refinement_->heed(interrupt);
     open_axes();
     candidates_count_.before = pairs_asked_about(question);
   }
@@ -47,11 +49,13 @@ class Explanation {
     for (std::size_t stage = 0; stage < paper_stage_count; ++stage)
       rows.push_back(
           row(test_names[stage], stages_->counts()[stage], test_detail(static_cast<PaperStage>(stage))));
-    rows.push_back(row("exact time", exact_count_, std::to_string(touching_) + " touch at now already"));
+    rows.push_back(row("exact time", exact_count_, exact_detail()));
+    rows.push_back(row("refinement", refinement_ ? refinement_count_ : left_out(), refinement_detail()));
     return rows;
   }
 
  private:
+  bool has_outlines() const { return a_.layout.shape == Shape::outline || b_.layout.shape == Shape::outline; }
   bool to_the_letter() const { return plan_.method == JoinMethod::gpcd; }
 
   void open_axes() {
@@ -85,26 +89,56 @@ class Explanation {
 
   /// In slices that can be interrupted: a pair may take some ten microseconds.
   void ask_exactly(const std::vector<Pair>& pairs) {
-    constexpr std::size_t slice = 256;
     const double begin = thread_seconds();
     for (std::size_t i = 0; i < pairs.size(); i += slice) {
       interrupt_.check();
       const auto some = std::span(pairs).subspan(i, std::min(slice, pairs.size() - i));
       if (candidates_->touching()) {
         exact_count_.after += some.size(), touching_ += some.size();
+        hits_.insert(hits_.end(), some.begin(), some.end());
         continue;
       }
-      hits_.clear(), times_.clear();
+      const std::size_t before = hits_.size();
       contact_->first_contacts(some, TimesWanted::begins, hits_, times_);
-      exact_count_.after += hits_.size();
+      exact_count_.after += hits_.size() - before;
       for (const ContactTimes& times : times_) touching_ += times.dt == 0;
+      times_.clear();
     }
     exact_count_.before += pairs.size();
     exact_count_.seconds += thread_seconds() - begin;
+    if (refinement_) refine();
+    hits_.clear();
+  }
+
+  /// Of the pairs whose rectangles touch, those whose outlines do. No index vouches for outlines.
+  void refine() {
+    const double begin = thread_seconds();
+    std::vector<Pair> touching;
+    for (std::size_t i = 0; i < hits_.size(); i += slice) {
+      interrupt_.check();
+      refinement_->first_contacts(std::span(hits_).subspan(i, std::min(slice, hits_.size() - i)),
+                                  TimesWanted::begins, touching, times_);
+      times_.clear();
+    }
+    refinement_count_.before += hits_.size();
+    refinement_count_.after += touching.size();
+    refinement_count_.seconds += thread_seconds() - begin;
   }
 
   static ExplainRow row(const char* stage, const StageCount& count, std::string detail) {
     return {stage, count.before, count.after, count.seconds, std::move(detail)};
+  }
+
+  /// It keeps all.
+  StageCount left_out() const { return {.before = exact_count_.after, .after = exact_count_.after}; }
+
+  std::string exact_detail() const {
+    return (refinement_ ? "of the smallest rectangles around outlines; " : "") + std::to_string(touching_) +
+           " touch at now already";
+  }
+
+  std::string refinement_detail() const {
+    return refinement_ ? refinement_->effort() : "left out: no outlines";
   }
 
   std::string candidates_detail() const {
@@ -128,14 +162,16 @@ class Explanation {
            " hits at once, spared the next two tests";
   }
 
+  static constexpr std::size_t slice = 256;
+
   const JoinQuestion& question_;
   const Scene &a_, &b_;
   Interrupt& interrupt_;
-  std::unique_ptr<Contact> contact_;
+  std::unique_ptr<Contact> contact_, refinement_;  // refinement: null without outlines
   JoinPlan plan_;
   std::unique_ptr<Candidates> candidates_;
   std::unique_ptr<PaperStages> stages_;
-  StageCount candidates_count_, exact_count_;
+  StageCount candidates_count_, exact_count_, refinement_count_;
   std::size_t touching_ = 0;
   std::vector<Pair> hits_;
   std::vector<ContactTimes> times_;

@@ -5,10 +5,11 @@
 //     use(row.stage, row.before, row.after, row.seconds, row.detail);
 //
 // The stages, in this order: candidates, projection overlap, centre point, time interval, trajectory
-// intersection, exact time (docs/gpcd.md). What one leaves is what the next begins with; the first
-// begins with all pairs of the question, the last leaves those that touch. With method gpcd this is the join
-// itself; the other methods go from candidates to exact time at once, and the stages between are measured on
-// their pairs.
+// intersection, exact time, refinement (docs/gpcd.md). What one leaves is what the next begins with; the
+// first begins with all pairs of the question, the last leaves those that touch. Where a side has outlines,
+// exact time decides about the smallest rectangles around them and refinement about the outlines; elsewhere
+// that is left out. With method gpcd this is the join itself; the other methods go from candidates to exact
+// time at once, and the stages between are measured on their pairs.
 //
 // Guarantee: which pairs touch depends on the question alone, and so does whether a test removes a given
 // pair. What an index hands on, and so the counts between, depends a little on the order of the scene's rows

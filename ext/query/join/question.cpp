@@ -50,10 +50,11 @@ void require_valid(const JoinQuestion& question) {
                 ": a join takes two tables with the same number of axes");
 }
 
-std::unique_ptr<Contact> contact_of(const JoinQuestion& question) {
+std::unique_ptr<Contact> contact_of(const JoinQuestion& question, bool rectangles_for_outlines) {
   const Scene& a = *question.a;
   const Scene& b = question.b ? *question.b : a;
-  const ContactQuestion asked{{question.now, question.h}, question.within, question.within_z};
+  const ContactQuestion asked{
+      {question.now, question.h}, question.within, question.within_z, rectangles_for_outlines};
   return make_contact(a.bodies(), b.bodies(), asked, a.name, b.name);
 }
 

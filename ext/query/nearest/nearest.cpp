@@ -59,7 +59,7 @@ class Search {
       : interrupt_(interrupt),
         horizon_{question.now, question.h},
         best_(question.k),
-        point_(faces_of(question), D, question.now) {
+        point_(faces_of(question), {.axes = D}, question.now) {
     setup_.a = point_.bodies();
     setup_.horizon = horizon_;
   }

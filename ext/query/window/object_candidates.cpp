@@ -46,9 +46,11 @@ Vec<D> vector_of(const std::array<double, 3>& values) {
 template <int D>
 class WindowOfTree final : public ObjectCandidates {
  public:
-  WindowOfTree(std::shared_ptr<NodeSource> tree, const WindowFaces& faces, const Horizon& horizon,
-               Interrupt& interrupt)
+  WindowOfTree(std::shared_ptr<NodeSource> tree, const WindowFaces& faces, bool is_zone,
+               const Horizon& horizon, Interrupt& interrupt)
       : tree_(std::move(tree)),
+        interrupt_(interrupt),
+        is_zone_(is_zone),
         walk_(*tree_,
               moving_window<D>(vector_of<D>(faces.lower), vector_of<D>(faces.upper),
                                vector_of<D>(faces.velocity), horizon),
@@ -61,6 +63,7 @@ class WindowOfTree final : public ObjectCandidates {
     rows_.resize(batch_size * static_cast<std::size_t>(row_offsets(layout).size));
     ids_.resize(batch_size);
     bodies_ = Bodies(layout, rows_.data(), batch_size);
+    if (tree_->outlines()) bodies_.outlines = &outlines_;
   }
 
   const Bodies& bodies() const override { return bodies_; }
@@ -69,7 +72,8 @@ class WindowOfTree final : public ObjectCandidates {
   bool next(CandidateBatch& batch) override {
     const FloatEnvironment environment;
     batch.clear();
-    for (std::uint32_t row = 0; row < batch_size; ++row) {
+    std::uint32_t row = 0;
+    for (; row < batch_size; ++row) {
       if (slot_ == hits_.slots.size()) {
         slot_ = 0;
         if (!walk_.next(hits_)) break;
@@ -78,20 +82,29 @@ class WindowOfTree final : public ObjectCandidates {
       const double* record = reader_.record(*hits_.leaf, slot);
       ids_[row] = hits_.leaf->keys[slot];
       row_from_record(bodies_.layout, record, rows_.data() + row * static_cast<std::size_t>(bodies_.at.size));
-      (is_inside(reader_.motion(record)) ? batch.inside : batch.doubtful).push_back(row);
+      (is_inside(record) ? batch.inside : batch.doubtful).push_back(row);
+    }
+    if (bodies_.outlines) {
+      bodies_.count = row;
+      outlines_.assign(bodies_, *tree_->outlines(), interrupt_);
     }
     return !batch.empty();
   }
 
  private:
-  /// Where its centre is within the faces, any shape touches the window. False where that is not certain.
-  [[gnu::flatten]] bool is_inside(const Motion<D>& motion) const {
-    if (now_ < motion.t || motion.until < now_) return false;
-    const Bounds<D> centre = bounds_at<D>(motion, Extents<D>::none(), now_);
-    return (lower_ <= centre.x_lower && centre.x_upper <= upper_).all();
+  /// Where its centre is within the faces, any shape touches the window; of an outline, which may lie beside
+  /// its centre, the box must be. False where that is not certain.
+  [[gnu::flatten]] bool is_inside(const double* record) const {
+    const Motion<D> motion = reader_.motion(record);
+    if (is_zone_ || now_ < motion.t || motion.until < now_) return false;
+    const Extents<D> extents = bodies_.outlines ? reader_.extents(record) : Extents<D>::none();
+    const Bounds<D> all = bounds_at<D>(motion, extents, now_);
+    return (lower_ <= all.x_lower && all.x_upper <= upper_).all();
   }
 
   std::shared_ptr<NodeSource> tree_;
+  Interrupt& interrupt_;
+  bool is_zone_;
   WindowWalk<D> walk_;
   LeafHits hits_;
   std::size_t slot_ = 0;
@@ -101,16 +114,18 @@ class WindowOfTree final : public ObjectCandidates {
   std::vector<double> rows_;
   std::vector<std::int64_t> ids_;
   Bodies bodies_;
+  TurnedOutlines outlines_;  ///< of the rows of this batch, where the layout has any
 };
 
 }  // namespace
 
 std::unique_ptr<ObjectCandidates> window_candidates(const Searched& objects, const WindowFaces& faces,
-                                                    const Horizon& horizon, Interrupt& interrupt) {
+                                                    bool is_zone, const Horizon& horizon,
+                                                    Interrupt& interrupt) {
   const FloatEnvironment environment;
   if (objects.scene) return std::make_unique<AllOfScene>(objects.scene, interrupt);
   return with_axes(objects.layout().axes, [&]<int D>(Axes<D>) -> std::unique_ptr<ObjectCandidates> {
-    return std::make_unique<WindowOfTree<D>>(objects.tree, faces, horizon, interrupt);
+    return std::make_unique<WindowOfTree<D>>(objects.tree, faces, is_zone, horizon, interrupt);
   });
 }
 

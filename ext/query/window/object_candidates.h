@@ -34,8 +34,10 @@ class ObjectCandidates {
   virtual std::int64_t id(std::uint32_t row) const = 0;
 };
 
-/// Every object that can touch the window during the horizon, once, and others.
+/// Every object that can touch the window during the horizon, once, and others. `is_zone`: what is between
+/// the faces need not be in the window, which is a zone that they enclose.
 std::unique_ptr<ObjectCandidates> window_candidates(const Searched& objects, const WindowFaces& faces,
-                                                    const Horizon& horizon, Interrupt& interrupt);
+                                                    bool is_zone, const Horizon& horizon,
+                                                    Interrupt& interrupt);
 
 }  // namespace foresee::query

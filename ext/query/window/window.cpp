@@ -32,7 +32,30 @@ void require_no_axis(const WindowQuestion& question, int axis) {
   if (!given.empty()) reject_axis(question.objects, given);
 }
 
+void require_only_zone(const WindowQuestion& question) {
+  if (question.objects.layout().axes < 2)
+    throw Error("zone: " + question.objects.name + " has one axis: write x0 and x1 in place of zone");
+  for (const int axis : {0, 1}) {
+    const std::string letter(1, "xyz"[axis]);
+    if (question.faces.has_lower(axis) || question.faces.has_upper(axis))
+      throw Error("zone says where the window is in x and y: leave out " + letter +
+                  (question.faces.has_lower(axis) ? "0" : "1") + ", or zone");
+  }
+}
+
+/// Of what may touch the window: a zone lies within its box.
+WindowFaces faces_around(const WindowQuestion& question) {
+  WindowFaces faces = question.faces;
+  if (!question.zone) return faces;
+  const Extents<2> around = question.zone->outline().extents();
+  for (const std::size_t j : {0, 1})
+    faces.lower[j] = around.lower[static_cast<Eigen::Index>(j)],
+    faces.upper[j] = around.upper[static_cast<Eigen::Index>(j)];
+  return faces;
+}
+
 WindowQuestion checked(WindowQuestion question) {
+  if (question.zone) require_only_zone(question);
   require_not_negative("h", question.h);
   require_finite("now", question.now);
   for (int axis = 0; axis < 3; ++axis) {
@@ -49,10 +72,12 @@ WindowQuestion checked(WindowQuestion question) {
 Window::Window(WindowQuestion question, Interrupt& interrupt)
     : question_(checked(std::move(question))),
       interrupt_(interrupt),
-      window_(question_.faces, question_.objects.layout().axes, question_.now),
-      candidates_(
-          window_candidates(question_.objects, question_.faces, {question_.now, question_.h}, interrupt)),
-      contact_(make_window_contact(window_, candidates_->bodies(), {question_.now, question_.h})) {}
+      window_(question_.faces, question_.objects.layout(), question_.now, question_.zone),
+      candidates_(window_candidates(question_.objects, faces_around(question_), question_.zone != nullptr,
+                                    {question_.now, question_.h}, interrupt)),
+      contact_(make_window_contact(window_, candidates_->bodies(), {question_.now, question_.h})) {
+  contact_->heed(interrupt);
+}
 
 std::span<const WindowRow> Window::next() {
   const FloatEnvironment environment;

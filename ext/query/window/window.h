@@ -30,6 +30,8 @@ struct WindowQuestion {
   double now = 0;
   double h = 0;
   WindowFaces faces = {};  ///< infinite: no bound
+  std::shared_ptr<const CutOutline> zone =
+      nullptr;  ///< in place of the faces across x and y; moves with them
   WindowWants wants = {};
 };
 
@@ -41,8 +43,8 @@ struct WindowRow {
 class Window {
  public:
   /// Throws Error for a wrong question: h negative or not finite; now or a velocity not finite; a lower bound
-  /// above its upper one; a bound or velocity on an axis that the objects do not have. `interrupt` must
-  /// outlive the window.
+  /// above its upper one; a bound or velocity on an axis that the objects do not have; a zone on one axis, or
+  /// together with a bound in x or y. `interrupt` must outlive the window.
   Window(WindowQuestion question, Interrupt& interrupt);
 
   /// The next rows, some hundreds at most; empty once there are none left. Valid until the next call.

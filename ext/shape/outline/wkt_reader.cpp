@@ -36,7 +36,7 @@ class WktReader {
     else if (take_word("POLYGON"))
       part();
     else
-      expected("POLYGON or MULTIPOLYGON");
+      refuse_kind();
     if (!rest().empty()) expected("the end");
     return std::move(outline_);
   }
@@ -113,7 +113,22 @@ class WktReader {
     must_take(';');
   }
 
+  [[noreturn]] void refuse_kind() {
+    for (const char* mesh : {"TIN", "POLYHEDRALSURFACE"})
+      if (next_is(mesh))
+        fail(std::string(mesh) + " is a mesh, which is not read yet: write POLYGON or MULTIPOLYGON");
+    expected("POLYGON or MULTIPOLYGON");
+  }
+
+  /// "POLYGON Z ((...))"
+  void refuse_more_numbers() {
+    for (const char* more : {"Z", "M", "ZM"})
+      if (next_is(more))
+        fail("corners of a flat outline have two numbers: leave " + std::string(token()) + " out");
+  }
+
   void refuse_empty() {
+    refuse_more_numbers();
     if (next_is("EMPTY")) fail("EMPTY is no outline: write NULL for a point");
   }
 

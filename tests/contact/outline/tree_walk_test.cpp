@@ -15,7 +15,7 @@ int pairs_of_squares(double apart, double height) {
   relative.axis[2].x = apart;
   NeverInterrupt never;
   Steps steps(never);
-  const TreeWalk<3> walk(a, b, relative, {0, 10}, {{}, {height, 0}}, steps);
+  const TreeWalk<3> walk(a, b, relative, {0, 10}, {{}, {height, 0}, {height, 0}}, steps);
   int pairs = 0;
   walk.visit(
       Order::earlier_first, [](const Period<double>&) { return true; },

@@ -24,7 +24,8 @@ using testing::SceneKind;
 
 NeverInterrupt never;
 constexpr const char* stage_names[] = {"candidates",    "projection overlap",      "centre point",
-                                       "time interval", "trajectory intersection", "exact time"};
+                                       "time interval", "trajectory intersection", "exact time",
+                                       "refinement"};
 
 using Counts = std::vector<std::pair<std::uint64_t, std::uint64_t>>;
 
@@ -85,8 +86,8 @@ Counts counted_plainly(const RandomScene& scene) {
       contact->decide(std::span(&pair, 1), hit);
       touch += hit.size();
     }
-  return {{all, share},       {share, overlap},    {overlap, overlap},
-          {overlap, in_time}, {in_time, in_space}, {in_space, touch}};
+  return {{all, share},        {share, overlap},  {overlap, overlap}, {overlap, in_time},
+          {in_time, in_space}, {in_space, touch}, {touch, touch}};
 }
 
 template <int D>
@@ -192,6 +193,7 @@ TEST(Explain, MeasuresTheTimeOfEveryStageThatHasPairs) {
   JoinQuestion question = question_about(scene);
   question.method = JoinMethod::gpcd;
   for (const ExplainRow& row : explain_join(question, never)) {
+    if (row.detail == "left out: no outlines") continue;
     EXPECT_GT(row.seconds, 0) << row.stage;
     EXPECT_LT(row.seconds, 60) << row.stage;
   }

@@ -8,15 +8,29 @@ namespace {
 struct ExplainInSql : Harbour {};
 
 TEST_F(ExplainInSql, ListsTheStagesInOrder) {
-  EXPECT_EQ(
-      db.rows("SELECT stage FROM predictive_explain(60, 'ships')"),
-      "candidates\nprojection overlap\ncentre point\ntime interval\ntrajectory intersection\nexact time");
+  EXPECT_EQ(db.rows("SELECT stage FROM predictive_explain(60, 'ships')"),
+            "candidates\nprojection overlap\ncentre point\ntime interval\ntrajectory intersection\nexact "
+            "time\nrefinement");
+  EXPECT_EQ(db.rows("SELECT n_after - n_before, seconds, detail FROM predictive_explain(60, 'ships') WHERE "
+                    "stage = 'refinement'"),
+            "0|0.0|left out: no outlines");
+}
+
+TEST_F(ExplainInSql, SaysWhatRefinementTook) {
+  db.exec(
+      "CREATE VIRTUAL TABLE hulls USING moving_objects(id, x, y, vx, vy, shape);"
+      "INSERT INTO hulls VALUES (1, 0, 0, 1, 0, 'POLYGON((0 0, 4 0, 4 1, 1 1, 1 4, 0 4, 0 0))'),"
+      "  (2, 2, 2, 1, 0, 'POLYGON((0 0, -1.5 0, 0 -1.5, 0 0))'), (3, 50, 0, 0, 0, NULL)");
+  EXPECT_EQ(db.rows("SELECT stage, n_before, n_after, detail FROM predictive_explain(9, 'hulls') WHERE stage "
+                    "IN ('exact time', 'refinement')"),
+            "exact time|1|1|of the smallest rectangles around outlines; 1 touch at now already\n"
+            "refinement|1|1|3.0 pieces, 3.0 node tests and 1.0 leaf tests a pair");
 }
 
 TEST_F(ExplainInSql, EndsWithTheCountOfTheJoin) {
   for (const std::string method : {"auto", "grid", "scan", "gpcd"}) {
     const std::string inputs = "(60, 'ships', 5, NULL, 0, '" + method + "')";
-    EXPECT_EQ(db.rows("SELECT n_after FROM predictive_explain" + inputs + " WHERE stage = 'exact time'"),
+    EXPECT_EQ(db.rows("SELECT n_after FROM predictive_explain" + inputs + " WHERE stage = 'refinement'"),
               db.rows("SELECT count(*) FROM predictive_join" + inputs));
     EXPECT_EQ(db.rows("SELECT n_before FROM predictive_explain" + inputs + " WHERE stage = 'candidates'"),
               db.rows("SELECT count(*) * (count(*) - 1) / 2 FROM ships"));
@@ -67,7 +81,7 @@ TEST(ExplainInSqlOfManyObjects, AgreesWithTheJoinByEveryMethod) {
   const std::string joined = db.rows("SELECT count(*) FROM predictive_join(3, 'objects', 0.5, NULL, 0)");
   for (const std::string method : {"auto", "grid", "scan", "gpcd"})
     EXPECT_EQ(db.rows("SELECT n_after FROM predictive_explain(3, 'objects', 0.5, NULL, 0, '" + method +
-                      "') WHERE stage = 'exact time'"),
+                      "') WHERE stage = 'refinement'"),
               joined);
 }
 

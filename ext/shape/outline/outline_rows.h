@@ -1,0 +1,19 @@
+// Who knows what the rows of a table look like that have outlines?
+#pragma once
+
+#include <cstddef>
+
+#include "shape/outline/convex_pieces.h"
+
+namespace foresee::shape {
+
+/// Who knows the outlines of a table's rows. Asked by several threads at a time.
+class OutlineRows {
+ public:
+  virtual ~OutlineRows() = default;
+  /// The pieces of this row's outline as it lies, which live as long as this; null: it has none, and is the
+  /// point, disc or cylinder that its sizes say.
+  virtual const ConvexPieces* pieces(std::size_t row) const = 0;
+};
+
+}  // namespace foresee::shape
