@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "shape/shapes.h"
+#include "storage/format/outline_blob.h"
 
 namespace foresee::storage {
 namespace {
@@ -24,12 +25,29 @@ bool all_finite(const std::byte* numbers, std::size_t count) {
   return found == 0;
 }
 
+const char* outline_fault(const NodeFormat& format, const std::byte* record) {
+  const double number = number_at(record, format.at.outline);
+  if (!(0 <= number && number <= static_cast<double>(largest_outline_number) && number == std::floor(number)))
+    return "an outline's number is none";
+  if (format.at.heading != Offsets::absent && std::abs(number_at(record, format.at.heading)) > 360)
+    return "a heading is beyond 360 degrees";
+  for (int axis = 0; axis < 2; ++axis) {
+    const double lower = number_at(record, format.at.bounds + axis);
+    const double upper = number_at(record, format.at.bounds + 2 + axis);
+    if (lower > upper) return "the bounds of an outline are the wrong way round";
+    if (number == 0 && (lower != 0 || upper != 0)) return "what has no outline has bounds";
+  }
+  return nullptr;
+}
+
 const char* extent_fault(const NodeFormat& format, const std::byte* record) {
   return with_shape(format.layout.shape, [&](auto shape) -> const char* {
-    for (const SizeColumn& column : shape.sizes)
-      for (int axis = 0; axis < (column.on_all_axes ? format.layout.axes : 1); ++axis)
+    for (const SizeColumn& column : shape.sizes) {
+      const int axes = !has_column(format.layout, column) ? 0 : column.on_all_axes ? format.layout.axes : 1;
+      for (int axis = 0; axis < axes; ++axis)
         if (number_at(record, format.at.*column.place + axis) < 0) return column.when_negative;
-    return nullptr;
+    }
+    return format.layout.shape == Shape::outline ? outline_fault(format, record) : nullptr;
   });
 }
 

@@ -91,6 +91,7 @@ class NodeCache final : public Pages {
 
   // --- marks
   UndoLog::Handle set_mark(bool is_snapshot);
+  bool has_snapshots() const { return undo_.snapshots() > 0; }
   void give_up(UndoLog::Handle mark) noexcept { undo_.give_up(mark); }
   /// The node as it was at the mark.
   std::shared_ptr<const Node> read_at(UndoLog::Handle mark, NodeNumber number);

@@ -5,13 +5,14 @@
 #include "shape/shapes.h"
 #include "storage/format/features.h"
 #include "storage/rows/map_rows.h"
+#include "storage/rows/shape_rows.h"
 #include "storage/rows/store_error.h"
 #include "storage/rows/text.h"
 
 namespace foresee::storage {
 namespace {
 
-constexpr std::array<const char*, 4> suffixes{"node", "map", "meta", "aux"};
+constexpr std::array<const char*, 5> suffixes{"node", "map", "meta", "aux", "shape"};
 
 std::int64_t page_size(sqlite3* db, const QualifiedName& name) {
   Statement statement(db, format_sql("PRAGMA \"%w\".page_size", name.schema.c_str()));
@@ -45,6 +46,7 @@ ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, const Declara
     for (std::size_t i = 0; i < declaration.auxiliaries.size(); ++i) definition += ", a" + std::to_string(i);
     tables.push_back({"aux", definition + ")"});
   }
+  if (declaration.layout.shape == Shape::outline) tables.push_back(ShapeRows::table());
   return {db, name, std::move(tables)};
 }
 
@@ -63,10 +65,13 @@ std::string describe_columns(const Declaration& declaration) {
     text += ", m";
   }
   with_shape(layout.shape, [&](auto shape) {
-    for (const SizeColumn& column : shape.sizes)
+    for (const SizeColumn& column : shape.sizes) {
+      if (!has_column(layout, column)) continue;
       column.on_all_axes ? on_all_axes(column.name)
                          : static_cast<void>(text += std::string(", ") + column.name);
+    }
   });
+  if (layout.shape == Shape::outline) text += layout.has_heading ? ", shape, heading" : ", shape";
   if (layout.has_until) text += ", until";
   for (const AuxiliaryColumn& column : declaration.auxiliaries) text += ", +" + column.name;
   return text;

@@ -3,6 +3,7 @@
 //   <name>_node(nodeno INTEGER PRIMARY KEY, data BLOB)                 leaves and inner nodes
 //   <name>_map(id INTEGER PRIMARY KEY, leaf INTEGER)                   where each object is (map_rows.h)
 //   <name>_aux(id INTEGER PRIMARY KEY, a0, a1, …)                      only with auxiliary columns
+//   <name>_shape(number INTEGER PRIMARY KEY, hash, data BLOB)          only with outlines (shape_rows.h)
 //   <name>_meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID             see below
 //
 // _meta: `format` version of all this, `columns` as declared, `node_size`, `horizon`, `root` (0: there are no
@@ -23,7 +24,7 @@
 
 namespace foresee::storage {
 
-/// True for node, map, aux and meta: what stands behind `<name>_` in a shadow table's name.
+/// True for node, map, aux, meta and shape: what stands behind `<name>_` in a shadow table's name.
 bool is_shadow_suffix(std::string_view suffix);
 
 /// The record's columns in their order, then the auxiliary ones: what `columns` holds in _meta.

@@ -8,6 +8,7 @@
 #include "storage/format/leaf_node.h"
 #include "storage/rows/store_error.h"
 #include "storage/rows/text.h"
+#include "storage/table/outline_check.h"
 
 namespace foresee::storage {
 namespace {
@@ -65,6 +66,25 @@ class IntegrityCheck {
       ++next;
     });
     for (; next < objects_.size(); ++next) not_in("map", objects_[next]);
+  } catch (const StoreError& error) {
+    note(error);
+  }
+
+  /// A leaf that is damaged has been said already.
+  void outlines(ShapeRows& rows) try {
+    OutlineCheck check(rows, format_);
+    const auto say = [this](const std::string& fault) { this->say(fault); };
+    check.read(say);
+    std::vector<double> record(static_cast<std::size_t>(format_.at.size));
+    shadow_rows_.read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
+      interrupt_.check();
+      if (cache_.fault(number, blob) || is_inner(format_, blob, number)) return;
+      const LeafView leaf(format_, blob);
+      for (int i = 0; i < leaf.count(); ++i) {
+        leaf.copy_record(i, record.data());
+        check.object(leaf.id(i), record.data(), say);
+      }
+    });
   } catch (const StoreError& error) {
     note(error);
   }
@@ -140,11 +160,12 @@ class IntegrityCheck {
 
 std::vector<std::string> check_integrity(ShadowRows& rows, NodeCache& cache, const NodeFormat& format,
                                          const QualifiedName& name, bool has_auxiliaries,
-                                         Interrupt& interrupt) {
+                                         ShapeRows* outlines, Interrupt& interrupt) {
   IntegrityCheck check(rows, cache, format, name, interrupt);
   check.meta();
   check.nodes();
   check.map();
+  if (outlines) check.outlines(*outlines);
   if (has_auxiliaries) check.auxiliaries();
   check.tree();
   check.count();

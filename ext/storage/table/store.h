@@ -33,28 +33,15 @@
 #include "storage/nodes/object_changes.h"
 #include "storage/nodes/pending_objects.h"
 #include "storage/rows/store_error.h"
+#include "storage/table/content_version.h"
 #include "storage/table/object_count.h"
+#include "storage/table/outlines.h"
 
 namespace foresee::storage {
 
-/// The state of a table's contents: equal versions of one table on one connection mean equal contents.
-struct ContentVersion {
-  std::uint64_t stamp = 0;    ///< rewritten at random by every write transaction, stored
-  std::uint64_t changes = 0;  ///< moved by this connection's uncommitted changes and by rollbacks
-
-  friend bool operator==(const ContentVersion&, const ContentVersion&) = default;
-};
-
 class LeafView;
 
-/// What one statement knows of a table that it reads: in which transaction of the connection it has compared
-/// memory with the stamp. Of use only while SQLite holds the statement's read transaction on the table's
-/// database, which keeps other connections' commits from it.
-struct StatementBelief {
-  std::uint64_t transaction = 0;  ///< 0: not yet
-};
-
-class Store final : private MemoryHolder, public std::enable_shared_from_this<Store> {
+class Store final : private MemoryHolder, public OutlineSource, public std::enable_shared_from_this<Store> {
  public:
   /// Makes the shadow tables of a new table.
   static std::shared_ptr<Store> create(sqlite3* db, const std::string& schema, const std::string& table,
@@ -93,6 +80,16 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   std::shared_ptr<NodeSource> take_snapshot();
   /// The newest reference time stored; 0 without objects or without t. Reads one node.
   double read_newest_t();
+  /// Of the outlines that records name by number; null in a table without.
+  OutlineSource* outlines() { return outlines_ ? this : nullptr; }
+  /// One of them, as this connection sees them now.
+  std::shared_ptr<const CutOutline> outline(std::int64_t number) override;
+  /// The same for a statement that reads the table, again and again.
+  std::shared_ptr<const CutOutline> outline(std::int64_t number, StatementBelief& belief);
+  /// For snapshots; null in a table without.
+  std::shared_ptr<const StoredOutlines::ByNumber> known_outlines() {
+    return outlines_ ? outlines_->known() : nullptr;
+  }
   /// Whoever has read every leaf says how many objects there were: SQLITE_CORRUPT_VTAB if the map has others.
   /// While changed leaves wait to be written, nothing can be said.
   void expect_objects(std::size_t found);
@@ -103,6 +100,9 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   // --- writing: each is atomic, all or nothing
   /// The id that SQLite would give to a row without one: one more than the largest.
   std::int64_t find_next_id();
+  /// The outline of a well-known text, stored if it is not yet: for a record to name it by number. Throws
+  /// Error for a text that is none. Requires: the layout is one of outlines.
+  StoredOutlines::Known find_or_add_outline(std::string_view text);
   /// Requires: no object has this id. `auxiliaries`: one value per auxiliary column.
   void insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries);
   /// Requires: `id` exists. Auxiliary values that are sqlite3_value_nochange stay as they are. Another object
@@ -221,6 +221,8 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   void flush();
   void collect_stored(std::vector<std::int64_t>& ids, std::vector<double>& records, Interrupt& interrupt);
   void pack(Interrupt& interrupt);
+  /// Outlines that none of these records names go, unless a snapshot may still ask for them.
+  void drop_unused_outlines(std::span<const double> records);
 
   // transactions (store_life.cpp)
   struct Savepoint {
@@ -257,8 +259,9 @@ class Store final : private MemoryHolder, public std::enable_shared_from_this<St
   MemoryShare share_;
   NodeCache cache_;
   std::unique_ptr<TprTree> tree_;
-  std::shared_ptr<PendingObjects> pending_;  ///< shared with savepoints that would take it back
-  ObjectChanges object_changes_;             ///< empty where nobody wants them
+  std::shared_ptr<PendingObjects> pending_;   ///< shared with savepoints that would take it back
+  std::unique_ptr<StoredOutlines> outlines_;  ///< null: the layout has none
+  ObjectChanges object_changes_;              ///< empty where nobody wants them
   bool keeps_changes_ = false, wants_changes_ = false;
 
   bool in_transaction_;

@@ -62,6 +62,8 @@ Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const Nod
       in_transaction_(is_new),
       table_at_begin_(name_.table) {
   cache_.connect(*shadow_rows_);
+  if (declaration_.layout.shape == Shape::outline)
+    outlines_ = std::make_unique<StoredOutlines>(shadow_tables(db_, name_, declaration_));
 }
 
 ShadowRows& Store::shadow_rows() {
@@ -85,6 +87,7 @@ void Store::believe_only_this_stamp() {
   if (!stamp) damaged("the stamp is missing");
   if (believed_stamp_ == stamp) return;
   cache_.forget_all();
+  if (outlines_) outlines_->forget_all();
   believed_stamp_.reset();
   count_.stored = shadow_rows().read_objects();
   believed_stamp_ = stamp;
@@ -169,6 +172,7 @@ void Store::rollback() {
 
 void Store::back_to_begin() noexcept {
   cache_.roll_back();
+  if (outlines_) outlines_->forget_texts();
   if (writing_) count_ = count_before_;
   if (!savepoints_.empty()) pending_ = savepoints_.front().pending;
   pending_->clear();
@@ -236,6 +240,7 @@ void Store::back_to(const Savepoint& savepoint) {
   go_by(savepoint.table);
   own_stamp_ = savepoint.own_stamp;
   cache_.restore(savepoint.mark, savepoint.map_position);
+  if (outlines_) outlines_->forget_texts();
   pending_ = savepoint.pending;
   pending_->rewind(savepoint.pending_position);
   object_changes_.rewind(savepoint.changes_position);
@@ -258,8 +263,10 @@ void Store::rename(const std::string& new_table) {
 void Store::go_by(const std::string& table) {
   if (name_.table == table) return;
   name_.table = table;
-  shadow_rows_ = std::make_unique<ShadowRows>(shadow_tables(db_, name_, declaration_), declaration_);
+  const ShadowTables tables = shadow_tables(db_, name_, declaration_);
+  shadow_rows_ = std::make_unique<ShadowRows>(tables, declaration_);
   cache_.connect(*shadow_rows_);
+  if (outlines_) outlines_->connect(tables);
   remember_open_store(db_, name_, shared_from_this());
 }
 

@@ -16,10 +16,15 @@ TEST(ShadowSchema, DescribesTheColumnsOfEveryLayout) {
   EXPECT_EQ(describe_columns({.layout = drones}), "id, x, y, z, vx, vy, vz, ax, ay, az, r, hz, until");
   const Layout forced{.axes = 1, .law = Law::forced, .shape = Shape::box};
   EXPECT_EQ(describe_columns({.layout = forced}), "id, x, vx, fx, m, hx");
+  Layout outlined{.axes = 3, .shape = Shape::outline, .has_until = true, .has_heading = true};
+  EXPECT_EQ(describe_columns({.layout = outlined}), "id, x, y, z, hz, shape, heading, until");
+  outlined.axes = 2, outlined.has_radius = true, outlined.has_heading = false;
+  EXPECT_EQ(describe_columns({.layout = outlined}), "id, x, y, r, shape, until");
 }
 
 TEST(ShadowSchema, KnowsItsSuffixes) {
-  for (const char* suffix : {"node", "map", "aux", "meta", "NODE"}) EXPECT_TRUE(is_shadow_suffix(suffix));
+  for (const char* suffix : {"node", "map", "aux", "meta", "shape", "NODE"})
+    EXPECT_TRUE(is_shadow_suffix(suffix));
   for (const char* suffix : {"nod", "nodes", "", "rowid"}) EXPECT_FALSE(is_shadow_suffix(suffix));
 }
 

@@ -1,0 +1,34 @@
+// An outline as it is stored: a row's blob of <name>_shape.
+//
+//     byte 0   1      2..3   4..7    8..11   12..15
+//   +--------+------+------+-------+-------+---------+-----------------+------------------+----------+
+//   | format | kind | 0    | rings | parts | corners | ring ends, part | x, y of each     | checksum |
+//   |  1     | 1    |      |       |       |         | begins          | corner           |          |
+//   +--------+------+------+-------+-------+---------+-----------------+------------------+----------+
+//
+// Counts, ends and begins are of 4 bytes, corners two doubles of 8, little-endian. The last four bytes are
+// the CRC-32C of all before. Equal outlines have equal blobs.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "shape/outline/outline.h"
+
+namespace foresee::storage {
+
+/// Outlines are numbered from 1 to this: a record holds the number in a double.
+constexpr std::int64_t largest_outline_number = std::int64_t{1} << 53;
+
+/// Requires: a valid outline.
+std::vector<std::byte> encode_outline(const Outline& outline);
+
+/// What a blob says of itself: equal blobs have equal ones, others seldom.
+std::uint32_t checksum_of_outline(std::span<const std::byte> blob);
+
+/// What is wrong with a blob; null: nothing, and `outline` is a valid outline.
+const char* decode_outline(std::span<const std::byte> blob, Outline& outline);
+
+}  // namespace foresee::storage

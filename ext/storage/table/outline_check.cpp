@@ -1,0 +1,31 @@
+#include "storage/table/outline_check.h"
+
+#include "base/error.h"
+#include "shape/outline/turn.h"
+
+namespace foresee::storage {
+
+std::string OutlineCheck::object_fault(const double* record) const {
+  const auto number = static_cast<std::int64_t>(record[format_.at.outline]);
+  if (number == 0) return "";
+  const std::string named = "outline " + std::to_string(number);
+  const auto found = outlines_.find(number);
+  if (found == outlines_.end()) return "has " + named + ", which is missing";
+  if (!found->second) return "";  // damaged, as was said
+  const Outline& outline = found->second->outline();
+  const double heading = value_or(record, format_.at.heading, 0);
+  Extents<2> around = outline.extents();
+  if (heading != 0) try {
+      const Outline as_it_lies = turned(outline, heading);
+      found->second->check_turned(as_it_lies, heading);
+      around = as_it_lies.extents();
+    } catch (const Error& error) {
+      return "has a heading that " + named + " cannot have: " + error.what();
+    }
+  const double* const bounds = record + format_.at.bounds;
+  const bool agree = bounds[0] == around.lower[0] && bounds[1] == around.lower[1] &&
+                     bounds[2] == around.upper[0] && bounds[3] == around.upper[1];
+  return agree ? "" : "has other bounds than " + named;
+}
+
+}  // namespace foresee::storage

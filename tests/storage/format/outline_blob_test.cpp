@@ -1,0 +1,79 @@
+// The bytes of a stored outline: what was put in comes out, and bytes that are no outline are told.
+#include "storage/format/outline_blob.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "shape/outline/wkt_reader.h"
+#include "storage/format/crc32c.h"
+
+namespace foresee::storage {
+namespace {
+
+constexpr const char* harbour =
+    "MULTIPOLYGON(((0 0, 9 0, 9 9, 0 9, 0 0), (1 1, 2 1, 2 2, 1 2, 1 1)), ((20 0, 29.5 -1e-300, 25 7, 20 "
+    "0)))";
+
+std::vector<std::byte> blob() {
+  return encode_outline(read_outline(harbour));
+}
+
+/// The fault of a blob whose checksum is right.
+std::string fault_of(std::vector<std::byte> bytes) {
+  const std::uint32_t checksum = crc32c(bytes.data(), bytes.size() - 4);
+  std::memcpy(bytes.data() + bytes.size() - 4, &checksum, 4);
+  Outline outline;
+  const char* fault = decode_outline(bytes, outline);
+  return fault ? fault : "";
+}
+
+template <class T>
+std::vector<std::byte> with(std::vector<std::byte> bytes, std::size_t at, T value) {
+  std::memcpy(bytes.data() + at, &value, sizeof value);
+  return bytes;
+}
+
+TEST(OutlineBlob, ComesBackAsItWas) {
+  Outline outline;
+  EXPECT_EQ(decode_outline(blob(), outline), nullptr);
+  EXPECT_EQ(outline, read_outline(harbour));
+  EXPECT_EQ(blob().size(), 16 + 4 * 3 + 4 * 2 + 16 * 11 + 4u);
+  EXPECT_EQ(fault_of(blob()), "");
+}
+
+TEST(OutlineBlob, EveryChangedByteIsNoticed) {
+  for (std::size_t i = 0; i < blob().size(); ++i) {
+    std::vector<std::byte> bytes = blob();
+    bytes[i] ^= std::byte{0x10};
+    Outline outline;
+    EXPECT_STREQ(decode_outline(bytes, outline), "its checksum is wrong") << i;
+  }
+}
+
+// As somebody would write them who knows the checksum.
+TEST(OutlineBlob, HostileBytesAreTold) {
+  constexpr std::size_t ends = 16, part_begins = ends + 12, corners = part_begins + 8;
+  Outline outline;
+  EXPECT_STREQ(decode_outline({}, outline), "it is too short");
+  EXPECT_EQ(fault_of(with(blob(), 0, std::uint8_t{9})), "its format or kind is not known");
+  EXPECT_EQ(fault_of(with(blob(), 1, std::uint8_t{9})), "its format or kind is not known");
+  for (const std::uint32_t count : {0u, 2u, 4u, 0x40000001u, 0xffffffffu})
+    for (const std::size_t at : {4, 8, 12}) {
+      const std::vector<std::byte> bytes = with(blob(), at, count);
+      EXPECT_TRUE(bytes == blob() || !fault_of(bytes).empty()) << count << " at " << at;
+    }
+  EXPECT_EQ(fault_of(with(blob(), ends, 0u)), "its rings do not follow one another");
+  EXPECT_EQ(fault_of(with(blob(), ends + 8, 99u)), "its rings do not follow one another");
+  EXPECT_EQ(fault_of(with(blob(), part_begins, 1u)), "its first ring begins no part");
+  EXPECT_EQ(fault_of(with(blob(), part_begins + 4, 7u)), "its rings are not all of it");
+  EXPECT_EQ(fault_of(with(blob(), corners, std::numeric_limits<double>::quiet_NaN())),
+            "a corner is not finite");
+  EXPECT_EQ(fault_of(with(with(blob(), corners + 16, 0.0), corners + 24, 0.0)), "a corner comes twice");
+  EXPECT_EQ(fault_of(with(with(blob(), corners + 48, 0.0), corners + 56, 0.0)),
+            "a ring ends where it begins");
+  EXPECT_EQ(fault_of(with(blob(), corners + 16, -5.0)), "its rings cross, touch or lie wrongly");
+}
+
+}  // namespace
+}  // namespace foresee::storage
