@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "program.h"
+#include "storage/format/crc32c.h"
 #include "storage/format/node_format.h"
 
 namespace foresee::testing {
@@ -26,6 +27,7 @@ const std::vector<unsigned char>& sound_database(std::size_t which) {
     std::string values = std::to_string(id);
     for (int i = 0; i < table.numbers; ++i)
       values += ", " + std::to_string(1 + (id * (7 + i)) % (11 + 2 * i));
+    if (table.outlined) values += std::string(", ") + fuzz_shapes[id % 3];
     db.run("INSERT INTO ships VALUES(" + values + ")");  // until < t is refused
   }
   sqlite3_int64 size = 0;
@@ -44,27 +46,45 @@ void load(Connection& db, const std::vector<unsigned char>& image) {
     fail("deserialize");
 }
 
-/// Overwrites up to 8 bytes of one node; the places that matter most come most often.
-void change_node(Connection& db, FuzzBytes& bytes) {
-  const auto number = bytes.in_range<std::int64_t>(1, 24);
+/// Overwrites up to 8 bytes of a blob, if there is one; the places that matter most come most often.
+/// seal(blob) makes the checksum right.
+template <class Seal>
+void change_blob(Connection& db, FuzzBytes& bytes, const char* table, std::int64_t number, Seal seal) {
   sqlite3_blob* blob = nullptr;
-  if (sqlite3_blob_open(db.handle(), "main", "ships_node", "data", number, 1, &blob) != SQLITE_OK) {
+  if (sqlite3_blob_open(db.handle(), "main", table, "data", number, 1, &blob) != SQLITE_OK) {
     sqlite3_blob_close(blob);
     return;
   }
-  std::vector<std::byte> node(static_cast<std::size_t>(sqlite3_blob_bytes(blob)));
-  sqlite3_blob_read(blob, node.data(), static_cast<int>(node.size()), 0);
-  const std::size_t last = bytes.flag() ? 40 : node.size() - 1;
-  const std::size_t at = bytes.in_range<std::size_t>(0, std::min(last, node.size() - 1));
+  std::vector<std::byte> content(static_cast<std::size_t>(sqlite3_blob_bytes(blob)));
+  sqlite3_blob_read(blob, content.data(), static_cast<int>(content.size()), 0);
+  const std::size_t last = bytes.flag() ? 40 : content.size() - 1;
+  const std::size_t at = bytes.in_range<std::size_t>(0, std::min(last, content.size() - 1));
   if (bytes.flag()) {
     const double number_there = fuzz_number(bytes);
-    std::memcpy(node.data() + at, &number_there, std::min(sizeof number_there, node.size() - at));
+    std::memcpy(content.data() + at, &number_there, std::min(sizeof number_there, content.size() - at));
   } else {
-    node[at] = static_cast<std::byte>(bytes.any<std::uint8_t>());
+    content[at] = static_cast<std::byte>(bytes.any<std::uint8_t>());
   }
-  seal_node(node, number);
-  sqlite3_blob_write(blob, node.data(), static_cast<int>(node.size()), 0);
+  seal(content);
+  sqlite3_blob_write(blob, content.data(), static_cast<int>(content.size()), 0);
   sqlite3_blob_close(blob);
+}
+
+void change_node(Connection& db, FuzzBytes& bytes) {
+  const auto number = bytes.in_range<std::int64_t>(1, 24);
+  change_blob(db, bytes, "ships_node", number, [number](auto& node) { seal_node(node, number); });
+}
+
+/// The hash agrees, as somebody would see to who knows the format.
+void change_outline(Connection& db, FuzzBytes& bytes) {
+  const auto number = bytes.in_range<std::int64_t>(1, 3);
+  std::uint32_t checksum = 0;
+  change_blob(db, bytes, "ships_shape", number, [&checksum](std::vector<std::byte>& outline) {
+    checksum = crc32c(outline.data(), outline.size() - sizeof checksum);
+    std::memcpy(outline.data() + outline.size() - sizeof checksum, &checksum, sizeof checksum);
+  });
+  db.run("UPDATE ships_shape SET hash = " + std::to_string(checksum) +
+         " WHERE number = " + std::to_string(number));
 }
 
 void change_tables(Connection& db, FuzzBytes& bytes) {
@@ -123,7 +143,10 @@ void run(FuzzBytes& bytes) {
   Connection db;
   load(db, sound_database(which));
   for (int changes = bytes.in_range(1, 4); changes > 0; --changes)
-    bytes.in_range(0, 3) > 0 ? change_node(db, bytes) : change_tables(db, bytes);
+    if (fuzz_tables[which].outlined && bytes.flag())
+      change_outline(db, bytes);
+    else
+      bytes.in_range(0, 3) > 0 ? change_node(db, bytes) : change_tables(db, bytes);
   ask_and_write(db, bytes, fuzz_tables[which]);
 }
 

@@ -76,6 +76,7 @@ struct FuzzTable {
   const char* columns;  ///< after the id
   int numbers;
   int axes;
+  bool outlined = false;  ///< behind the numbers comes a shape
 };
 
 inline constexpr FuzzTable fuzz_tables[] = {
@@ -86,6 +87,17 @@ inline constexpr FuzzTable fuzz_tables[] = {
     {"t, x, y, vx, vy, ax, ay, hx, hy, until", 10, 2},
     {"t, x, y, z, vx, vy, vz, r, hz", 9, 3},
     {"t, x, y, z, vx, vy, vz, fx, fy, fz, m, r, until", 13, 3},
+    {"t, x, y, vx, vy, r, heading, shape", 7, 2, true},
+};
+
+/// As they are read back; the last but one is none.
+inline constexpr const char* fuzz_shapes[] = {
+    "'POLYGON((0 0, 2 0, 0 2, 0 0))'",
+    "'POLYGON((-1 -1, 3 -1, 3 0, 0 0, 0 3, -1 3, -1 -1))'",
+    "'POLYGON((0 0, 6 0, 6 6, 0 6, 0 0), (2 2, 3 2, 3 3, 2 2))'",
+    "'MULTIPOLYGON(((4 4, 5 4, 4 5, 4 4)), ((-4 -4, -5 -4, -4 -5, -4 -4)))'",
+    "'POLYGON((0 0, 1 1))'",
+    "NULL",
 };
 
 /// The parts one after the other. They are also made in this order, on every compiler; the operands of + are
@@ -125,6 +137,8 @@ inline double fuzz_number(FuzzBytes& bytes) {
 inline std::string fuzz_values(FuzzBytes& bytes, const FuzzTable& table) {
   std::string list;
   for (int i = 0; i < table.numbers; ++i) list += (i ? ", " : "") + literal(fuzz_number(bytes));
+  if (table.outlined)
+    list += std::string(", ") + fuzz_shapes[bytes.in_range<std::size_t>(0, std::size(fuzz_shapes) - 1)];
   return list;
 }
 

@@ -39,10 +39,10 @@ std::int64_t FunctionCall::required_integer(int input) const {
   reject(input, "a whole number");
 }
 
-std::optional<std::string> FunctionCall::text(int input) const {
+std::optional<std::string> FunctionCall::text(int input, const char* kind) const {
   sqlite3_value* value = inputs_[static_cast<std::size_t>(input)];
   if (!value) return std::nullopt;
-  if (sqlite3_value_type(value) != SQLITE_TEXT) reject(input, "a name in quotes, or NULL to leave it out");
+  if (sqlite3_value_type(value) != SQLITE_TEXT) reject(input, kind);
   return text_of(value);
 }
 

@@ -53,7 +53,9 @@ class FunctionCall {
   std::optional<double> number(int input) const;
   double required_number(int input) const;
   std::int64_t required_integer(int input) const;
-  std::optional<std::string> text(int input) const;
+  /// `kind`: what it must be, for the message about what is no text.
+  std::optional<std::string> text(int input,
+                                  const char* kind = "a name in quotes, or NULL to leave it out") const;
 
   bool reads(int output) const { return (outputs_read_ >> output & 1) != 0; }
 

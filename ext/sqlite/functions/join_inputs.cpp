@@ -53,7 +53,7 @@ std::shared_ptr<Scene> empty_scene(const OpenTable& table) {
 }
 
 /// A scene of one object, or of none if nothing has this id.
-std::shared_ptr<const Scene> scene_of(const OpenTable& table, std::int64_t id) {
+std::shared_ptr<const Scene> scene_of(const OpenTable& table, std::int64_t id, Interrupt& interrupt) {
   const FloatEnvironment environment;  // accelerations are computed on loading
   auto scene = empty_scene(table);
   if (const auto record = table.store->read(id)) {
@@ -61,6 +61,7 @@ std::shared_ptr<const Scene> scene_of(const OpenTable& table, std::int64_t id) {
     scene->rows.resize(static_cast<std::size_t>(row_offsets(scene->layout).size));
     row_from_record(scene->layout, record->data(), scene->rows.data());
   }
+  scene->take_outlines(table.store->outlines(), interrupt);
   return scene;
 }
 
@@ -73,7 +74,7 @@ void take_object_and_near(Connection& connection, const JoinedTables& tables, co
   const OpenTable &one = by_a ? tables.a : last, &others = by_a ? last : tables.a;
   std::shared_ptr<const Scene>&object = by_a ? question.a : question.b,
                         &near = by_a ? question.b : question.a;
-  object = scene_of(one, id);
+  object = scene_of(one, id, connection.interrupt());
   near = empty_scene(others);
   require_valid(question);
   const auto keep = [&](std::int64_t other) {

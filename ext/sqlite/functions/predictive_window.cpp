@@ -1,5 +1,7 @@
 // predictive_window(h, …) in SQL: reads the inputs, opens the table, and hands rows on.
 #include "query/window/window.h"
+#include "shape/outline/validity.h"
+#include "shape/outline/wkt_reader.h"
 #include "sqlite/functions/searched_table.h"
 #include "sqlite/functions/table_functions.h"
 
@@ -7,7 +9,16 @@ namespace foresee::sqlite {
 namespace {
 
 enum WindowOutput { out_id, out_t, out_t_end, out_dt, out_dt_end };
-enum WindowInput { in_h, in_tbl, in_x0, in_now = in_x0 + 6, in_wvx, in_method = in_wvx + 3, in_schema };
+enum WindowInput {
+  in_h,
+  in_tbl,
+  in_x0,
+  in_now = in_x0 + 6,
+  in_wvx,
+  in_method = in_wvx + 3,
+  in_schema,
+  in_zone
+};
 
 class WindowRows final : public FunctionRows {
  public:
@@ -44,6 +55,19 @@ class WindowRows final : public FunctionRows {
   std::size_t row_ = 0;
 };
 
+std::shared_ptr<const CutOutline> read_zone(const std::string& text) try {
+  Outline outline = read_outline(text);
+  check_outline(outline);
+  return std::make_shared<const CutOutline>(std::move(outline));
+} catch (const Error& error) {
+  throw Error(std::string("zone: ") + error.what());
+}
+
+std::shared_ptr<const CutOutline> zone_of(const FunctionCall& call) {
+  const auto text = call.text(in_zone, "well-known text as in 'POLYGON((0 0, 4 0, 0 3, 0 0))', or left out");
+  return text ? read_zone(*text) : nullptr;
+}
+
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   WindowQuestion question;
   question.h = call.required_number(in_h);
@@ -54,6 +78,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
     faces.upper[j] = call.number(in_x0 + 2 * axis + 1).value_or(faces.upper[j]);
     faces.velocity[j] = call.number(in_wvx + axis).value_or(0);
   }
+  question.zone = zone_of(call);
   SearchedTable table = searched_table(call, {in_tbl, in_now, in_method, in_schema});
   question.objects = std::move(table.objects);
   question.now = table.now;
@@ -69,7 +94,7 @@ const TableFunction& predictive_window() {
       .name = "predictive_window",
       .outputs = {"id INTEGER", "t REAL", "t_end REAL", "dt REAL", "dt_end REAL"},
       .inputs = {"h", "tbl", "x0", "x1", "y0", "y1", "z0", "z1", "now", "wvx", "wvy", "wvz", "method",
-                 "schema"},
+                 "schema", "zone"},
       .key = "id",
       .hinted = 0,
       .estimate = estimate_window,

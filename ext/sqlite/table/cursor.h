@@ -38,6 +38,7 @@ class TableCursor : public sqlite3_vtab_cursor {
   void require_handle_word(sqlite3_value* word) const;
   void next_leaf();
   void read_present();
+  void result_outline(sqlite3_context* context, double number) const;
 
   MovingObjectsTable& table_;
   std::vector<std::int64_t> ids_;
@@ -46,7 +47,7 @@ class TableCursor : public sqlite3_vtab_cursor {
   std::int64_t leaf_ = 0;
   std::size_t found_ = 0;  ///< objects of all leaves so far
   bool by_leaf_ = false;   ///< more leaves may follow
-  StatementBelief belief_;
+  mutable StatementBelief belief_;
   RisingIds rising_;
   bool handle_ = false;  ///< the one row holds the table's number
   bool aborted_ = false;

@@ -39,6 +39,11 @@ const Word& motion_word(const Argument& argument) {
          why + "; known are " + known_words() + "; a column of your own is written +" + argument.name);
 }
 
+void require_text(const Argument& argument) {
+  if (!is_one_of(argument.detail, {"", "TEXT"}))
+    refuse(argument, "shape holds well-known text; write shape or shape TEXT");
+}
+
 double positive_number(const Argument& argument) {
   const char* end = argument.detail.data() + argument.detail.size();
   double number = 0;
@@ -67,7 +72,8 @@ class Declarer {
     declaration_.layout = layout_of(words_);
     const Offsets at = record_offsets(declaration_.layout);
     for (const DeclaredWord& declared : words_)
-      declaration_.columns.push_back({std::string(declared.word.name), place_of(at, declared.word)});
+      declaration_.columns.push_back({std::string(declared.word.name), place_of(at, declared.word),
+                                      declared.word.quantity == Quantity::outline});
     return std::move(declaration_);
   }
 
@@ -75,8 +81,10 @@ class Declarer {
   void add_motion(const Argument& argument) {
     if (same_name(argument.name, "id")) refuse(argument, "id is declared twice; leave this one out");
     const Word& word = motion_word(argument);
-    if (!is_one_of(argument.detail,
-                   {"", "REAL", "DOUBLE", "DOUBLE PRECISION", "FLOAT", "NUMERIC", "INT", "INTEGER"}))
+    if (word.quantity == Quantity::outline)
+      require_text(argument);
+    else if (!is_one_of(argument.detail,
+                        {"", "REAL", "DOUBLE", "DOUBLE PRECISION", "FLOAT", "NUMERIC", "INT", "INTEGER"}))
       refuse(argument, std::string(word.name) + " holds a double; write " + std::string(word.name) + " or " +
                            std::string(word.name) + " REAL");
     require_new_name(argument);
@@ -141,7 +149,8 @@ void require_table_name(const Declaration& declaration, std::string_view table) 
 
 std::string declared_schema(const Declaration& declaration, std::string_view table) {
   std::string sql = "CREATE TABLE x(id INTEGER PRIMARY KEY";
-  for (const MotionColumn& column : declaration.columns) sql += ", " + quoted_name(column.name) + " REAL";
+  for (const MotionColumn& column : declaration.columns)
+    sql += ", " + quoted_name(column.name) + (column.is_outline ? " TEXT" : " REAL");
   for (const AuxiliaryColumn& column : declaration.auxiliaries)
     sql += ", " + quoted_name(column.name) + " " + column.type;
   return sql + ", " + quoted_name(std::string(table)) + " HIDDEN)";

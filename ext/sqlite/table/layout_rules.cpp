@@ -19,6 +19,8 @@ class Mixture {
     Layout layout{.axes = axes_, .law = law(), .shape = shape()};
     layout.has_t = has(Quantity::reference_time);
     layout.has_until = has(Quantity::until);
+    layout.has_radius = layout.shape == Shape::outline && has(Quantity::radius);
+    layout.has_heading = has(Quantity::heading);
     return layout;
   }
 
@@ -102,7 +104,22 @@ class Mixture {
     return moves ? Law::uniform : Law::rest;
   }
 
+  void require_place_for_outline(const DeclaredWord* outline) const {
+    if (axes_ == 1) refuse(outline, "an outline needs two axes or three; add y, or write hx in place of shape");
+    if (has(Quantity::half_extent, 0) || has(Quantity::half_extent, 1))
+      refuse(outline, "a table has either outlines (shape) or boxes (" + list(Quantity::half_extent) +
+                          "); leave one out: a box is an outline of four corners");
+    if (axes_ == 3 && !has(Quantity::half_extent, 2))
+      refuse(outline, "on three axes an outline is that of an upright prism, and needs its half height; add hz");
+  }
+
   Shape shape() const {
+    if (const DeclaredWord* outline = first(Quantity::outline)) {
+      require_place_for_outline(outline);
+      return Shape::outline;
+    }
+    if (const DeclaredWord* heading = first(Quantity::heading))
+      refuse(heading, "a heading turns an outline; add shape or leave heading out");
     const bool flat = has(Quantity::half_extent, 0) || has(Quantity::half_extent, 1);
     const DeclaredWord* hz = at(Quantity::half_extent, 2);
     if (const DeclaredWord* radius = first(Quantity::radius)) {
@@ -112,7 +129,7 @@ class Mixture {
       return hz != nullptr ? Shape::cylinder : Shape::ball;
     }
     if (hz != nullptr && !flat)
-      refuse(hz, "hz alone is no shape; add hx, hy for a box, or r for an upright cylinder");
+      refuse(hz, "hz alone is no shape; add hx, hy for a box, r for an upright cylinder, or shape for a prism");
     return complete(Quantity::half_extent, "half extent") ? Shape::box : Shape::point;
   }
 
@@ -144,6 +161,10 @@ int place_of(const Offsets& at, const Word& word) {
       return at.half == Offsets::absent ? at.hz : at.half + word.axis;
     case Quantity::radius:
       return at.r;
+    case Quantity::outline:
+      return at.outline;
+    case Quantity::heading:
+      return at.heading;
     case Quantity::until:
       return at.until;
   }

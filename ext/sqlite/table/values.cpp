@@ -43,18 +43,36 @@ const char* rule_for_infinity(Quantity quantity) {
 }  // namespace
 
 Values::Values(const Declaration& declaration, const std::string& table)
-    : table_(table), layout_(declaration.layout), at_(record_offsets(layout_)) {
+    : table_(table), layout_(declaration.layout), at_(record_offsets(layout_)), outlines_(layout_) {
   for (const MotionColumn& column : declaration.columns)
     columns_.push_back({column.name, find_word(column.name)->quantity, column.place});
   record_.assign(static_cast<std::size_t>(at_.size), 0.0);
 }
 
-std::span<const double> Values::record(std::int64_t id, sqlite3_value** motion) {
+std::span<const double> Values::record(std::int64_t id, sqlite3_value** motion, Store& store,
+                                       std::optional<std::int64_t> updated) {
+  sqlite3_value* shape = nullptr;
   for (std::size_t i = 0; i < columns_.size(); ++i)
-    record_[static_cast<std::size_t>(columns_[i].place)] = stored(columns_[i], id, motion[i]);
+    if (columns_[i].quantity == Quantity::outline)
+      shape = motion[i];
+    else
+      record_[static_cast<std::size_t>(columns_[i].place)] = stored(columns_[i], id, motion[i]);
   if (layout_.has_until) require_motion_to_last(id);
   if (layout_.law == Law::forced) require_finite_acceleration(id);
+  if (shape) fill_outline(id, shape, store, updated);
   return record_;
+}
+
+void Values::fill_outline(std::int64_t id, sqlite3_value* shape, Store& store,
+                          std::optional<std::int64_t> updated) try {
+  std::vector<double> before;
+  if (updated && sqlite3_value_nochange(shape)) before = store.read(*updated).value_or(before);
+  outlines_.fill(record_, shape, before, store);
+} catch (const StoreError&) {
+  throw;
+} catch (const Error& error) {
+  throw Refusal(SQLITE_CONSTRAINT,
+                table_ + ".shape of row " + std::to_string(id) + ": " + error.what());
 }
 
 double Values::stored(const Column& column, std::int64_t id, sqlite3_value* value) const {
@@ -77,6 +95,11 @@ double Values::stored(const Column& column, std::int64_t id, sqlite3_value* valu
     refuse(column.name, id, shown(value), "a half extent is never negative; write 0 or more");
   if (number < 0 && quantity == Quantity::radius)
     refuse(column.name, id, shown(value), "a radius is never negative; write 0 or more");
+  if (std::abs(number) > 360 && quantity == Quantity::heading)
+    refuse(column.name, id, shown(value),
+           number == 511 ? "write -360 to 360 (511 is \"not available\" in AIS: write the course, or NULL for "
+                           "shape and half the length as r)"
+                         : "beyond a full turn; write degrees from -360 to 360");
   if (number <= 0 && quantity == Quantity::mass)
     refuse(column.name, id, shown(value), "a mass is never 0 or negative; write a number greater than 0");
   return number;

@@ -1,10 +1,10 @@
 // May this be stored, and as which double? From SQL's values to one object's record.
 //
 //   Values values(declaration, "ships");
-//   store.insert(id, values.record(id, argv + 3), auxiliaries);
+//   store.insert(id, values.record(id, argv + 3, store), auxiliaries);
 //
 // The rules (docs/sql_reference.md#values): integers and wholly numeric text convert, '' is NULL, a NULL
-// velocity, acceleration or extent is 0, a NULL until is for ever. What breaks a rule throws Refusal
+// velocity, acceleration, extent or heading is 0, a NULL shape is none, a NULL until is for ever. What breaks a rule throws Refusal
 // (SQLITE_CONSTRAINT) with a message that names table, column, row id and value, and says what to write
 // instead.
 #pragma once
@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "sqlite/table/outline_values.h"
 #include "sqlite/table/vocabulary.h"
 #include "storage/format/declaration.h"
 #include "storage/rows/sqlite_api.h"
@@ -27,8 +28,10 @@ class Values {
 
   void rename(const std::string& table) { table_ = table; }
 
-  /// `motion`: one value a declared motion column, in their order. Valid until the next call.
-  std::span<const double> record(std::int64_t id, sqlite3_value** motion);
+  /// `motion`: one value a declared motion column, in their order. `updated`: the row that an UPDATE changes.
+  /// Outlines are stored, by which nothing is changed. Valid until the next call.
+  std::span<const double> record(std::int64_t id, sqlite3_value** motion, Store& store,
+                                 std::optional<std::int64_t> updated = {});
 
   /// The id that this value means; none for NULL and ''. Throws Refusal (SQLITE_MISMATCH) for what is no
   /// integer.
@@ -41,6 +44,8 @@ class Values {
     int place;
   };
 
+  void fill_outline(std::int64_t id, sqlite3_value* shape, Store& store,
+                    std::optional<std::int64_t> updated);
   double stored(const Column& column, std::int64_t id, sqlite3_value* value) const;
   void require_motion_to_last(std::int64_t id) const;
   void require_finite_acceleration(std::int64_t id) const;
@@ -51,6 +56,7 @@ class Values {
   Layout layout_;
   Offsets at_;
   std::vector<Column> columns_;
+  OutlineValues outlines_;
   std::vector<double> record_;
 };
 

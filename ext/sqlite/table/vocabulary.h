@@ -21,6 +21,8 @@ enum class Quantity : std::uint8_t {
   mass,
   half_extent,
   radius,
+  outline,
+  heading,
   until,  // the last one
 };
 constexpr int quantity_count = static_cast<int>(Quantity::until) + 1;

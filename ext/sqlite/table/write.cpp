@@ -47,7 +47,7 @@ std::int64_t insert_row(MovingObjectsTable& table, const NewRow& row) {
   if (!id) id = table.values.id(row.rowid);
   const bool assigned = !id;
   if (assigned) id = table.store().find_next_id();
-  const std::span<const double> record = table.values.record(*id, row.motion);
+  const std::span<const double> record = table.values.record(*id, row.motion, table.store());
   if (!assigned && replaces(table, *id)) {
     table.store().update(*id, *id, record, row.auxiliaries);
   } else {
@@ -66,7 +66,7 @@ void update_row(MovingObjectsTable& table, std::int64_t old_id, const NewRow& ro
   if (!id)
     throw Refusal(SQLITE_MISMATCH, table.name + ".id of row " + std::to_string(old_id) +
                                        " would become NULL: every object has an id; write an INTEGER");
-  const std::span<const double> record = table.values.record(*id, row.motion);
+  const std::span<const double> record = table.values.record(*id, row.motion, table.store(), old_id);
   if (*id != old_id) replaces(table, *id);  // refuses, or the update replaces it
   table.store().update(old_id, *id, record, row.auxiliaries);
 }

@@ -159,14 +159,15 @@ TEST(DeclareErrors, MixturesOfShapes) {
        "\"r\": a shape is either a box (hx, hy, hz) or round (r, or r and hz for an upright cylinder); leave "
        "one out"},
       {{"id", "x", "y", "z", "hz"},
-       "\"hz\": hz alone is no shape; add hx, hy for a box, or r for an upright cylinder"},
+       "\"hz\": hz alone is no shape; add hx, hy for a box, r for an upright cylinder, or shape for a prism"},
       {{"id", "x", "y", "z", "hy", "hz"}, "\"hy\": half extent is declared for all axes or none; add hx"},
   });
 }
 
 TEST(DeclareErrors, UnknownNamesSuggestTheNearest) {
   const std::string known =
-      "; known are id, t, x, y, z, vx, vy, vz, ax, ay, az, fx, fy, fz, m, hx, hy, hz, r, until;"
+      "; known are id, t, x, y, z, vx, vy, vz, ax, ay, az, fx, fy, fz, m, hx, hy, hz, r, shape, heading, "
+      "until;"
       " a column of your own is written +";
   expect_errors({
       {{"id", "x", "vxx"}, "\"vxx\": no such column; did you mean vx?" + known + "vxx"},
