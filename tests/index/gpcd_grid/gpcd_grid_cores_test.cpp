@@ -105,7 +105,7 @@ Side with_giants(const Layout& layout, std::size_t count, std::uint64_t seed) {
 
 TEST(GpcdGridCores, HoldOnlyWhatTouchesInEveryLayout) {
   std::uint64_t seed = 0;
-  for (const Layout& layout : all_layouts()) {
+  for (const Layout& layout : varied_layouts()) {
     const Side side = with_giants(layout, 200, ++seed);
     expect_touching(side, nullptr, {{0.5, 0.25}, 0.25});
     expect_touching(side, nullptr, {{0.5, 0}, 0.25});
@@ -122,7 +122,7 @@ TEST(GpcdGridCores, HoldOnlyWhatIsThereWhenTheHorizonBegins) {
   std::size_t sure = 0;
   for (Shape giant : {Shape::box, Shape::ball})
     for (int axes = 1; axes <= 3; ++axes)
-      for (const Layout& other : all_layouts()) {
+      for (const Layout& other : varied_layouts()) {
         if (other.axes != axes || (giant == Shape::ball && other.shape == Shape::cylinder)) continue;
         for (Law law : {Law::rest, Law::accelerated}) {
           const Side a = with_giants({axes, law, giant, false, false}, 120, ++seed);
@@ -131,16 +131,17 @@ TEST(GpcdGridCores, HoldOnlyWhatIsThereWhenTheHorizonBegins) {
           sure += expect_touching(b, &a, {{0.5, 0.25}, 0});
         }
       }
-  EXPECT_GT(sure, 1000u);
+  EXPECT_GT(sure, sanitized ? 250u : 1000u);
 }
 
 /// Also where a coordinate has few digits left, where all is tiny, or where nothing fits a float.
 TEST(GpcdGridCores, HoldOnlyWhatTouchesAtExtremeNumbers) {
+  constexpr std::size_t count = sanitized ? 60 : 100;
   std::size_t sure = 0;
   for (int axes = 1; axes <= 3; ++axes)
     for (double scale : {1.0, 0x1p-1060, 0x1p-400, 0x1p400, 0x1p1010})
       for (double offset : {0.0, 1e3, -1e15}) {
-        Side side = with_giants({axes, Law::accelerated, Shape::box, true, false}, 100, 5);
+        Side side = with_giants({axes, Law::accelerated, Shape::box, true, false}, count, 5);
         const Offsets at = row_offsets(side.layout);
         for (std::size_t i = 0; i < side.bodies().count; ++i) {
           double* row = side.rows.data() + i * static_cast<std::size_t>(at.size);

@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, GpcdGridTime, ::testing::ValuesIn(all_scene_kind
 
 TEST_P(GpcdGridTime, LosesNothingForEveryLayout) {
   std::uint64_t seed = 1;
-  for (const Layout& layout : all_layouts()) {
+  for (const Layout& layout : varied_layouts()) {
     const Moving a = moving(random_scene({layout, GetParam(), 50, ++seed}), 3);
     const Moving b = moving(random_scene({layout, GetParam(), 30, ++seed}), 3);
     expect_all_touching(a);
@@ -159,18 +159,19 @@ Moving racers(const Layout& layout, std::size_t count, std::uint64_t seed) {
 }
 
 TEST(GpcdGridTimeTest, LosesNothingThatRacersMeet) {
+  constexpr int repetitions = sanitized ? 2 : 6;
   std::uint64_t seed = 600;
   std::size_t met = 0;
   for (const Law law : {Law::uniform, Law::accelerated})
     for (int axes = 2; axes <= 3; ++axes)
-      for (int repetition = 0; repetition < 6; ++repetition) {
+      for (int repetition = 0; repetition < repetitions; ++repetition) {
         const Layout layout{.axes = axes, .law = law, .shape = Shape::box};
         const Moving a = racers(layout, 500, ++seed), b = racers(layout, 300, ++seed);
         expect_all_touching(a);
         expect_all_touching(a, &b);
         for (const Pair& pair : touching(a)) met += (pair.a % 7 == 0) != (pair.b % 7 == 0);
       }
-  EXPECT_GT(met, 2000u);
+  EXPECT_GT(met, sanitized ? 600u : 2000u);
 }
 
 TEST(GpcdGridTimeTest, LetsFewPassThatDoNotTouch) {

@@ -8,18 +8,18 @@
 namespace foresee::index {
 namespace {
 
-using testing::all_layouts;
 using testing::all_scene_kinds;
 using testing::name_of;
 using testing::Random;
 using testing::random_scene;
 using testing::RandomScene;
 using testing::TreeModel;
+using testing::varied_layouts;
 
 constexpr Layout boats{.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true};
 
 TEST(Merge, KeepsTheTreeSoundInEveryLayout) {
-  for (const Layout& layout : all_layouts()) {
+  for (const Layout& layout : varied_layouts()) {
     SCOPED_TRACE(name_of(layout));
     const RandomScene scene = random_scene({.layout = layout, .count = 150, .seed = 3});
     TreeModel model(layout, 3);
@@ -36,13 +36,14 @@ TEST(Merge, KeepsTheTreeSoundInEveryLayout) {
 }
 
 TEST(Merge, KeepsTheTreeSoundInEveryKindOfScene) {
+  constexpr int rounds = testing::sanitized ? 5 : 12;
   for (auto kind : all_scene_kinds) {
     SCOPED_TRACE(name_of(kind));
     const RandomScene scene = random_scene({.layout = boats, .kind = kind, .count = 1500, .seed = 5});
     TreeModel model(boats, 60, 10);
     Random random(2);
     double clock = 0;
-    for (int round = 0; round < 12; ++round, clock += 50) {
+    for (int round = 0; round < rounds; ++round, clock += 50) {
       model.merge(scene, 1 + random.below(1500), random);
       model.expect_sound();
       model.churn(scene, 300, random, clock);

@@ -13,18 +13,18 @@
 namespace foresee::index {
 namespace {
 
-using testing::all_layouts;
 using testing::all_scene_kinds;
 using testing::name_of;
 using testing::Random;
 using testing::random_scene;
 using testing::RandomScene;
 using testing::TreeModel;
+using testing::varied_layouts;
 
 constexpr Layout boats{.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true};
 
 TEST(TprTree, KeepsItsInvariantsInEveryLayout) {
-  for (const Layout& layout : all_layouts()) {
+  for (const Layout& layout : varied_layouts()) {
     SCOPED_TRACE(name_of(layout));
     const RandomScene scene = random_scene({.layout = layout, .count = 60, .seed = 3});
     TreeModel model(layout, 3);

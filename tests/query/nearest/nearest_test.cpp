@@ -11,7 +11,6 @@
 namespace foresee::query {
 namespace {
 
-using testing::all_layouts;
 using testing::all_scene_kinds;
 using testing::as_scene;
 using testing::as_tree;
@@ -22,6 +21,7 @@ using testing::RandomScene;
 using testing::rows_of;
 using testing::scene_of;
 using testing::shifted;
+using testing::varied_layouts;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -127,7 +127,7 @@ TEST_P(NearestOfEveryLayout, TreeAgreesWithScan) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(AxesLawShapeTimes, NearestOfEveryLayout, ::testing::ValuesIn(all_layouts()));
+INSTANTIATE_TEST_SUITE_P(AxesLawShapeTimes, NearestOfEveryLayout, ::testing::ValuesIn(varied_layouts()));
 
 TEST(Nearest, EqualDistancesComeById) {
   // Eight mirror images of one motion: different numbers on the way, the same distance.

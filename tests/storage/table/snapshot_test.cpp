@@ -2,6 +2,7 @@
 #include <map>
 #include <random>
 
+#include "sanitized.h"
 #include "storage/database.h"
 
 namespace foresee::storage {
@@ -124,12 +125,13 @@ TEST_F(Snapshot, NewestTIsReadOffTheRoot) {
 }
 
 TEST_F(Snapshot, AgreesWithAModelThroughRandomProgramsOfSavepoints) {
+  constexpr int rounds = testing::sanitized ? 15 : 40;
   std::mt19937_64 random(20241121);
   struct Held {
     std::shared_ptr<NodeSource> snapshot;
     Model expected;
   };
-  for (int round = 0; round < 40; ++round) {
+  for (int round = 0; round < rounds; ++round) {
     Model model = now(*store);
     const Model committed = model;
     std::vector<Model> savepoints;
