@@ -14,7 +14,7 @@
 namespace foresee::testing {
 
 inline long next_fault(long n) {
-  constexpr long one_by_one = sanitized ? 10 : 150, growth = sanitized ? 4 : 40;
+  constexpr long one_by_one = sanitized ? 10 : 50, growth = sanitized ? 4 : 14;
   static const bool every = std::getenv("FORESEE_EVERY_FAULT") != nullptr;
   return every || n < one_by_one ? n + 1 : n + 1 + n / growth;
 }
