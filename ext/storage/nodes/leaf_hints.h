@@ -10,9 +10,14 @@
 // (Knuth, The Art of Computer Programming 3, 6.4): while half of the places are free, ids that count up, as
 // most do, share none; of others that do, the last one stays. Cost: 4 bytes a place: 24 bits of the leaf's
 // number, so that leaves with larger ones have no hints, and the last 8 of the slot.
+//
+// Nobody waits while a large table doubles: it is made of parts, by the hash, which double one after another,
+// a few with every reserve(), so that meanwhile some have twice the size of the others (linear hashing, W.
+// Litwin, VLDB 1980, by parts). No call adds more than 128 kB.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -37,53 +42,78 @@ class LeafHints {
   };
 
   /// Nobody has asked yet: there is nothing to learn for.
-  bool empty() const { return hints_.empty(); }
+  bool empty() const { return places_ == 0; }
+  std::size_t places() const { return places_; }
 
+  /// Grows, by a step, towards so many places.
   void reserve(std::size_t places) {
-    if (hints_.empty()) hints_.assign(least_places, 0);
-    while (hints_.size() < places && hints_.size() < most_places) grow();
+    if (empty()) make_parts();
+    const std::size_t wanted = std::min(std::bit_ceil(places), most_places);
+    for (std::size_t added = 0; places_ < wanted && (added == 0 || added + parts_[next_].size() <= step);)
+      added += double_next_part();
   }
 
   /// Requires: reserved.
   void learn(std::int64_t id, std::int64_t leaf, std::size_t slot = 0) {
-    if (leaf < leaves)
-      hints_[place_of(id)] =
-          static_cast<std::uint32_t>(static_cast<std::size_t>(leaf) * slots + slot % slots);
+    if (leaf >= leaves) return;
+    const Place place = place_of(id);
+    parts_[place.part][place.at] =
+        static_cast<std::uint32_t>(static_cast<std::size_t>(leaf) * slots + slot % slots);
   }
   void learn(std::span<const std::int64_t> ids, std::int64_t leaf) {
     for (std::size_t i = 0; i < ids.size(); ++i) learn(ids[i], leaf, i);
   }
 
   Hint find(std::int64_t id) const {
-    if (hints_.empty()) return {};
-    const std::uint32_t hint = hints_[place_of(id)];
+    if (empty()) return {};
+    const Place place = place_of(id);
+    const std::uint32_t hint = parts_[place.part][place.at];
     return {hint / slots, hint % slots};
   }
 
-  void clear() noexcept { hints_ = {}; }
+  void clear() noexcept { *this = {}; }
 
  private:
-  static constexpr std::size_t least_places = 1 << 10, most_places = 1 << 22;
+  static constexpr std::size_t most_places = 1 << 22;
   static constexpr std::uint32_t slots = 1 << 8;
   static constexpr std::size_t line = 16;  ///< hints that the processor fetches together
   static constexpr std::int64_t leaves = 1 << 24;
+  static constexpr int part_bits = 6;
+  static constexpr std::size_t step = most_places >> part_bits >> 1;  ///< the largest part there is to double
 
-  /// A line by the hash of the id's upper digits; in it a place by the last digit, which the hash turns
-  /// round, for ids that all end in the same one.
-  std::size_t place_of(std::int64_t id) const {
+  using Part = std::vector<std::uint32_t>;  ///< a power of two, in lines
+
+  struct Place {
+    std::size_t part, at;
+  };
+  /// A part by the first bits of the hash of the id's upper digits, a line by the next ones; in it a place by
+  /// the last digit, which the hash turns round, for ids that all end in the same one.
+  Place place_of(std::int64_t id) const {
     const std::uint64_t hash = (static_cast<std::uint64_t>(id) / line) * 0x9e3779b97f4a7c15;
-    const std::size_t at = hash >> (64 - std::countr_zero(hints_.size() / line));
-    return at * line + (static_cast<std::uint64_t>(id) + hash / (std::uint64_t{1} << 32)) % line;
+    const std::size_t part = hash >> (64 - part_bits);
+    const std::size_t at = (hash << part_bits >> 1) >> (63 - std::countr_zero(parts_[part].size() / line));
+    return {part, at * line + (static_cast<std::uint64_t>(id) + hash / (std::uint64_t{1} << 32)) % line};
   }
 
-  /// An id's line becomes either of two.
-  void grow() {
-    std::vector<std::uint32_t> doubled(2 * hints_.size());
-    for (std::size_t i = 0; i < doubled.size(); ++i) doubled[i] = hints_[i / (2 * line) * line + i % line];
-    hints_ = std::move(doubled);
+  void make_parts() {
+    for (Part& part : parts_) part.assign(line, 0);
+    places_ = parts_.size() * line;
   }
 
-  std::vector<std::uint32_t> hints_;  ///< none, or a power of two
+  /// An id's line becomes either of two. Returns how many places that adds.
+  std::size_t double_next_part() {
+    Part& part = parts_[next_];
+    Part doubled(2 * part.size());
+    for (std::size_t i = 0; i < doubled.size(); ++i) doubled[i] = part[i / (2 * line) * line + i % line];
+    part.swap(doubled);
+    next_ = (next_ + 1) % parts_.size();
+    places_ += doubled.size();
+    return doubled.size();
+  }
+
+  std::array<Part, 1 << part_bits> parts_;
+  std::size_t places_ = 0;
+  std::size_t next_ = 0;  ///< the part that doubles next; those before it have
 };
 
 }  // namespace foresee::storage

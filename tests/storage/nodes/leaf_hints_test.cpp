@@ -43,6 +43,22 @@ TEST(LeafHints, AnObjectIsFoundWhereverItIsInItsLeaf) {
   EXPECT_EQ(elsewhere.slot_in({}, 999), 0u);
 }
 
+TEST(LeafHints, NobodyWaitsUntilALargeTableHasGrown) {
+  constexpr std::size_t wanted = 1 << 22;
+  LeafHints hints;
+  hints.reserve(1);
+  std::size_t most_added = 0;
+  for (std::int64_t leaf = 1; leaf <= 10000; ++leaf) {
+    const std::size_t before = hints.places();
+    hints.reserve(wanted);
+    most_added = std::max(most_added, hints.places() - before);
+    hints.learn(count_from(leaf * 64, 64), leaf);
+  }
+  EXPECT_EQ(hints.places(), wanted);
+  EXPECT_LE(most_added, wanted / 128);
+  for (std::int64_t id = 64; id < 64 * 10001; ++id) ASSERT_EQ(hints.find(id).leaf, id / 64);
+}
+
 TEST(LeafHints, LeavesWithLargeNumbersHaveNone) {
   constexpr std::int64_t last = (std::int64_t{1} << 24) - 1;
   LeafHints hints;
