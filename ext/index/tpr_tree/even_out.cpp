@@ -8,21 +8,45 @@
 namespace foresee::index {
 namespace {
 
+constexpr std::size_t siblings = 3;  ///< that are asked for room
+
+std::size_t size_of(Pages& pages, NodeNumber number) {
+  return pages.read(number)->size();
+}
+
+/// Of the siblings that a leaf overlaps most, the first that takes what is too much for it, or else the
+/// first; the leaf itself where it has none.
+template <int D>
+NodeNumber sibling_with_room(const TreeState<D>& state, const Node& parent, NodeNumber leaf) {
+  const std::size_t size = size_of(state.pages, leaf);
+  const std::vector<std::size_t> closest = closest_children(state, parent, leaf, 1 + siblings);
+  if (closest.size() == 1) return leaf;
+  for (std::size_t i = 1; i < closest.size(); ++i)
+    if (size + size_of(state.pages, parent.keys[closest[i]]) <= 2 * state.packed_size())
+      return parent.keys[closest[i]];
+  return parent.keys[closest[1]];
+}
+
+/// The leaf with which a leaf shares what both hold, itself where it has no sibling; 0: it stays as it is.
+template <int D>
+NodeNumber partner_of(const TreeState<D>& state, const Node& parent, NodeNumber leaf) {
+  const NodeNumber sibling = sibling_with_room(state, parent, leaf);
+  const std::size_t size = size_of(state.pages, leaf), most = state.capacity(0);
+  const bool is_due = size > most || size < state.least_size(0);
+  const bool stays =
+      sibling == leaf ? size <= most : !is_due && size + size_of(state.pages, sibling) > state.packed_size();
+  return stays ? 0 : sibling;
+}
+
 template <int D>
 class EvenOut {
  public:
   EvenOut(TreeState<D>& state, NodeNumber number)
       : state_(state), number_(number), parent_(state.pages.modify(number)) {}
 
-  bool even_out_leaf(NodeNumber leaf) {
-    const std::size_t size = size_of(leaf), most = state_.capacity(0);
-    const NodeNumber sibling = sibling_with_room(leaf, size);
-    const bool is_due = size > most || size < state_.least_size(0);
-    if (sibling == leaf ? size <= most : !is_due && size + size_of(sibling) > state_.packed_size())
-      return false;
-    const NodeNumber both[] = {leaf, sibling};
-    pack(std::span(both).first(sibling == leaf ? 1 : 2));
-    return true;
+  void share(NodeNumber leaf, NodeNumber partner) {
+    const NodeNumber both[] = {leaf, partner};
+    pack(std::span(both).first(partner == leaf ? 1 : 2));
   }
 
   void run(std::span<const NodeNumber> children) {
@@ -37,7 +61,7 @@ class EvenOut {
       if (!is_even(*node)) uneven.push_back(child);
     }
     for (const NodeNumber child : uneven)
-      if (has(child)) parent_.level > 1 ? even_out_inner(child) : static_cast<void>(even_out_leaf(child));
+      if (has(child)) parent_.level > 1 ? even_out_inner(child) : even_out_leaf(child);
     if (parent_.size() == 0) return;
     if (2 * children.size() > parent_.size() && parent_.epoch != state_.clock.now())
       renew_entries(state_, number_);
@@ -53,7 +77,6 @@ class EvenOut {
   }
 
   bool has(NodeNumber child) const { return has_child(parent_, child); }
-  std::size_t size_of(NodeNumber child) const { return state_.pages.read(child)->size(); }
   void renew(NodeNumber child, const Node& node) {
     set_entry(parent_, slot_of(parent_, child), summary(node, state_.reader, parent_.epoch));
   }
@@ -71,8 +94,12 @@ class EvenOut {
     pack.write_beneath(number_, parent_, pack.summaries(parent_.epoch));
   }
 
+  void even_out_leaf(NodeNumber leaf) {
+    if (const NodeNumber partner = partner_of(state_, parent_, leaf)) share(leaf, partner);
+  }
+
   void even_out_inner(NodeNumber child) {
-    if (size_of(child) < state_.least_size(parent_.level - 1)) {
+    if (size_of(state_.pages, child) < state_.least_size(parent_.level - 1)) {
       const NodeNumber sibling = parent_.keys[closest_sibling(state_, parent_, child)];
       if (sibling == child) return;
       take_up(child, sibling);
@@ -82,21 +109,10 @@ class EvenOut {
     while (!full.empty()) {
       const NodeNumber node = full.back();
       full.pop_back();
-      if (size_of(node) <= state_.capacity(parent_.level - 1)) continue;
+      if (size_of(state_.pages, node) <= state_.capacity(parent_.level - 1)) continue;
       full.push_back(node);
       full.push_back(split_node(state_, node, number_));
     }
-  }
-
-  /// Of the siblings that a leaf overlaps most, the first that takes what is too much for it, or else the
-  /// first.
-  NodeNumber sibling_with_room(NodeNumber leaf, std::size_t size) {
-    const std::vector<std::size_t> closest = closest_children(state_, parent_, leaf, 1 + siblings);
-    if (closest.size() == 1) return leaf;
-    for (std::size_t i = 1; i < closest.size(); ++i)
-      if (size + size_of(parent_.keys[closest[i]]) <= 2 * state_.packed_size())
-        return parent_.keys[closest[i]];
-    return parent_.keys[closest[1]];
   }
 
   /// Hangs everything beneath `child` below its sibling.
@@ -116,8 +132,6 @@ class EvenOut {
     renew(sibling, stays);
   }
 
-  static constexpr std::size_t siblings = 3;  ///< that are asked for room
-
   TreeState<D>& state_;
   const NodeNumber number_;
   Node& parent_;
@@ -132,7 +146,9 @@ void even_out(TreeState<D>& state, NodeNumber parent, std::span<const NodeNumber
 
 template <int D>
 bool even_out_leaf(TreeState<D>& state, NodeNumber parent, NodeNumber leaf) {
-  return EvenOut<D>(state, parent).even_out_leaf(leaf);
+  const NodeNumber partner = partner_of(state, *state.pages.read(parent), leaf);
+  if (partner != 0) EvenOut<D>(state, parent).share(leaf, partner);
+  return partner != 0;
 }
 
 template <int D>

@@ -20,7 +20,8 @@ template <int D>
 void even_out(TreeState<D>& state, NodeNumber parent, std::span<const NodeNumber> children);
 
 /// The same for one leaf that has lost objects, or is too full: it shares with a sibling. False if nothing
-/// had to change. Requires: `parent` has a true entry for it; it may be too full or too empty afterwards.
+/// had to change: then nothing was written. Requires: `parent` has a true entry for it; it may be too full or
+/// too empty afterwards.
 template <int D>
 bool even_out_leaf(TreeState<D>& state, NodeNumber parent, NodeNumber leaf);
 

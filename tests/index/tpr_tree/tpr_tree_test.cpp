@@ -146,6 +146,22 @@ TEST(TprTree, AnUpdateWithinTheLeafsBoundsTouchesTheLeafAlone) {
   }
 }
 
+TEST(TprTree, ALeafWhoseSiblingsAreFullChangesAloneWhenItIsHalfEmpty) {
+  TreeModel model(boats, 60, 10);
+  RandomScene alike = random_scene({.layout = boats, .count = 90});
+  for (std::size_t i = 6; i < alike.records.size(); ++i) alike.records[i] = alike.records[i - 6];
+  model.load(alike);
+  CountingPages counting(model.pages);
+  const auto tree = make_tpr_tree(counting, 60);
+  const std::vector<std::int64_t> ids = model.pages.read(*model.pages.find_leaf(alike.ids[0]))->keys;
+  ASSERT_EQ(ids.size(), 9u);
+  for (const std::int64_t id : std::span(ids).first(6)) {
+    counting.changes = 0;
+    EXPECT_TRUE(tree->erase(id));
+    EXPECT_EQ(counting.changes, 1);
+  }
+}
+
 /// Leaves read by windows of a twentieth of the scene's side.
 std::size_t leaves_in_windows(TreeModel& model, double side, double now) {
   Random random(8);
