@@ -11,7 +11,7 @@ namespace {
 /// Leaves that are packed together, or if that does not do; and how many of their objects may move where
 /// leaves do not hold more: each may be another row of the page map, and a small commit should stay small.
 constexpr std::size_t packed_together[] = {4, 2};
-constexpr std::size_t most_moved = 128;
+constexpr std::size_t most_moved = 72;
 /// What leaves cost after they were packed, or another parent, in parts of what they did, to be worth it.
 constexpr double worth_packing = 0.95, worth_moving = 0.8;
 
