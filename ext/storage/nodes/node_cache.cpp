@@ -50,6 +50,13 @@ void NodeCache::evict_if_full() {
   share_.budget().evict();
 }
 
+// While there are few, room for as many as are ever kept: a large table that grows keeps somebody waiting.
+NodeCache::Slot& NodeCache::add_slot(NodeNumber number) {
+  constexpr std::size_t few = 1024;
+  if (slots_.size() == few) slots_.reserve(share_.budget().most_kept() / format_.node_size);
+  return slots_[number];
+}
+
 /// Null if there is no such node.
 NodeCache::Slot* NodeCache::fetch_if_stored(NodeNumber number) {
   if (Slot* slot = in_memory(number)) {
@@ -68,7 +75,7 @@ NodeCache::Slot* NodeCache::fetch_if_stored(NodeNumber number) {
       node = std::make_shared<Node>(is_leaf ? decode_leaf(format_, blob) : decode_inner(format_, blob));
     });
   if (!node) return nullptr;
-  Slot& slot = slots_[number];
+  Slot& slot = add_slot(number);
   slot = {.state = {std::move(node), false}, .used = use_};
   if (!hints_.empty()) learn(number, slot);
   return &slot;
@@ -132,7 +139,7 @@ void NodeCache::about_to_change(NodeNumber number, Slot& slot) {
 NodeCache::Slot& NodeCache::overwritten(NodeNumber number) {
   const auto found = slots_.find(number);
   if (found != slots_.end()) return found->second;
-  return undo_.snapshots() > 0 ? fetch(number) : slots_[number];
+  return undo_.snapshots() > 0 ? fetch(number) : add_slot(number);
 }
 
 Node& NodeCache::modify(NodeNumber number) {
@@ -169,7 +176,7 @@ NodeNumber NodeCache::allocate() {
   if (head_.last == std::numeric_limits<std::int64_t>::max()) damaged("there is no node number left");
   auto node = std::make_shared<Node>();
   const NodeNumber number = head_.last + 1;
-  Slot& slot = slots_[number];
+  Slot& slot = add_slot(number);
   about_to_change(number, slot);
   slot.state.node = std::move(node);
   slot.learned = false;

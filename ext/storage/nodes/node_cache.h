@@ -133,6 +133,8 @@ class NodeCache final : public Pages {
   /// gone.
   Slot& fetch(NodeNumber number);
   void learn(NodeNumber number, Slot& slot);
+  /// The slot of a node, new if there is none.
+  Slot& add_slot(NodeNumber number);
   void erase_slot(NodeNumber number) noexcept;
   /// The slot of a node that is replaced as a whole: read only for those who hold a snapshot.
   Slot& overwritten(NodeNumber number);

@@ -54,7 +54,7 @@ void IdHashMap::reset() noexcept {
 }
 
 void IdHashMap::clear() noexcept {
-  slots_ = {};
+  slots_ = std::vector<Entry>();  // {} would keep the memory
   size_ = 0;
 }
 

@@ -34,6 +34,7 @@ class IdHashMap {
   void set(std::int64_t id, std::int64_t value) noexcept;
   /// All ids become unknown; those that are prepared stay so.
   void reset() noexcept;
+  /// Holds no memory afterwards.
   void clear() noexcept;
 
   /// Ids that are prepared.

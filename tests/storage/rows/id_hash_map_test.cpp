@@ -1,0 +1,34 @@
+// Numbers by id: what was set is found, and what was cleared is gone.
+#include "storage/rows/id_hash_map.h"
+
+#include <gtest/gtest.h>
+
+namespace foresee::storage {
+namespace {
+
+TEST(IdHashMap, FindsWhatWasSetUntilItIsCleared) {
+  IdHashMap map;
+  EXPECT_EQ(map.find(7), IdHashMap::unknown);
+  for (std::int64_t id = -500; id < 500; ++id) {
+    map.prepare(id);
+    EXPECT_EQ(map.find(id), IdHashMap::unknown);
+    map.set(id, 1000 + id);
+  }
+  for (std::int64_t id = -500; id < 500; ++id) EXPECT_EQ(map.find(id), 1000 + id);
+  EXPECT_EQ(map.known().size(), 1000u);
+  map.reset();
+  EXPECT_EQ(map.find(7), IdHashMap::unknown);
+  EXPECT_EQ(map.size(), 1000u);
+}
+
+// A large load's table would else be given back much later, by a commit of one row that waits for it.
+TEST(IdHashMap, HoldsNoMemoryOnceItIsCleared) {
+  IdHashMap map;
+  for (std::int64_t id = 0; id < 1000; ++id) map.prepare(id);
+  EXPECT_GT(map.memory(), 1000 * sizeof(IdHashMap::Entry));
+  map.clear();
+  EXPECT_EQ(map.memory(), 0u);
+}
+
+}  // namespace
+}  // namespace foresee::storage
