@@ -121,11 +121,12 @@ class CountingPages final : public Pages {
   void set_root(NodeNumber number) override { pages_.set_root(number); }
   std::optional<NodeNumber> find_leaf(std::int64_t id) override { return pages_.find_leaf(id); }
   void place(std::span<const std::int64_t> ids, NodeNumber leaf) override {
-    ++moves, pages_.place(ids, leaf);
+    moves += ids.size(), pages_.place(ids, leaf);
   }
   void forget(std::int64_t id) override { pages_.forget(id); }
 
-  int changes = 0, moves = 0;
+  int changes = 0;
+  std::size_t moves = 0;  ///< of objects to another leaf
 
  private:
   Pages& pages_;
@@ -142,7 +143,34 @@ TEST(TprTree, AnUpdateWithinTheLeafsBoundsTouchesTheLeafAlone) {
     counting.changes = counting.moves = 0;
     EXPECT_TRUE(tree->update(id, record));
     EXPECT_EQ(counting.changes, 1);
-    EXPECT_EQ(counting.moves, 0);
+    EXPECT_EQ(counting.moves, 0u);
+  }
+}
+
+// Each object that moves may be another page of a small commit.
+TEST(TprTree, AnUpdateMovesNoMoreObjectsThanTwoLeavesMayShare) {
+  constexpr std::size_t capacity = 64, most = 100;
+  constexpr double side = 250;
+  TreeModel model(boats, 60, capacity);
+  CountingPages counting(model.pages);
+  const auto tree = make_tpr_tree(counting, 60);
+  Random random(5);
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  for (std::int64_t id = 0; id < 4000; ++id) {
+    ids.push_back(id);
+    for (const double number :
+         {0.0, random.in(0, side), random.in(0, side), random.in(-1, 1), random.in(-1, 1), 0.5})
+      records.push_back(number);
+  }
+  tree->bulk_load(ids, records, model.never);
+  for (double now = 0; now < 60; now += 0.003) {
+    const std::size_t id = random.below(ids.size());
+    double* const record = records.data() + 6 * id;
+    record[1] += record[3] * (now - record[0]), record[2] += record[4] * (now - record[0]), record[0] = now;
+    counting.moves = 0;
+    EXPECT_TRUE(tree->update(ids[id], {record, 6}));
+    ASSERT_LE(counting.moves, most);
   }
 }
 
