@@ -38,20 +38,20 @@ struct Layout {
 /// side by side.
 struct Offsets {
   static constexpr int absent = -1;
-  int t = absent;      ///< reference time
-  int x = absent;      ///< centre at the reference time
-  int v = absent;      ///< velocity at the reference time
-  int a = absent;      ///< acceleration
-  int force = absent;  ///< only in records
-  int mass = absent;   ///< only in records
-  int half = absent;   ///< half extents of a box
-  int r = absent;      ///< radius of a ball or cylinder
-  int hz = absent;     ///< half height of a cylinder or prism
+  int t = absent;        ///< reference time
+  int x = absent;        ///< centre at the reference time
+  int v = absent;        ///< velocity at the reference time
+  int a = absent;        ///< acceleration
+  int force = absent;    ///< only in records
+  int mass = absent;     ///< only in records
+  int half = absent;     ///< half extents of a box
+  int r = absent;        ///< radius of a ball or cylinder
+  int hz = absent;       ///< half height of a cylinder or prism
   int outline = absent;  ///< number of the outline (storage/table/outlines.h); 0: none
   int heading = absent;  ///< by which it is turned, in degrees clockwise
   int bounds = absent;   ///< lower x, lower y, upper x, upper y of the turned outline around the centre
-  int until = absent;  ///< last moment of the motion, +infinity for ever
-  int size = 0;        ///< doubles per object
+  int until = absent;    ///< last moment of the motion, +infinity for ever
+  int size = 0;          ///< doubles per object
 
   friend bool operator==(const Offsets&, const Offsets&) = default;
 };

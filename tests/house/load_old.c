@@ -64,7 +64,7 @@ static int works(Entry entry, const sqlite3_api_routines* table) {
   good &= gives(db, "SELECT a, b FROM predictive_join(300, 'ships') WHERE t IN (95, 96) AND dt > 0", 1);
   good &= gives(db, "SELECT a, b FROM predictive_join(300, 'ships') WHERE a = 2 OR b = 2", 1);
   good &= gives(db, "SELECT a, b FROM predictive_join(300, 'ships', NULL) WHERE a = 2 OR b = 2", 1);
-  good &= gives(db, "SELECT * FROM predictive_explain(300)", 6);
+  good &= gives(db, "SELECT * FROM predictive_explain(300)", 7);
   good &= gives(db, "SELECT * FROM predictive_window(300, 'ships', 500, 700)", 2);
   good &= gives(db, "SELECT * FROM predictive_nearest(300, 'ships', 2, 600)", 2);
   good &= gives(db, "SELECT * FROM predictive_position(0)", 3);

@@ -105,12 +105,14 @@ class Mixture {
   }
 
   void require_place_for_outline(const DeclaredWord* outline) const {
-    if (axes_ == 1) refuse(outline, "an outline needs two axes or three; add y, or write hx in place of shape");
+    if (axes_ == 1)
+      refuse(outline, "an outline needs two axes or three; add y, or write hx in place of shape");
     if (has(Quantity::half_extent, 0) || has(Quantity::half_extent, 1))
       refuse(outline, "a table has either outlines (shape) or boxes (" + list(Quantity::half_extent) +
                           "); leave one out: a box is an outline of four corners");
     if (axes_ == 3 && !has(Quantity::half_extent, 2))
-      refuse(outline, "on three axes an outline is that of an upright prism, and needs its half height; add hz");
+      refuse(outline,
+             "on three axes an outline is that of an upright prism, and needs its half height; add hz");
   }
 
   Shape shape() const {
@@ -129,7 +131,8 @@ class Mixture {
       return hz != nullptr ? Shape::cylinder : Shape::ball;
     }
     if (hz != nullptr && !flat)
-      refuse(hz, "hz alone is no shape; add hx, hy for a box, r for an upright cylinder, or shape for a prism");
+      refuse(hz,
+             "hz alone is no shape; add hx, hy for a box, r for an upright cylinder, or shape for a prism");
     return complete(Quantity::half_extent, "half extent") ? Shape::box : Shape::point;
   }
 

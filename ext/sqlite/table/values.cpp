@@ -71,8 +71,7 @@ void Values::fill_outline(std::int64_t id, sqlite3_value* shape, Store& store,
 } catch (const StoreError&) {
   throw;
 } catch (const Error& error) {
-  throw Refusal(SQLITE_CONSTRAINT,
-                table_ + ".shape of row " + std::to_string(id) + ": " + error.what());
+  throw Refusal(SQLITE_CONSTRAINT, table_ + ".shape of row " + std::to_string(id) + ": " + error.what());
 }
 
 double Values::stored(const Column& column, std::int64_t id, sqlite3_value* value) const {
@@ -97,9 +96,10 @@ double Values::stored(const Column& column, std::int64_t id, sqlite3_value* valu
     refuse(column.name, id, shown(value), "a radius is never negative; write 0 or more");
   if (std::abs(number) > 360 && quantity == Quantity::heading)
     refuse(column.name, id, shown(value),
-           number == 511 ? "write -360 to 360 (511 is \"not available\" in AIS: write the course, or NULL for "
-                           "shape and half the length as r)"
-                         : "beyond a full turn; write degrees from -360 to 360");
+           number == 511
+               ? "write -360 to 360 (511 is \"not available\" in AIS: write the course, or NULL for "
+                 "shape and half the length as r)"
+               : "beyond a full turn; write degrees from -360 to 360");
   if (number <= 0 && quantity == Quantity::mass)
     refuse(column.name, id, shown(value), "a mass is never 0 or negative; write a number greater than 0");
   return number;

@@ -4,9 +4,9 @@
 //   store.insert(id, values.record(id, argv + 3, store), auxiliaries);
 //
 // The rules (docs/sql_reference.md#values): integers and wholly numeric text convert, '' is NULL, a NULL
-// velocity, acceleration, extent or heading is 0, a NULL shape is none, a NULL until is for ever. What breaks a rule throws Refusal
-// (SQLITE_CONSTRAINT) with a message that names table, column, row id and value, and says what to write
-// instead.
+// velocity, acceleration, extent or heading is 0, a NULL shape is none, a NULL until is for ever. What breaks
+// a rule throws Refusal (SQLITE_CONSTRAINT) with a message that names table, column, row id and value, and
+// says what to write instead.
 #pragma once
 
 #include <cstdint>
@@ -44,8 +44,7 @@ class Values {
     int place;
   };
 
-  void fill_outline(std::int64_t id, sqlite3_value* shape, Store& store,
-                    std::optional<std::int64_t> updated);
+  void fill_outline(std::int64_t id, sqlite3_value* shape, Store& store, std::optional<std::int64_t> updated);
   double stored(const Column& column, std::int64_t id, sqlite3_value* value) const;
   void require_motion_to_last(std::int64_t id) const;
   void require_finite_acceleration(std::int64_t id) const;

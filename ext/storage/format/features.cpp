@@ -18,8 +18,7 @@ std::string_view cut_first(std::string_view& names) {
 std::span<const Feature> known_features() {
   static constexpr std::array<Feature, 2> known{
       {{map_blocks, [](const Declaration&) { return true; }},
-       {stored_shapes,
-        [](const Declaration& declared) { return declared.layout.shape == Shape::outline; }}}};
+       {stored_shapes, [](const Declaration& declared) { return declared.layout.shape == Shape::outline; }}}};
   return known;
 }
 

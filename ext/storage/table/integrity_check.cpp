@@ -159,8 +159,8 @@ class IntegrityCheck {
 }  // namespace
 
 std::vector<std::string> check_integrity(ShadowRows& rows, NodeCache& cache, const NodeFormat& format,
-                                         const QualifiedName& name, bool has_auxiliaries,
-                                         ShapeRows* outlines, Interrupt& interrupt) {
+                                         const QualifiedName& name, bool has_auxiliaries, ShapeRows* outlines,
+                                         Interrupt& interrupt) {
   IntegrityCheck check(rows, cache, format, name, interrupt);
   check.meta();
   check.nodes();
