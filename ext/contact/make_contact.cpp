@@ -41,8 +41,7 @@ void require_cylinders_or_points(const Bodies& a, const Bodies& b) {
   if (!has(a, b, Shape::point) && !has(a, b, Shape::cylinder) && !has(a, b, Shape::outline))
     throw Error(
         "within_z needs points, cylinders (r with hz) or prisms (shape with hz) on one side; between balls "
-        "or "
-        "boxes leave it out: within covers every axis");
+        "or boxes leave it out: within covers every axis");
 }
 
 const char* plural_of(Shape shape) {

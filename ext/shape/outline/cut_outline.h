@@ -2,8 +2,8 @@
 // it may be turned.
 //
 //   const auto hull = std::make_shared<const CutOutline>(read_outline(text));
-//   hull->pieces();                                   // cut at the first call, by whichever thread comes
-//   first
+//   hull->pieces();                      // cut at the first call, by whichever thread comes first
+//   hull->as_it_lies(37.5)               // throws where the outline, turned so, is none
 //
 // Never changes: several threads and statements may hold one.
 #pragma once
@@ -11,6 +11,7 @@
 #include <mutex>
 
 #include "shape/outline/convex_pieces.h"
+#include "shape/outline/turn.h"
 #include "shape/outline/validity.h"
 
 namespace foresee::shape {
@@ -25,10 +26,14 @@ class CutOutline {
     std::call_once(cut_, [this] { pieces_ = convex_pieces(outline_); });
     return pieces_;
   }
-  /// Throws Error if the outline, turned by `heading` degrees to `as_it_lies`, is none.
-  void check_turned(const Outline& as_it_lies, double heading) const {
+  /// Turned by `heading` degrees (turn.h). Throws Error if that is no outline, or beyond the largest double.
+  /// Requires: -360 <= heading <= 360.
+  Outline as_it_lies(double heading) const {
+    if (heading == 0) return outline_;
     std::call_once(touched_, [this] { edge_touch_ = edge_touch_of(outline_); });
-    shape::check_turned(outline_, edge_touch_, as_it_lies, heading);
+    Outline lies = turned(outline_, heading);
+    check_turned(outline_, edge_touch_, lies, heading);
+    return lies;
   }
 
  private:

@@ -2,7 +2,6 @@
 
 #include "base/integer_of.h"
 #include "base/steps.h"
-#include "shape/outline/turn.h"
 
 namespace foresee::shape {
 
@@ -33,8 +32,7 @@ const ConvexPieces* TurnedOutlines::pieces(std::size_t row) const {
   const CutOutline* const outline = outlines_[row];
   if (!outline || heading(row) == 0) return outline ? &outline->pieces() : nullptr;
   if (const ConvexPieces* const known = turned_[row].load(std::memory_order_acquire)) return known;
-  const Outline as_it_lies = turned(outline->outline(), heading(row));
-  outline->check_turned(as_it_lies, heading(row));
+  const Outline as_it_lies = outline->as_it_lies(heading(row));
   auto made = std::make_unique<const ConvexPieces>(turned_pieces(outline->pieces(), as_it_lies));
   const ConvexPieces* first = nullptr;
   // Another thread may have been quicker: then both use its pieces.

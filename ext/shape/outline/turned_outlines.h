@@ -1,7 +1,7 @@
 // What do the outlines of many rows look like, as they lie? Asked by contact, for the rows that come near
 // each other.
 //
-//   const TurnedOutlines outlines(ships, source, interrupt);         // looks every number up
+//   const TurnedOutlines outlines(ships, source, interrupt);      // looks every number up
 //   if (const ConvexPieces* hull = outlines.pieces(row)) …        // turned by the row's heading
 //
 // Rows of one outline share its pieces, unless they are turned: then a row's pieces are made when it is first

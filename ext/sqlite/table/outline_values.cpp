@@ -2,23 +2,10 @@
 
 #include <algorithm>
 
-#include "shape/outline/turn.h"
 #include "storage/rows/text.h"
 
 namespace foresee::sqlite {
 namespace {
-
-Extents<2> extents_as_it_lies(const CutOutline& outline, double heading) {
-  if (heading == 0) return outline.outline().extents();
-  const Outline as_it_lies = turned(outline.outline(), heading);
-  outline.check_turned(as_it_lies, heading);
-  return as_it_lies.extents();
-}
-
-bool is_left_out(sqlite3_value* value) {
-  const int type = sqlite3_value_type(value);
-  return type == SQLITE_NULL || (type == SQLITE_TEXT && sqlite3_value_bytes(value) == 0);
-}
 
 StoredOutlines::Known outline_of(sqlite3_value* shape, Store& store) {
   if (sqlite3_value_type(shape) != SQLITE_TEXT)
@@ -46,12 +33,12 @@ void OutlineValues::fill(std::span<double> record, sqlite3_value* shape, std::sp
       return;
     }
     if (number != 0) outline = store.outline(static_cast<std::int64_t>(number));
-  } else if (!is_left_out(shape)) {
+  } else if (!is_null_or_empty(shape)) {
     const StoredOutlines::Known known = outline_of(shape, store);
     number = static_cast<double>(known.number), outline = known.outline;
   }
   if (!outline) return;
-  const Extents<2> around = extents_as_it_lies(*outline, heading_of(record));
+  const Extents<2> around = outline->as_it_lies(heading_of(record)).extents();
   std::copy_n(around.lower.data(), 2, bounds);
   std::copy_n(around.upper.data(), 2, bounds + 2);
 }

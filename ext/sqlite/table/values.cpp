@@ -12,16 +12,12 @@
 namespace foresee::sqlite {
 namespace {
 
-bool is_empty_text(sqlite3_value* value) {
-  return sqlite3_value_type(value) == SQLITE_TEXT && sqlite3_value_bytes(value) == 0;
-}
-
 /// SQLITE_INTEGER or SQLITE_FLOAT for numbers and wholly numeric text, SQLITE_NULL for NULL and '',
 /// SQLITE_TEXT or SQLITE_BLOB for the rest.
 int type_as_number(sqlite3_value* value) {
+  if (is_null_or_empty(value)) return SQLITE_NULL;
   const int type = sqlite3_value_type(value);
-  if (type != SQLITE_TEXT) return type;
-  return is_empty_text(value) ? SQLITE_NULL : sqlite3_value_numeric_type(value);
+  return type == SQLITE_TEXT ? sqlite3_value_numeric_type(value) : type;
 }
 
 const char* rule_for_null(Quantity quantity) {

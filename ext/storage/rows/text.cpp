@@ -40,6 +40,11 @@ std::string text_of(sqlite3_stmt* row, int column, std::size_t most) {
   return std::string(beginning(text_or_no_memory(type, text, sqlite3_column_bytes(row, column)), most));
 }
 
+bool is_null_or_empty(sqlite3_value* value) {
+  const int type = sqlite3_value_type(value);
+  return type == SQLITE_NULL || (type == SQLITE_TEXT && sqlite3_value_bytes(value) == 0);
+}
+
 std::string without_nul(std::string text) {
   for (std::size_t at = 0; (at = text.find('\0', at)) != std::string::npos;) text.replace(at, 1, "\\0");
   return text;

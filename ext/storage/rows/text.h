@@ -18,6 +18,9 @@ std::string text_of(sqlite3_value* value);
 /// Of a text that is longer than `most` bytes only the beginning, without a part of a character.
 std::string text_of(sqlite3_stmt* row, int column, std::size_t most = std::string::npos);
 
+/// Both mean that a value was left out.
+bool is_null_or_empty(sqlite3_value* value);
+
 /// For a message, which a NUL would end: each one as \0.
 std::string without_nul(std::string text);
 

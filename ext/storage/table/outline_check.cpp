@@ -1,7 +1,6 @@
 #include "storage/table/outline_check.h"
 
 #include "base/error.h"
-#include "shape/outline/turn.h"
 
 namespace foresee::storage {
 
@@ -12,16 +11,12 @@ std::string OutlineCheck::object_fault(const double* record) const {
   const auto found = outlines_.find(number);
   if (found == outlines_.end()) return "has " + named + ", which is missing";
   if (!found->second) return "";  // damaged, as was said
-  const Outline& outline = found->second->outline();
-  const double heading = value_or(record, format_.at.heading, 0);
-  Extents<2> around = outline.extents();
-  if (heading != 0) try {
-      const Outline as_it_lies = turned(outline, heading);
-      found->second->check_turned(as_it_lies, heading);
-      around = as_it_lies.extents();
-    } catch (const Error& error) {
-      return "has a heading that " + named + " cannot have: " + error.what();
-    }
+  Extents<2> around;
+  try {
+    around = found->second->as_it_lies(value_or(record, format_.at.heading, 0)).extents();
+  } catch (const Error& error) {
+    return "has a heading that " + named + " cannot have: " + error.what();
+  }
   const double* const bounds = record + format_.at.bounds;
   const bool agree = bounds[0] == around.lower[0] && bounds[1] == around.lower[1] &&
                      bounds[2] == around.upper[0] && bounds[3] == around.upper[1];

@@ -2,8 +2,7 @@
 // interrupt.
 #include <gtest/gtest.h>
 
-#include "contact/outline/outline_pair.h"
-#include "contact/outline/outline_scenes.h"
+#include "contact/outline/staged_pair.h"
 
 namespace foresee::contact {
 namespace {
@@ -40,19 +39,10 @@ TEST(ManyPieces, ThatAllMayTouchAreTestedAgainWhenTheyAreAskedForAgain) {
 }
 
 TEST(ManyPieces, OfAPairTakeBoundedMemory) {
-  const OutlineScene scene = interleaved(190, 1);
-  const std::vector<double> row_a = scene.a.row.row(), row_b = scene.b.row.row();
-  const contact::Setup setup{
-      {scene.a.row.layout, row_a.data(), 1}, {scene.b.row.layout, row_b.data(), 1}, scene.question.horizon};
-  const Moments moments = moments_of(setup, row_a.data(), row_b.data());
-  const ConvexPieces cut_a = convex_pieces(scene.a.outline), cut_b = convex_pieces(scene.b.outline);
-  ObjectPieces a, b;
-  a.take(cut_a), b.take(cut_b);
   for (const bool times_wanted : {false, true}) {
-    PieceSpace space;
-    NeverInterrupt never;
-    Steps steps(never);
-    OutlinePair<2, 1> pair(setup, row_a.data(), row_b.data(), a, b, moments, times_wanted, space, steps);
+    StagedScene staged(interleaved(190, 1));
+    const PieceSpace& space = staged.space;
+    OutlinePair<2, 1> pair = staged.pair(times_wanted);
     Instant begin;
     if (times_wanted) {
       EXPECT_EQ(pair.first_contact(begin), Verdict::yes);

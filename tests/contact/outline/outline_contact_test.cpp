@@ -2,9 +2,9 @@
 #include <gtest/gtest.h>
 
 #include "contact/case_count.h"
-#include "contact/outline/outline_pair.h"
 #include "contact/outline/outline_scenes.h"
 #include "contact/outline/rational_oracle.h"
+#include "contact/outline/staged_pair.h"
 
 namespace foresee::contact {
 namespace {
@@ -147,18 +147,8 @@ TEST(OutlineContact, OfRandomPairsIsToldByDoubles) {
   const OutlineFamily any{.name = "any", .whole = false};
   int contacts = 0, in_doubt = 0;
   for (int seed = 0; seed < 1000; ++seed) {
-    const OutlineScene scene = draw_scene(any, OutlinePairing::outlines, static_cast<std::uint64_t>(seed));
-    const std::vector<double> row_a = scene.a.row.row(), row_b = scene.b.row.row();
-    const contact::Setup setup{
-        {scene.a.row.layout, row_a.data(), 1}, {scene.b.row.layout, row_b.data(), 1}, scene.question.horizon};
-    const Moments moments = moments_of(setup, row_a.data(), row_b.data());
-    const ConvexPieces cut_a = convex_pieces(scene.a.outline), cut_b = convex_pieces(scene.b.outline);
-    ObjectPieces a, b;
-    a.take(cut_a), b.take(cut_b);
-    PieceSpace space;
-    NeverInterrupt never;
-    Steps steps(never);
-    OutlinePair<2, 1> pair(setup, row_a.data(), row_b.data(), a, b, moments, true, space, steps);
+    StagedScene staged(draw_scene(any, OutlinePairing::outlines, static_cast<std::uint64_t>(seed)));
+    OutlinePair<2, 1> pair = staged.pair(true);
     Instant begin;
     const Verdict touches = pair.first_contact(begin);
     contacts += touches == Verdict::yes;

@@ -1,0 +1,37 @@
+// A scene of outlines as its stages see it: rows, moments, pieces, and space for the tests of one pair.
+#pragma once
+
+#include "contact/outline/outline_pair.h"
+#include "contact/outline/outline_scenes.h"
+
+namespace foresee::contact::testing_by_hand {
+
+struct StagedScene {
+  explicit StagedScene(const OutlineScene& scene)
+      : row_a(scene.a.row.row()),
+        row_b(scene.b.row.row()),
+        setup{{scene.a.row.layout, row_a.data(), 1},
+              {scene.b.row.layout, row_b.data(), 1},
+              scene.question.horizon},
+        moments(moments_of(setup, row_a.data(), row_b.data())),
+        cut_a(convex_pieces(scene.a.outline)),
+        cut_b(convex_pieces(scene.b.outline)) {
+    a.take(cut_a), b.take(cut_b);
+  }
+  StagedScene(const StagedScene&) = delete;
+
+  OutlinePair<2, 1> pair(bool times_wanted) {
+    return {setup, row_a.data(), row_b.data(), a, b, moments, times_wanted, space, steps};
+  }
+
+  const std::vector<double> row_a, row_b;
+  const contact::Setup setup;
+  const Moments moments;
+  const ConvexPieces cut_a, cut_b;
+  ObjectPieces a, b;
+  PieceSpace space;
+  NeverInterrupt never;
+  Steps steps{never};
+};
+
+}  // namespace foresee::contact::testing_by_hand

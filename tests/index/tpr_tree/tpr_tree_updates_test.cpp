@@ -1,0 +1,153 @@
+// What do updates of single objects change of a tree, and what do they leave behind?
+#include <gtest/gtest.h>
+
+#include "index/tpr_tree/nearest_walk.h"
+#include "index/tpr_tree/tpr_tree.h"
+#include "index/tpr_tree/window_walk.h"
+#include "tests/index/tpr_tree/tree_model.h"
+
+namespace foresee::index {
+namespace {
+
+using testing::Random;
+using testing::random_scene;
+using testing::RandomScene;
+using testing::TreeModel;
+
+constexpr Layout boats{.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true};
+
+/// Counts the nodes that the tree announces a change of.
+class CountingPages final : public Pages {
+ public:
+  explicit CountingPages(Pages& pages) : pages_(pages) {}
+  const Layout& layout() const override { return pages_.layout(); }
+  NodeNumber find_root() override { return pages_.find_root(); }
+  std::shared_ptr<const Node> read(NodeNumber number) override { return pages_.read(number); }
+  std::size_t leaf_capacity() const override { return pages_.leaf_capacity(); }
+  std::size_t inner_capacity() const override { return pages_.inner_capacity(); }
+  Node& modify(NodeNumber number) override { return ++changes, pages_.modify(number); }
+  double* modify_record(NodeNumber leaf, std::size_t slot) override {
+    return ++changes, pages_.modify_record(leaf, slot);
+  }
+  NodeNumber allocate() override { return ++changes, pages_.allocate(); }
+  void put(NodeNumber number, Node node) override { ++changes, pages_.put(number, std::move(node)); }
+  void free(NodeNumber number) override { ++changes, pages_.free(number); }
+  void set_root(NodeNumber number) override { pages_.set_root(number); }
+  std::optional<NodeNumber> find_leaf(std::int64_t id) override { return pages_.find_leaf(id); }
+  void place(std::span<const std::int64_t> ids, NodeNumber leaf) override {
+    moves += ids.size(), pages_.place(ids, leaf);
+  }
+  void forget(std::int64_t id) override { pages_.forget(id); }
+
+  int changes = 0;
+  std::size_t moves = 0;  ///< of objects to another leaf
+
+ private:
+  Pages& pages_;
+};
+
+TEST(TprTreeUpdates, AnUpdateWithinTheLeafsBoundsTouchesTheLeafAlone) {
+  const RandomScene scene = random_scene({.layout = boats, .count = 1000});
+  TreeModel model(boats, 60, 10);
+  model.load(scene);
+  CountingPages counting(model.pages);
+  for (const auto& [id, record] : model.objects) {
+    if (record[0] == read_newest_t(counting)) continue;
+    const auto tree = make_tpr_tree(counting, 60);  // now and then one tree looks around
+    counting.changes = counting.moves = 0;
+    EXPECT_TRUE(tree->update(id, record));
+    EXPECT_EQ(counting.changes, 1);
+    EXPECT_EQ(counting.moves, 0u);
+  }
+}
+
+// Each object that moves may be another page of a small commit.
+TEST(TprTreeUpdates, AnUpdateMovesNoMoreObjectsThanTwoLeavesMayShare) {
+  constexpr std::size_t capacity = 64, most = 100;
+  constexpr double side = 250;
+  TreeModel model(boats, 60, capacity);
+  CountingPages counting(model.pages);
+  const auto tree = make_tpr_tree(counting, 60);
+  Random random(5);
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  for (std::int64_t id = 0; id < 4000; ++id) {
+    ids.push_back(id);
+    for (const double number :
+         {0.0, random.in(0, side), random.in(0, side), random.in(-1, 1), random.in(-1, 1), 0.5})
+      records.push_back(number);
+  }
+  tree->bulk_load(ids, records, model.never);
+  for (double now = 0; now < 60; now += 0.003) {
+    const std::size_t id = random.below(ids.size());
+    double* const record = records.data() + 6 * id;
+    record[1] += record[3] * (now - record[0]), record[2] += record[4] * (now - record[0]), record[0] = now;
+    counting.moves = 0;
+    EXPECT_TRUE(tree->update(ids[id], {record, 6}));
+    ASSERT_LE(counting.moves, most);
+  }
+}
+
+TEST(TprTreeUpdates, ALeafWhoseSiblingsAreFullChangesAloneWhenItIsHalfEmpty) {
+  TreeModel model(boats, 60, 10);
+  RandomScene alike = random_scene({.layout = boats, .count = 90});
+  for (std::size_t i = 6; i < alike.records.size(); ++i) alike.records[i] = alike.records[i - 6];
+  model.load(alike);
+  CountingPages counting(model.pages);
+  const auto tree = make_tpr_tree(counting, 60);
+  const std::vector<std::int64_t> ids = model.pages.read(*model.pages.find_leaf(alike.ids[0]))->keys;
+  ASSERT_EQ(ids.size(), 9u);
+  for (const std::int64_t id : std::span(ids).first(6)) {
+    counting.changes = 0;
+    EXPECT_TRUE(tree->erase(id));
+    EXPECT_EQ(counting.changes, 1);
+  }
+}
+
+/// Leaves read by windows of a twentieth of the scene's side.
+std::size_t leaves_in_windows(TreeModel& model, double side, double now) {
+  Random random(8);
+  std::size_t leaves = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Vec<2> lower(random.in(0, side), random.in(0, side)), still = Vec<2>::Zero();
+    const Horizon horizon{now, 0};
+    WindowWalk<2> walk(model.pages, moving_window<2>(lower, lower + side / 20, still, horizon), horizon,
+                       still, model.never);
+    for (LeafHits hits; walk.next(hits);) ++leaves;
+  }
+  return leaves;
+}
+
+TEST(TprTreeUpdates, StaysTightAndFullWhileObjectsDrift) {
+  constexpr std::size_t count = 4000;
+  constexpr double side = 400, duration = 20;
+  TreeModel model(boats, 60, 20);
+  Random random(6);
+  std::vector<std::int64_t> ids;
+  std::vector<double> records;
+  for (std::size_t i = 0; i < count; ++i) {
+    ids.push_back(static_cast<std::int64_t>(i));
+    for (double number :
+         {0.0, random.in(0, side), random.in(0, side), random.in(-3, 3), random.in(-3, 3), 0.5})
+      records.push_back(number);
+  }
+  model.tree->bulk_load(ids, records, model.never);
+  for (std::size_t i = 0; i < count; ++i)
+    model.objects[ids[i]].assign(records.begin() + static_cast<std::ptrdiff_t>(6 * i),
+                                 records.begin() + static_cast<std::ptrdiff_t>(6 * i + 6));
+  for (std::size_t i = 0; i < 2 * count; ++i) {
+    const auto id = static_cast<std::int64_t>(random.below(count));
+    const double now = duration * static_cast<double>(i) / (2 * count);
+    std::vector<double> record = model.objects[id];
+    record[1] += record[3] * (now - record[0]), record[2] += record[4] * (now - record[0]), record[0] = now;
+    model.update(id, {now, record[1], record[2], random.in(-3, 3), random.in(-3, 3), 0.5});
+  }
+  model.expect_sound();
+  const std::size_t nodes = model.pages.node_count(), leaves = leaves_in_windows(model, side, duration);
+  model.tree->rebuild(model.never);
+  EXPECT_LT(nodes, 1.6 * static_cast<double>(model.pages.node_count()));
+  EXPECT_LT(leaves, 2.0 * static_cast<double>(leaves_in_windows(model, side, duration)));
+}
+
+}  // namespace
+}  // namespace foresee::index
