@@ -76,6 +76,8 @@ std::vector<std::uint32_t> tree_order(std::span<const Box<D>> boxes) {
 }
 
 template class BoxTree<2>;
+template class BoxTree<3>;
 template std::vector<std::uint32_t> tree_order<2>(std::span<const Box<2>>);
+template std::vector<std::uint32_t> tree_order<3>(std::span<const Box<3>>);
 
 }  // namespace foresee::shape
