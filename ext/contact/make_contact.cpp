@@ -26,6 +26,7 @@ bool is_box(const Bodies& bodies) {
     case Shape::ball:
     case Shape::cylinder:
     case Shape::outline:
+    case Shape::mesh:
       return false;
   }
   throw Error("contact of a shape that this version does not know");

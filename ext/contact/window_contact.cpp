@@ -18,6 +18,7 @@ ContactSet window_set(const Setup& setup) {
     case Shape::box:
       return window_box_set(setup);
     case Shape::outline:
+    case Shape::mesh:
       break;
   }
   throw Error("contact of a window and a shape that this version does not know");

@@ -17,6 +17,7 @@
 
 namespace foresee::shape {
 
+class MeshRows;
 class OutlineRows;
 
 struct Bodies {
@@ -31,6 +32,7 @@ struct Bodies {
   const double* rows = nullptr;
   std::size_t count = 0;
   const OutlineRows* outlines = nullptr;  ///< of Shape::outline, for contact: which row looks how
+  const MeshRows* meshes = nullptr;       ///< of Shape::mesh, likewise
 };
 
 template <int D>

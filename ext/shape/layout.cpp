@@ -28,10 +28,10 @@ Offsets offsets_of(const Layout& layout, bool stored) {
     for (const SizeColumn& column : shape.sizes)
       if (has_column(layout, column)) at.*column.place = take(column.on_all_axes ? layout.axes : 1);
   });
-  if (layout.shape == Shape::outline) {
+  if (is_stored_apart(layout.shape)) {
     at.outline = take(1);
     if (layout.has_heading) at.heading = take(1);
-    at.bounds = take(4);
+    at.bounds = take(2 * bounded_axes(layout.shape));
   }
   if (layout.has_until) at.until = take(1);
   at.size = next;

@@ -20,7 +20,18 @@ enum class Shape : std::uint8_t {
   ball,      ///< radius: an interval, a disc or a ball
   cylinder,  ///< three axes only: radius in x and y, half extent in z
   outline,   ///< a flat outline of its own, or on three axes the upright prism over it; grown by a radius
+  mesh,      ///< three axes only: triangles of its own, a surface or a solid; grown by a radius
 };
+
+/// Whether what an object looks like is stored apart, and its record has the number of that.
+constexpr bool is_stored_apart(Shape shape) {
+  return shape == Shape::outline || shape == Shape::mesh;
+}
+
+/// In how many axes such a shape has bounds: a prism has its half height along z.
+constexpr int bounded_axes(Shape shape) {
+  return shape == Shape::mesh ? 3 : shape == Shape::outline ? 2 : 0;
+}
 
 struct Layout {
   int axes = 1;
@@ -28,8 +39,8 @@ struct Layout {
   Shape shape = Shape::point;
   bool has_t = false;
   bool has_until = false;
-  bool has_radius = false;   ///< of Shape::outline: each outline grows by an r
-  bool has_heading = false;  ///< of Shape::outline: each outline is turned
+  bool has_radius = false;   ///< of an outline or a mesh: each grows by an r
+  bool has_heading = false;  ///< of an outline or a mesh: each is turned
 
   friend bool operator==(const Layout&, const Layout&) = default;
 };
@@ -47,9 +58,9 @@ struct Offsets {
   int half = absent;     ///< half extents of a box
   int r = absent;        ///< radius of a ball or cylinder
   int hz = absent;       ///< half height of a cylinder or prism
-  int outline = absent;  ///< number of the outline (storage/table/outlines.h); 0: none
+  int outline = absent;  ///< number of the outline or mesh (storage/table/outlines.h); 0: none
   int heading = absent;  ///< by which it is turned, in degrees clockwise
-  int bounds = absent;   ///< lower x, lower y, upper x, upper y of the turned outline around the centre
+  int bounds = absent;   ///< of the turned outline around the centre: lower x, y, upper x, y; a mesh: x, y, z
   int until = absent;    ///< last moment of the motion, +infinity for ever
   int size = 0;          ///< doubles per object
 

@@ -4,15 +4,16 @@
 //   with_shape(layout.shape, [&](auto shape) { return shape.template extents<2>(row, at); });
 //
 // A shape is a type of static members: `shape`, its name in a layout; `sizes`, its columns in the order of a
-// record, each a number >= 0 (of an outline not all need be there); `extents`, the smallest box around it and
-// its position, and `core`, a box within it, both seen from that position. What it is for contact says
-// contact/make_contact.cpp, by pairs of shapes.
+// record, each a number >= 0 (of an outline or a mesh not all need be there); `extents`, the smallest box
+// around it and its position, and `core`, a box within it, both seen from that position. What it is for
+// contact says contact/make_contact.cpp, by pairs of shapes.
 #pragma once
 
 #include "base/error.h"
 #include "shape/ball.h"
 #include "shape/box.h"
 #include "shape/cylinder.h"
+#include "shape/mesh_shape.h"
 #include "shape/outline_shape.h"
 #include "shape/point.h"
 
@@ -32,6 +33,8 @@ decltype(auto) with_shape(Shape shape, Use&& use) {
       return use(CylinderShape{});
     case Shape::outline:
       return use(OutlineShape{});
+    case Shape::mesh:
+      return use(MeshShape{});
   }
   throw Error("a layout of a shape that this version does not know");
 }

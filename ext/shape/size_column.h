@@ -17,10 +17,10 @@ constexpr SizeColumn half_extent_columns{"h", true, &Offsets::half, "a half exte
 constexpr SizeColumn half_height_column{"hz", false, &Offsets::hz, "a half extent is negative"};
 constexpr SizeColumn radius_column{"r", false, &Offsets::r, "a radius is negative"};
 
-/// Of the columns of a layout's shape: whether it is there. Each is, but for an outline, which says with the
-/// number of axes and apart which of them it has.
+/// Of the columns of a layout's shape: whether it is there. Each is, but for outlines and meshes, which say
+/// with the number of axes and apart which of them they have.
 constexpr bool has_column(const Layout& layout, const SizeColumn& column) {
-  if (layout.shape != Shape::outline) return true;
+  if (!is_stored_apart(layout.shape)) return true;
   return column.place == &Offsets::r ? layout.has_radius : layout.axes == 3;
 }
 

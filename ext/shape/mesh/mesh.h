@@ -46,8 +46,8 @@ class Mesh {
   };
 
   Mesh() = default;
-  /// `closed`: each edge is one of exactly two triangles. Requires: no corner comes twice, each is of a
-  /// triangle, and there is a triangle.
+  /// `closed`: each edge is one of exactly two triangles. Requires: each corner is of a triangle, and there
+  /// is a triangle. No corner comes twice, unless a turn has made two one (mesh_check.h).
   Mesh(Kind kind, bool closed, std::vector<SpaceCorner> corners, std::vector<Triangle> triangles)
       : kind_(kind), closed_(closed), corners_(std::move(corners)), triangles_(std::move(triangles)) {}
 
@@ -55,6 +55,10 @@ class Mesh {
   bool is_solid() const { return closed_ && kind_ != Kind::surface; }
   std::span<const SpaceCorner> corners() const { return corners_; }
   std::span<const Triangle> triangles() const { return triangles_; }
+  /// The same triangles between other corners, as many.
+  Mesh with_corners(std::vector<SpaceCorner> corners) const {
+    return Mesh(kind_, closed_, std::move(corners), triangles_);
+  }
   /// The smallest box around it, seen from the position.
   Extents<3> extents() const;
 

@@ -67,6 +67,14 @@ double Turn::rounded_sum_of_more_bits(double a, double b) {
   }
 }
 
+Corner finite_turn(Turn& turn, const Corner& corner, double heading) {
+  const Corner there = turn(corner);
+  if (!std::isfinite(there.x) || !std::isfinite(there.y))
+    throw Error("turned by " + base::shown(heading) + " degrees the corner (" + shown(corner) +
+                ") is beyond the largest double");
+  return there;
+}
+
 Outline turned(const Outline& outline, double heading) {
   const FloatEnvironment environment;
   Turn turn(heading);
@@ -75,11 +83,7 @@ Outline turned(const Outline& outline, double heading) {
     for (std::size_t r = outline.part_begin(part); r < outline.part_begin(part + 1); ++r) {
       r == outline.part_begin(part) ? lies.begin_part() : lies.begin_hole();
       for (const Corner& corner : outline.ring(r)) {
-        const Corner there = turn(corner);
-        if (!std::isfinite(there.x) || !std::isfinite(there.y))
-          throw Error("turned by " + base::shown(heading) + " degrees the corner (" + shown(corner) +
-                      ") is beyond the largest double");
-        lies.add(there);
+        lies.add(finite_turn(turn, corner, heading));
       }
       lies.close_ring();
     }

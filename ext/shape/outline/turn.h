@@ -42,6 +42,10 @@ class Turn {
   std::optional<SineCosine<Midrad>> closer_;  ///< once asked for
 };
 
+/// Throws Error where the turned corner, of which messages speak, is beyond the largest double. `heading`:
+/// that of the turn.
+Corner finite_turn(Turn& turn, const Corner& corner, double heading);
+
 /// The outline turned. A corner that comes to lie on the one before it is dropped. Throws Error where a
 /// corner is beyond the largest double. Whether it is an outline still, validity.h tells. Requires: -360 <=
 /// heading <= 360.
