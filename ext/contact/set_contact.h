@@ -173,7 +173,7 @@ class SetContact : public Contact {
   /// The exact stages' answer: they always have one.
   template <class Answer>
   [[gnu::noinline]] Answer exactly(const double* row_a, const double* row_b,
-                                   Answer (*ask)(PairPolynomials&, const ExactMoments&)) const {
+                                   Answer (*ask)(PiecePolynomials&, const ExactMoments&)) const {
     PairPolynomials polynomials(set_, setup_, row_a, row_b);
     return ask(polynomials, exact_moments_of(setup_, row_a, row_b));
   }

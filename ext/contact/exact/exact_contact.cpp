@@ -12,7 +12,7 @@ namespace {
 
 class ExactPair {
  public:
-  ExactPair(PairPolynomials& polynomials, const ExactMoments& moments)
+  ExactPair(PiecePolynomials& polynomials, const ExactMoments& moments)
       : polynomials_(polynomials), moments_(moments), begin_(moments.begin), end_(moments.end) {}
 
   bool touches() {
@@ -21,7 +21,7 @@ class ExactPair {
                        [this](const ContactSet::Piece& piece) { return !held(piece).empty(); });
   }
 
-  std::optional<ContactTimes> times() {
+  std::optional<ContactTimes> times(const TouchesBetween& between) {
     std::vector<TimeInterval> intervals;
     for (const ContactSet::Piece& piece : polynomials_.set().pieces()) {
       const TimeIntervals held = this->held(piece);
@@ -29,7 +29,16 @@ class ExactPair {
     }
     if (intervals.empty()) return {};
     std::iter_swap(intervals.begin(), std::min_element(intervals.begin(), intervals.end(), begins_before));
-    return times_of(intervals.data(), joined_to_first(intervals));
+    std::size_t joined = joined_to_first(intervals);
+    while (between && goes_on_after(intervals, joined, between)) {
+      if (joined == intervals.size()) {
+        intervals.push_back({intervals[0].first, &end_}), ++joined;
+        break;
+      }
+      intervals[0].last = first_after(intervals, joined)->first;
+      joined = joined_to_first(intervals);
+    }
+    return times_of(intervals.data(), joined);
   }
 
  private:
@@ -38,6 +47,33 @@ class ExactPair {
     if (&moment == &begin_) return {m.dt_begin, m.t_begin};
     if (&moment == &end_) return {m.dt_end, m.t_end};
     return {rounded(moment, Dyadic()), rounded(moment, moments_.now)};
+  }
+
+  /// Of those that do not hang together with the first, which begin later than those end.
+  static std::vector<TimeInterval>::iterator first_after(std::vector<TimeInterval>& intervals,
+                                                         std::size_t joined) {
+    return std::min_element(
+        intervals.begin() + static_cast<std::ptrdiff_t>(joined), intervals.end(),
+        [](const TimeInterval& a, const TimeInterval& b) { return compare(*a.first, *b.first) < 0; });
+  }
+
+  /// Do they touch from the end of the joined intervals until the next of the others begins?
+  bool goes_on_after(std::vector<TimeInterval>& intervals, std::size_t joined,
+                     const TouchesBetween& between) {
+    AlgebraicRoot* last = intervals[0].last;
+    for (std::size_t i = 1; i < joined; ++i)
+      if (compare(*intervals[i].last, *last) > 0) last = intervals[i].last;
+    AlgebraicRoot& next = joined == intervals.size() ? end_ : *first_after(intervals, joined)->first;
+    return compare(*last, next) < 0 && between(moment_between(*last, next));
+  }
+
+  /// Requires: a < b.
+  static Dyadic moment_between(AlgebraicRoot& a, AlgebraicRoot& b) {
+    for (int bits = 128;; bits *= 2) {
+      const Dyadic low = a.known ? *a.known : a.enclosure(bits).high();
+      const Dyadic high = b.known ? *b.known : b.enclosure(bits).low();
+      if (low < high) return half_of(low + high);
+    }
   }
 
   /// When do all conditions of the piece hold?
@@ -149,7 +185,7 @@ class ExactPair {
     return {begin.t, end.t, begin.dt, end.dt};
   }
 
-  PairPolynomials& polynomials_;
+  PiecePolynomials& polynomials_;
   const ExactMoments& moments_;
   AlgebraicRoot begin_, end_;
   std::vector<std::optional<TimeIntervals>> inside_;  ///< of each polynomial
@@ -169,12 +205,17 @@ ExactMoments exact_moments_of(const Setup& setup, const double* row_a, const dou
   return moments;
 }
 
-bool exact_touches(PairPolynomials& polynomials, const ExactMoments& moments) {
+bool exact_touches(PiecePolynomials& polynomials, const ExactMoments& moments) {
   return ExactPair(polynomials, moments).touches();
 }
 
-std::optional<ContactTimes> exact_times(PairPolynomials& polynomials, const ExactMoments& moments) {
-  return ExactPair(polynomials, moments).times();
+std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactMoments& moments) {
+  return ExactPair(polynomials, moments).times({});
+}
+
+std::optional<ContactTimes> exact_times_of_solids(PiecePolynomials& polynomials, const ExactMoments& moments,
+                                                  const TouchesBetween& between) {
+  return ExactPair(polynomials, moments).times(between);
 }
 
 }  // namespace foresee::contact

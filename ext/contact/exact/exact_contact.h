@@ -6,6 +6,7 @@
 // some microseconds more for each tie.
 #pragma once
 
+#include <functional>
 #include <optional>
 
 #include "contact/contact.h"
@@ -22,9 +23,17 @@ struct ExactMoments {
 ExactMoments exact_moments_of(const Setup& setup, const double* row_a, const double* row_b);
 
 /// Does the pair touch at some moment asked about? Polynomials can be asked for one answer.
-bool exact_touches(PairPolynomials& polynomials, const ExactMoments& moments);
+bool exact_touches(PiecePolynomials& polynomials, const ExactMoments& moments);
 
 /// Begin and end of the first contact, if there is one.
-std::optional<ContactTimes> exact_times(PairPolynomials& polynomials, const ExactMoments& moments);
+std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactMoments& moments);
+
+/// Whether two touch at a moment at which no piece holds.
+using TouchesBetween = std::function<bool(const Dyadic& moment)>;
+
+/// The same where contact may go on after pieces and between them: as `between` says, which is asked at one
+/// moment each.
+std::optional<ContactTimes> exact_times_of_solids(PiecePolynomials& polynomials, const ExactMoments& moments,
+                                                  const TouchesBetween& between);
 
 }  // namespace foresee::contact

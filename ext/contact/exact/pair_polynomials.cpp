@@ -4,27 +4,17 @@
 
 namespace foresee::contact {
 
-template <class T>
-PairPolynomials::Motion<T> PairPolynomials::motion() const {
-  Motion<T> x;
-  for (int axis = 0; axis < setup_.a.layout.axes; ++axis) {
-    const RelativeAxisMotion<T> one = relative_axis_motion_of<T>(setup_, row_a_, row_b_, axis);
-    x[static_cast<std::size_t>(axis)] = {one.x, one.v, one.a};
-  }
-  return x;
-}
-
 PairPolynomials::PairPolynomials(const ContactSet& set, const Setup& setup, const double* row_a,
                                  const double* row_b)
     : set_(set),
       setup_(setup),
       row_a_(row_a),
       row_b_(row_b),
-      rough_motion_(motion<Midrad128>()),
+      rough_motion_(motion_powers<Midrad128>(setup, row_a, row_b)),
       number_of_(set.primitives().size(), -1) {}
 
 Polynomial PairPolynomials::exact_polynomial(int primitive) const {
-  if (!exact_motion_) exact_motion_ = motion<Dyadic>();
+  if (!exact_motion_) exact_motion_ = motion_powers<Dyadic>(setup_, row_a_, row_b_);
   return Polynomial(polynomial_of<2>(set_.primitives()[static_cast<std::size_t>(primitive)],
                                      exact_motion_->data(), PairLengths<Dyadic>{set_, row_a_, row_b_}, 0.0));
 }

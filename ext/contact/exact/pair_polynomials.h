@@ -1,4 +1,5 @@
-// The polynomials of one pair's contact set, each made when it is first asked for.
+// The polynomials of one pair, each made when it is first asked for: those of a contact set, or others that
+// the pieces of a set name by their numbers (PiecePolynomials).
 #pragma once
 
 #include <deque>
@@ -11,17 +12,38 @@
 
 namespace foresee::contact {
 
-class PairPolynomials final : public PolynomialSource {
+/// The relative motion, from `now` on; 0 on axes that are not there.
+template <class T>
+std::array<Powers<T, 2>, 3> motion_powers(const Setup& setup, const double* row_a, const double* row_b) {
+  std::array<Powers<T, 2>, 3> x;
+  for (int axis = 0; axis < setup.a.layout.axes; ++axis) {
+    const RelativeAxisMotion<T> one = relative_axis_motion_of<T>(setup, row_a, row_b, axis);
+    x[static_cast<std::size_t>(axis)] = {one.x, one.v, one.a};
+  }
+  return x;
+}
+
+class PiecePolynomials : public PolynomialSource {
+ public:
+  /// Whose pieces say which primitives there are.
+  virtual const ContactSet& set() const = 0;
+  /// The number of a primitive's polynomial.
+  virtual std::size_t number_of(int primitive) = 0;
+  LazyPolynomial& polynomial(std::size_t number) { return polynomials_[number]; }
+
+ protected:
+  std::deque<LazyPolynomial> polynomials_;
+};
+
+class PairPolynomials final : public PiecePolynomials {
  public:
   PairPolynomials(const ContactSet& set, const Setup& setup, const double* row_a, const double* row_b);
   PairPolynomials(const PairPolynomials&) = delete;
   PairPolynomials& operator=(const PairPolynomials&) = delete;
 
-  const ContactSet& set() const { return set_; }
-  /// The number of a primitive's polynomial. Bounds that turn out to be equal have one polynomial, whose ties
-  /// need no algebra.
-  std::size_t number_of(int primitive);
-  LazyPolynomial& polynomial(std::size_t number) { return polynomials_[number]; }
+  const ContactSet& set() const override { return set_; }
+  /// Bounds that turn out to be equal have one polynomial, whose ties need no algebra.
+  std::size_t number_of(int primitive) override;
 
   /// The exact polynomial of a primitive.
   Polynomial exact_polynomial(int primitive) const override;
@@ -30,8 +52,6 @@ class PairPolynomials final : public PolynomialSource {
   template <class T>
   using Motion = std::array<Powers<T, 2>, 3>;
 
-  template <class T>
-  Motion<T> motion() const;
   bool same_bound(const Primitive& a, const Primitive& b) const;
   bool same_length(int a, int b) const;
 
@@ -40,9 +60,8 @@ class PairPolynomials final : public PolynomialSource {
   const double *row_a_, *row_b_;
   Motion<Midrad128> rough_motion_;
   mutable std::optional<Motion<Dyadic>> exact_motion_;  ///< once it is needed
-  std::deque<LazyPolynomial> polynomials_;
-  std::vector<int> number_of_;  ///< of each primitive's polynomial; -1: not made
-  std::vector<int> bounds_;     ///< the primitives among them that are bounds
+  std::vector<int> number_of_;                          ///< of each primitive's polynomial; -1: not made
+  std::vector<int> bounds_;                             ///< the primitives among them that are bounds
 };
 
 }  // namespace foresee::contact

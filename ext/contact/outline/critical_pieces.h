@@ -7,7 +7,7 @@
 #include <span>
 
 #include "contact/outline/object_pieces.h"
-#include "contact/outline/tested_pairs.h"
+#include "contact/pieces/tested_pairs.h"
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 

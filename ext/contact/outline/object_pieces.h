@@ -16,6 +16,7 @@ namespace foresee::contact {
 /// Of one object at a time; what was taken must outlive its use.
 class ObjectPieces {
  public:
+  static constexpr int axes = 2;
   using Node = BoxTree<2>::Node;
   static constexpr Node root = BoxTree<2>::root;
 

@@ -74,7 +74,7 @@ class LaneOfPair {
 
  private:
   template <class Answer>
-  Answer ask(Answer (*question)(PairPolynomials&, const ExactMoments&)) const {
+  Answer ask(Answer (*question)(PiecePolynomials&, const ExactMoments&)) const {
     const ContactSet set = box_box_set(setup_);
     PairPolynomials polynomials(set, setup_, row_a_.data(), row_b_.data());
     return question(polynomials, exact_moments_of(setup_, row_a_.data(), row_b_.data()));

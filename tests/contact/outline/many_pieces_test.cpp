@@ -41,12 +41,12 @@ TEST(ManyPieces, ThatAllMayTouchAreTestedAgainWhenTheyAreAskedForAgain) {
 TEST(ManyPieces, OfAPairTakeBoundedMemory) {
   for (const bool times_wanted : {false, true}) {
     StagedScene staged(interleaved(190, 1));
-    const PieceSpace& space = staged.space;
-    OutlinePair<2, 1> pair = staged.pair(times_wanted);
+    const FlatSpace& space = staged.space;
+    UnionPair<FlatKit<2, 1>> pair = staged.pair(times_wanted);
     Instant begin;
     if (times_wanted) {
       EXPECT_EQ(pair.first_contact(begin), Verdict::yes);
-      EXPECT_EQ(pair.end_of_contact().t, 3);
+      EXPECT_EQ(pair.end_of_contact(false).t, 3);
     } else {
       EXPECT_EQ(pair.touches(), Verdict::yes);
     }

@@ -148,11 +148,11 @@ TEST(OutlineContact, OfRandomPairsIsToldByDoubles) {
   int contacts = 0, in_doubt = 0;
   for (int seed = 0; seed < 1000; ++seed) {
     StagedScene staged(draw_scene(any, OutlinePairing::outlines, static_cast<std::uint64_t>(seed)));
-    OutlinePair<2, 1> pair = staged.pair(true);
+    UnionPair<FlatKit<2, 1>> pair = staged.pair(true);
     Instant begin;
     const Verdict touches = pair.first_contact(begin);
     contacts += touches == Verdict::yes;
-    in_doubt += touches == Verdict::uncertain || (touches == Verdict::yes && !pair.end_of_contact().known());
+    in_doubt += touches == Verdict::uncertain || (touches == Verdict::yes && !pair.end_of_contact(false).known());
   }
   EXPECT_GT(contacts, 200);
   EXPECT_LE(in_doubt, 2);

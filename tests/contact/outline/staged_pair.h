@@ -1,8 +1,9 @@
 // A scene of outlines as its stages see it: rows, moments, pieces, and space for the tests of one pair.
 #pragma once
 
-#include "contact/outline/outline_pair.h"
+#include "contact/outline/flat_kit.h"
 #include "contact/outline/outline_scenes.h"
+#include "contact/pieces/union_pair.h"
 
 namespace foresee::contact::testing_by_hand {
 
@@ -20,7 +21,7 @@ struct StagedScene {
   }
   StagedScene(const StagedScene&) = delete;
 
-  OutlinePair<2, 1> pair(bool times_wanted) {
+  UnionPair<FlatKit<2, 1>> pair(bool times_wanted) {
     return {setup, row_a.data(), row_b.data(), a, b, moments, times_wanted, space, steps};
   }
 
@@ -29,7 +30,7 @@ struct StagedScene {
   const Moments moments;
   const ConvexPieces cut_a, cut_b;
   ObjectPieces a, b;
-  PieceSpace space;
+  FlatSpace space;
   NeverInterrupt never;
   Steps steps{never};
 };

@@ -1,39 +1,51 @@
-// When do two outlines touch first, and until when? As far as doubles and DoubleDouble can vouch for it;
-// where they cannot, on which pieces it hangs.
+// When do two touch first that are unions of pieces, and until when? As far as doubles and DoubleDouble can
+// vouch for it; where they cannot, on which pieces it hangs.
 //
-// Contact is the union of the stays of all pairs of pieces (piece_tests.h). It begins when the earliest stay
+// Contact is the union of the stays of all pairs of pieces (pair_tests.h). It begins when the earliest stay
 // does. Its end is found by going on: among the stays that begin before it, one that ends after it, until
 // there is none. What is only possible counts for neither; what it could change is left to the exact stage.
+//
+// The pieces of a solid are its surface alone. Then contact is also what lies between two stays, before the
+// first or after the last, if one of the two lies within the other there: nothing of that changes unless the
+// surfaces touch, so it is asked at one moment.
+//
+// A Kit says what the pieces are. It has `axes` and `degree` of the motion, the types Pieces (of one object,
+// under a tree), Condition, Sizes<T>, Space and Tests (pair_tests.h), sizes_of<T>() and Within, which tells
+// of solids whether one lies within the other; `has_solids` says that there may be some.
 #pragma once
 
 #include "contact/certain/advancement.h"
-#include "contact/outline/stay_instant.h"
-#include "contact/outline/tree_walk.h"
+#include "contact/certain/certain_motion.h"
+#include "contact/pieces/stay_instant.h"
+#include "contact/pieces/tree_walk.h"
 
 namespace foresee::contact {
 
-template <int D, int Degree>
-class OutlinePair {
+template <class Kit>
+class UnionPair {
  public:
+  using Pieces = typename Kit::Pieces;
+
   /// The moments must not be none. `times_wanted`: more is asked than whether they touch. An interrupt is
   /// heeded at each of the `steps`.
-  OutlinePair(const Setup& setup, const double* row_a, const double* row_b, const ObjectPieces& a,
-              const ObjectPieces& b, const Moments& moments, bool times_wanted, PieceSpace& space,
-              Steps& steps)
+  UnionPair(const Setup& setup, const double* row_a, const double* row_b, const Pieces& a, const Pieces& b,
+            const Moments& moments, bool times_wanted, typename Kit::Space& space, Steps& steps)
       : moments_(moments),
-        relative_(certain_motion_of<D, Degree>(setup, row_a, row_b)),
+        relative_(certain_motion_of<Kit::axes, Kit::degree>(setup, row_a, row_b)),
         asked_(asked_of(moments)),
-        sizes_(sizes_of<Bounded>(setup, row_a, row_b)),
+        sizes_(Kit::template sizes_of<Bounded>(setup, row_a, row_b)),
+        within_(setup, row_a, row_b, a, b, relative_, steps),
         tests_(a, b, relative_, asked_, sizes_, times_wanted, space),
         walk_(a, b, relative_, {asked_.begin.low, asked_.end.high}, sizes_, steps),
         instants_(setup, row_a, row_b, relative_, sizes_, moments_, asked_),
         seen_(space.seen) {}
 
-  OutlinePair(const OutlinePair&) = delete;
-  OutlinePair& operator=(const OutlinePair&) = delete;
+  UnionPair(const UnionPair&) = delete;
+  UnionPair& operator=(const UnionPair&) = delete;
 
-  /// Is there a contact? Stops at the first that is certain.
+  /// Is there a contact? Stops at the first that is certain. If it is uncertain, the pieces alone tell.
   Verdict touches() {
+    if (within_.at_begin()) return Verdict::yes;
     Verdict touches = Verdict::no;
     walk_.visit(
         Order::earlier_first, [&](const Period<double>&) { return touches != Verdict::yes; },
@@ -46,6 +58,11 @@ class OutlinePair {
 
   /// Is there a contact, and when does it begin? yes: `begin` is known.
   Verdict first_contact(Instant& begin) {
+    begins_within_ = within_.at_begin();
+    if (begins_within_) {
+      met_by_ = asked_.begin.high, begin = {moments_.dt_begin, moments_.t_begin};
+      return Verdict::yes;
+    }
     bool possible = false;
     walk_.visit(
         Order::earlier_first,
@@ -65,24 +82,31 @@ class OutlinePair {
   /// By then they certainly touch; infinite if that is not known. Requires: first_contact() was asked.
   double met_by() const { return met_by_; }
 
-  /// Requires: the contact lasts from its begin to met_by(), which is finite.
-  Instant end_of_contact() {
-    last_ = {met_by_, met_by_};
-    for (const PieceStay& stay : tests_.all())
-      if (stay.is_certain() && stay.begin.high <= met_by_) reach(stay.end);
+  /// Requires: the begin is known. `lasts_until_met_by`: that the contact does is known.
+  Instant end_of_contact(bool lasts_until_met_by) {
+    if (begins_within_)
+      last_ = asked_.begin;
+    else if (lasts_until_met_by || !Kit::has_solids)  // stays of what fills its shape last a while
+      go_on_from_met_by();
+    else if (!enter(-Stay::inf))
+      return unknown_instant();
     do follow();
-    while (!lasts_to_the_end() && goes_through_a_cut());
+    while (!lasts_to_the_end() && (goes_through_a_cut() || goes_on_within()));
     return latest_end();
   }
 
-  /// After that: the last moment that certainly belongs to this contact.
+  /// After that: the last moment that certainly belongs to this contact; -infinity where none is known.
   double last_certain_moment() const { return last_.low; }
+
+  /// Whether one lies within the other. Requires: their surfaces do not touch then.
+  bool is_within_at(const Dyadic& moment) { return within_.at(moment); }
 
   // For the exact stage: what is possible, in order of time.
 
   /// When contact may begin that begins later than `after`; infinite if none may.
   double first_possible(double after) {
     double first = Stay::inf;
+    all_seen_ = false;
     walk_.visit(
         Order::earlier_first,
         [&](const Period<double>& near) { return near.end > after && near.begin < first; },
@@ -171,6 +195,54 @@ class OutlinePair {
     return unknown_from_ <= met_by_ ? unknown_instant() : earliest_;
   }
 
+  void go_on_from_met_by() {
+    last_ = {met_by_, met_by_};
+    for (const PieceStay& stay : tests_.all())
+      if (stay.is_certain() && stay.begin.high <= met_by_) reach(stay.end);
+  }
+
+  /// From the first of the stays that begin later than `after`, which contact may have lasted until, it lasts
+  /// until last_. Whether that is told.
+  bool enter(double after) {
+    double met_by = Stay::inf;
+    seen_.clear(), all_seen_ = false;
+    walk_.visit(
+        Order::earlier_first,
+        [&](const Period<double>& near) { return near.end > after && near.begin <= met_by; },
+        [&](std::size_t a, std::size_t b, const Period<double>&) {
+          for (const PieceStay& stay : tests_.of(a, b)) {
+            if (!(stay.begin.low > after)) continue;
+            seen_.push_back(stay);
+            if (stay.is_certain()) met_by = std::min(met_by, stay.begin.high);
+          }
+        });
+    std::erase_if(seen_, [met_by](const PieceStay& stay) { return stay.begin.low > met_by; });
+    if (seen_.empty()) return false;
+    const auto are_all = [this](auto&& what) { return std::all_of(seen_.begin(), seen_.end(), what); };
+    if (!are_all([](const PieceStay& stay) { return stay.is_certain(); })) return false;
+    if (seen_.size() == 1) return last_ = seen_[0].end, true;
+    if (!are_all([](const PieceStay& stay) { return !stay.is_moment; })) return false;
+    last_ = {met_by, met_by};  // whichever is first lasts until then
+    return true;
+  }
+
+  /// One lies within the other when the stays so far have ended: contact lasts until the next.
+  bool goes_on_within() {
+    if constexpr (!Kit::has_solids) return false;
+    if (!within_.may_be()) return false;
+    bool in_doubt = false;
+    at_the_end([&](const PieceStay& stay) { in_doubt |= may_continue_it(stay); });
+    if (in_doubt) return false;
+    const double next = first_possible(last_.high), until = std::min(next, asked_.end.low);
+    const double between = last_.high + (until - last_.high) / 2;
+    end_in_doubt_ = !(last_.high < between && between < until);
+    if (end_in_doubt_ || !within_.at(Dyadic(between))) return false;
+    if (next == Stay::inf) return last_ = {asked_.end.high, asked_.end.high}, true;
+    end_in_doubt_ = !enter(last_.high);
+    if (end_in_doubt_) last_ = {between, between};
+    return !end_in_doubt_;
+  }
+
   void reach(const Enclosure& end) { last_ = {std::max(last_.low, end.low), std::max(last_.high, end.high)}; }
 
   /// Follows the contact along stays that surely begin before its end so far. Each walk looks for those that
@@ -240,6 +312,7 @@ class OutlinePair {
   /// What leaves a piece through a cut of its outline, and nowhere else, is in a neighbour: whoever begins
   /// then continues it, and no comparison is needed.
   bool goes_through_a_cut() {
+    if constexpr (Kit::has_solids) return false;
     int ending = 0;
     bool at_a_cut = false;
     double latest_begin = -Stay::inf, earliest_end = Stay::inf;
@@ -261,18 +334,18 @@ class OutlinePair {
 
   bool ends_at_a_cut(const PieceStay& stay) const {
     if (asked_.end.meets(stay.end)) return false;
-    const StayEnd* only = nullptr;
-    for (const StayEnd& end : tests_.ends(stay)) {
+    const StayEnd<typename Kit::Condition>* only = nullptr;
+    for (const auto& end : tests_.ends(stay)) {
       if (end.way == Way::in) continue;
       if (only) return false;
       only = &end;
     }
-    // Around a corner R ends beside the cut that begins there, not beyond it.
-    return only && only->condition.kind != Condition::Kind::corner && only->condition.edge.inner;
+    return only && Kit::is_cut(only->condition);
   }
 
   Instant latest_end() {
     if (lasts_to_the_end()) return {moments_.dt_end, moments_.t_end};
+    if (end_in_doubt_) return unknown_instant();
     Instant latest{-Stay::inf, -Stay::inf};
     at_the_end([this, &latest](const PieceStay& stay) {
       if (may_continue_it(stay)) latest = unknown_instant();
@@ -282,14 +355,17 @@ class OutlinePair {
   }
 
   const Moments& moments_;
-  const CertainMotion<D> relative_;
+  const CertainMotion<Kit::axes> relative_;
   const Stay asked_;
-  const PairSizes<Bounded> sizes_;
-  PieceTests<D, Degree> tests_;
-  const TreeWalk<D> walk_;
-  StayInstants<D, Degree> instants_;
-  std::vector<PieceStay>& seen_;            ///< by the last walk of follow()
-  bool all_seen_ = false;                   ///< and known still
+  const typename Kit::template Sizes<Bounded> sizes_;
+  typename Kit::Within within_;
+  typename Kit::Tests tests_;
+  const TreeWalk<Kit::axes, Pieces> walk_;
+  StayInstants<Kit> instants_;
+  std::vector<PieceStay>& seen_;  ///< by the last walk of follow()
+  bool all_seen_ = false;         ///< and known still
+  bool begins_within_ = false;    ///< one in the other
+  bool end_in_doubt_ = false;
   double met_by_ = Stay::inf;               ///< by then they certainly touch
   Instant earliest_{Stay::inf, Stay::inf};  ///< of the begins that are known
   double unknown_from_ = Stay::inf;         ///< and since when one may be that is not

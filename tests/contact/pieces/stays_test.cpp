@@ -1,6 +1,6 @@
 // Stays against the signs of polynomials at single moments: what is certain holds, what is not possible does
 // not.
-#include "contact/outline/stays.h"
+#include "contact/pieces/stays.h"
 
 #include <gtest/gtest.h>
 

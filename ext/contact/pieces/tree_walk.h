@@ -1,7 +1,7 @@
 // Which pieces of two objects could touch, and when at most? Both trees of boxes from their roots downwards,
 // a pair of nodes at a time, each cutting the time that is left by the chord (certain/chord.h).
 //
-//   const TreeWalk<2> walk(a, b, relative, {0, 600}, sizes, steps);
+//   const TreeWalk<2, ObjectPieces> walk(a, b, relative, {0, 600}, sizes, steps);
 //   walk.visit(Order::earlier_first, [](const Period<double>& near) { return near.begin <= best; },
 //              [&](std::size_t piece_a, std::size_t piece_b, const Period<double>& near) { … });
 //
@@ -13,20 +13,22 @@
 
 #include "base/steps.h"
 #include "contact/certain/chord.h"
-#include "contact/outline/condition.h"
-#include "contact/outline/object_pieces.h"
+#include "motion/box.h"
 
 namespace foresee::contact {
 
 /// Which of two children comes first: that which could be met earlier, or left later.
 enum class Order : std::uint8_t { earlier_first, later_first };
 
-template <int D>
+/// `Pieces`: of one object, under a tree of boxes on its first axes; the others are of upright prisms.
+template <int D, class Pieces>
 class TreeWalk {
  public:
-  /// `asked`: the moments asked about. Each pair of nodes is a step.
-  TreeWalk(const ObjectPieces& a, const ObjectPieces& b, const CertainMotion<D>& relative,
-           const Period<double>& asked, const PairSizes<Bounded>& sizes, Steps& steps)
+  /// `asked`: the moments asked about. `sizes`: how near counts as touching, and of prisms how far along z.
+  /// Each pair of nodes is a step.
+  template <class Sizes>
+  TreeWalk(const Pieces& a, const Pieces& b, const CertainMotion<D>& relative, const Period<double>& asked,
+           const Sizes& sizes, Steps& steps)
       : a_(a),
         b_(b),
         chord_(relative, asked.end),
@@ -38,13 +40,15 @@ class TreeWalk {
   /// asked again and again, is for some of that time.
   template <class Wanted, class Visit>
   void visit(Order order, Wanted&& wanted, Visit&& visit) const {
-    descend({ObjectPieces::root, ObjectPieces::root, near(ObjectPieces::root, ObjectPieces::root, asked_)},
-            order, wanted, visit);
+    descend({Pieces::root, Pieces::root, near(Pieces::root, Pieces::root, asked_)}, order, wanted, visit);
   }
 
  private:
+  static constexpr int axes = Pieces::axes;
+  using Node = typename Pieces::Node;
+
   struct Nodes {
-    ObjectPieces::Node a, b;
+    Node a, b;
     Period<double> near;
   };
 
@@ -56,9 +60,9 @@ class TreeWalk {
     if (a_.is_leaf(nodes.a) && b_.is_leaf(nodes.b)) return visit(a_.item(nodes.a), b_.item(nodes.b), near);
     Nodes one = nodes, other = nodes;
     if (splits_a(nodes.a, nodes.b))
-      one.a = ObjectPieces::left(nodes.a), other.a = ObjectPieces::right(nodes.a);
+      one.a = Pieces::left(nodes.a), other.a = Pieces::right(nodes.a);
     else
-      one.b = ObjectPieces::left(nodes.b), other.b = ObjectPieces::right(nodes.b);
+      one.b = Pieces::left(nodes.b), other.b = Pieces::right(nodes.b);
     one.near = this->near(one.a, one.b, near), other.near = this->near(other.a, other.b, near);
     const bool swap =
         order == Order::earlier_first ? other.near.begin < one.near.begin : other.near.end > one.near.end;
@@ -66,36 +70,41 @@ class TreeWalk {
     descend(swap ? one : other, order, wanted, visit);
   }
 
-  bool splits_a(ObjectPieces::Node a, ObjectPieces::Node b) const {
+  bool splits_a(Node a, Node b) const {
     if (a_.is_leaf(a) || b_.is_leaf(b)) return b_.is_leaf(b);
     return size_of(a_.box(a)) >= size_of(b_.box(b));
   }
-  static double size_of(const Box<2>& box) { return (box.upper - box.lower).sum(); }
+  static double size_of(const Box<axes>& box) { return (box.upper - box.lower).sum(); }
 
   /// Of `asked`, when two prisms could overlap along z, whatever their outlines.
+  template <class Sizes>
   static Period<double> overlap_along_z(const Chord<D>& chord, const Period<double>& asked,
-                                        const PairSizes<Bounded>& sizes) {
-    if constexpr (D < 3) return asked;
-    const Faces faces{
-        .axis = 2, .below = 0, .above = 1, .has_below = sizes.has_below, .has_above = sizes.has_above};
-    const Bounded reach[] = {sizes.below, sizes.above};
-    return chord.between(&faces, 1, reach, asked);
+                                        const Sizes& sizes) {
+    if constexpr (D == axes) {
+      return asked;
+    } else {
+      const Faces faces{
+          .axis = 2, .below = 0, .above = 1, .has_below = sizes.has_below, .has_above = sizes.has_above};
+      const Bounded reach[] = {sizes.below, sizes.above};
+      return chord.between(&faces, 1, reach, asked);
+    }
   }
 
   /// Of `asked`, when boxes could touch.
-  Period<double> near(ObjectPieces::Node a, ObjectPieces::Node b, const Period<double>& asked) const {
+  Period<double> near(Node a, Node b, const Period<double>& asked) const {
     static constexpr Faces faces[] = {{.axis = 0, .below = 0, .above = 1},
-                                      {.axis = 1, .below = 2, .above = 3}};
-    const Box<2>&box_a = a_.box(a), &box_b = b_.box(b);
-    Bounded reach[4];
-    for (int j = 0; j < 2; ++j) {
+                                      {.axis = 1, .below = 2, .above = 3},
+                                      {.axis = 2, .below = 4, .above = 5}};
+    const Box<axes>&box_a = a_.box(a), &box_b = b_.box(b);
+    Bounded reach[2 * axes];
+    for (int j = 0; j < axes; ++j) {
       reach[2 * j] = Bounded{box_b.upper[j]} - Bounded{box_a.lower[j]} + grown_;
       reach[2 * j + 1] = Bounded{box_a.upper[j]} - Bounded{box_b.lower[j]} + grown_;
     }
-    return chord_.between(faces, 2, reach, asked);
+    return chord_.between(faces, axes, reach, asked);
   }
 
-  const ObjectPieces &a_, &b_;
+  const Pieces &a_, &b_;
   const Chord<D> chord_;
   const Period<double> asked_;
   const Bounded grown_;

@@ -1,8 +1,8 @@
-// What of a window can an object meet? The window's rectangle, where a face that it does not have lies
+// What of a window can an object meet? The window's box, where a face that it does not have lies
 // farther off than the object can come: as good as none. (At the largest double, for what comes farther than
 // that: a position that no double holds is outside then.)
 //
-//   pieces.take_box(window_near(setup, row_b));
+//   pieces.take_box(window_near<2>(setup, row_b));                 // its first two axes
 //
 // Requires: the setup has a window, whose body is where the axes meet when the horizon begins.
 #pragma once
@@ -18,19 +18,22 @@
 
 namespace foresee::contact {
 
-inline Box<2> window_near(const Setup& setup, const double* row_b) {
+template <int D>
+Box<D> window_near(const Setup& setup, const double* row_b) {
   const WindowFaces& faces = *setup.window;
   const double h = setup.horizon.h;
   const double ago = std::abs(setup.horizon.now - value_or(row_b, setup.b.at.t, 0)) + h;
-  const Vec<2> size = setup.b.layout.axes == 3
-                          ? Vec<2>(reach_of(extents_of<3>(setup.b.layout.shape, row_b, setup.b.at)).head<2>())
-                          : reach_of(extents_of<2>(setup.b.layout.shape, row_b, setup.b.at));
-  Box<2> box;
-  for (int axis = 0; axis < 2; ++axis) {
+  const auto size = [&](int axis) {
+    const Layout& layout = setup.b.layout;
+    return layout.axes == 3 ? reach_of(extents_of<3>(layout.shape, row_b, setup.b.at))[axis]
+                            : reach_of(extents_of<2>(layout.shape, row_b, setup.b.at))[axis];
+  };
+  Box<D> box;
+  for (int axis = 0; axis < D; ++axis) {
     const auto j = static_cast<std::size_t>(axis);
     const AxisMotion<double> b = axis_motion(setup.b, row_b, axis);
     const double way = std::abs(b.x) + ago * (std::abs(b.v) + ago * std::abs(b.a)) +
-                       h * std::abs(faces.velocity[j]) + size[axis] + std::abs(faces.reference(axis));
+                       h * std::abs(faces.velocity[j]) + size(axis) + std::abs(faces.reference(axis));
     constexpr double most = std::numeric_limits<double>::max();
     const double far = way == 0 ? 1 : 2 * way < most ? 2 * way : most;  // also where `way` is no number
     box.lower[axis] = faces.has_lower(axis) ? faces.lower[j] : -far;

@@ -8,15 +8,23 @@
 #include <optional>
 
 #include "contact/certain/crossing.h"
-#include "contact/outline/piece_tests.h"
+#include "contact/pieces/piece_space.h"
+#include "contact/pieces/seen_from.h"
+#include "contact/set/relative_motion.h"
 
 namespace foresee::contact {
 
-template <int D, int Degree>
+/// `Kit`: what the pieces are (union_pair.h).
+template <class Kit>
 class StayInstants {
+  static constexpr int D = Kit::axes, Degree = Kit::degree;
+  using Condition = typename Kit::Condition;
+  template <class T>
+  using Sizes = typename Kit::template Sizes<T>;
+
  public:
   StayInstants(const Setup& setup, const double* row_a, const double* row_b, const CertainMotion<D>& certain,
-               const PairSizes<Bounded>& sizes, const Moments& moments, const Stay& asked)
+               const Sizes<Bounded>& sizes, const Moments& moments, const Stay& asked)
       : setup_(setup),
         row_a_(row_a),
         row_b_(row_b),
@@ -26,24 +34,24 @@ class StayInstants {
         sizes_(sizes) {}
 
   /// Requires: the stay is certain, and these are its ends.
-  Instant begin(const Stay& stay, std::span<const StayEnd> ends) {
+  Instant begin(const Stay& stay, std::span<const StayEnd<Condition>> ends) {
     Instant begin{-Stay::inf, -Stay::inf};
     if (asked_.begin.meets(stay.begin)) begin = {moments_.dt_begin, moments_.t_begin};
-    for (const StayEnd& end : ends)
+    for (const StayEnd<Condition>& end : ends)
       if (end.way == Way::in) begin = later(begin, instant<Way::in>(end));
     return begin.dt > -Stay::inf ? begin : unknown_instant();
   }
-  Instant end(const Stay& stay, std::span<const StayEnd> ends) {
+  Instant end(const Stay& stay, std::span<const StayEnd<Condition>> ends) {
     Instant last{Stay::inf, Stay::inf};
     if (asked_.end.meets(stay.end)) last = {moments_.dt_end, moments_.t_end};
-    for (const StayEnd& end : ends)
+    for (const StayEnd<Condition>& end : ends)
       if (end.way == Way::out) last = earlier(last, instant<Way::out>(end));
     return last.dt < Stay::inf ? last : unknown_instant();
   }
 
  private:
   template <Way way>
-  Instant instant(const StayEnd& end) {
+  Instant instant(const StayEnd<Condition>& end) {
     const double width = (end.at.high - end.at.low) * (1 + 4 * unit_roundoff);
     const double base = std::clamp(end.at.low + 0.5 * width, 0.0, asked_.end.high);
     const auto place = place_at(base);
@@ -71,7 +79,7 @@ class StayInstants {
 
   std::array<Powers<DoubleDouble, 0>, D> place_at(double tau) {
     if (!fine_sizes_) {
-      fine_sizes_ = sizes_of<DoubleDouble>(setup_, row_a_, row_b_);
+      fine_sizes_ = Kit::template sizes_of<DoubleDouble>(setup_, row_a_, row_b_);
       relative_ = relative_motion_of<DoubleDouble, D>(setup_, row_a_, row_b_);
     }
     std::array<Powers<DoubleDouble, 0>, D> place;
@@ -86,8 +94,8 @@ class StayInstants {
   const CertainMotion<D>& certain_;
   const Moments& moments_;
   const Stay& asked_;
-  const PairSizes<Bounded>& sizes_;
-  std::optional<PairSizes<DoubleDouble>> fine_sizes_;  ///< and the motion, once they are needed
+  const Sizes<Bounded>& sizes_;
+  std::optional<Sizes<DoubleDouble>> fine_sizes_;  ///< and the motion, once they are needed
   RelativeMotion<DoubleDouble, D> relative_;
 };
 

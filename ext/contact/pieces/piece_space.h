@@ -1,17 +1,17 @@
-// The stays of all pairs of pieces that were tested (piece_tests.h), side by side in memory that is used
-// again for the next pair of objects.
+// The stays of all pairs of pieces that were tested (pair_tests.h), side by side in memory that is used again
+// for the next pair of objects.
 #pragma once
 
 #include <vector>
 
-#include "contact/outline/condition.h"
-#include "contact/outline/stays.h"
-#include "contact/outline/tested_pairs.h"
+#include "contact/pieces/stays.h"
+#include "contact/pieces/tested_pairs.h"
 #include "numbers/crossed_root.h"
 
 namespace foresee::contact {
 
 /// A condition that begins or ceases to hold where a stay may begin or end.
+template <class Condition>
 struct StayEnd {
   Condition condition;
   Way way;
@@ -21,9 +21,13 @@ struct StayEnd {
 /// A stay of two pieces, and what it may begin and end with.
 struct PieceStay : Stay {
   std::uint32_t first_end, end_count;  ///< among all ends
+  bool is_moment = false;              ///< begin and end are one root: certain, whatever encloses it
+
+  bool is_certain() const { return is_moment || Stay::is_certain(); }
 };
 
 /// Space for tests, used for one pair of objects after another.
+template <class Condition>
 struct PieceSpace {
   struct Tested {
     std::uint32_t first_stay, stay_count;
@@ -31,12 +35,11 @@ struct PieceSpace {
   TestedPairs numbers;
   std::vector<Tested> tested;  ///< by those numbers
   std::vector<PieceStay> stays;
-  std::vector<StayEnd> ends;
+  std::vector<StayEnd<Condition>> ends;
   std::vector<PieceStay> seen;
   // Of the part at hand:
-  std::vector<SumEdge> edges;
-  std::vector<StayEnd> all_ends;
-  std::size_t heights = 0;  ///< as many of these are of all parts
+  std::vector<StayEnd<Condition>> all_ends;
+  std::size_t shared_ends = 0;  ///< as many of these are of all parts
   Stays clipped, outer;
 
   std::uint64_t tests = 0;  ///< of two pieces, in all pairs of objects so far

@@ -1,7 +1,10 @@
 // Which pieces a walk gives, and which it leaves out.
-#include "contact/outline/tree_walk.h"
+#include "contact/pieces/tree_walk.h"
 
 #include <gtest/gtest.h>
+
+#include "contact/outline/condition.h"
+#include "contact/outline/object_pieces.h"
 
 namespace foresee::contact {
 namespace {
@@ -15,7 +18,8 @@ int pairs_of_squares(double apart, double height) {
   relative.axis[2].x = apart;
   NeverInterrupt never;
   Steps steps(never);
-  const TreeWalk<3> walk(a, b, relative, {0, 10}, {{}, {height, 0}, {height, 0}}, steps);
+  const PairSizes<Bounded> sizes{{}, {height, 0}, {height, 0}};
+  const TreeWalk<3, ObjectPieces> walk(a, b, relative, {0, 10}, sizes, steps);
   int pairs = 0;
   walk.visit(
       Order::earlier_first, [](const Period<double>&) { return true; },

@@ -1,4 +1,4 @@
-#include "contact/outline/stays.h"
+#include "contact/pieces/stays.h"
 
 #include <algorithm>
 

@@ -1,0 +1,113 @@
+// When do two pieces touch, certainly and possibly? What is the same whatever the pieces are: each pair is
+// tested once, as long as there are not too many, and what its conditions leave of the time asked about are
+// its stays.
+//
+//   for (const PieceStay& stay : tests.of(piece_a, piece_b)) best = std::min(best, stay.begin.high);
+//
+// Test, which derives from this, has a function test(pair): it calls begin_test() and then, for each part of
+// where the two touch, keep() with its conditions and end_part().
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "contact/pieces/piece_space.h"
+
+namespace foresee::contact {
+
+template <class Test, class Condition>
+class PairTests {
+ public:
+  /// The stays of two pieces, until others are asked for.
+  std::span<const PieceStay> of(std::size_t a, std::size_t b) {
+    const PiecePair pair{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)};
+    if (!times_wanted_ || is_full()) space_.clear();
+    if (!times_wanted_) return stays_of(pair);  // whoever wants no times asks once
+    const auto [number, is_new] = space_.numbers.add(pair);
+    if (is_new) {
+      const auto first = static_cast<std::uint32_t>(space_.stays.size());
+      space_.tested.push_back({first, static_cast<std::uint32_t>(stays_of(pair).size())});
+    }
+    const auto& tested = space_.tested[number];
+    return std::span<const PieceStay>(space_.stays).subspan(tested.first_stay, tested.stay_count);
+  }
+
+  /// Before another pair is tested all are forgotten: so the memory for a pair of objects is bounded, and
+  /// they are tested again if they are asked for again.
+  bool is_full() const {
+    return space_.tested.size() + space_.stays.size() + space_.ends.size() >= most_known;
+  }
+
+  /// All stays that are known.
+  std::span<const PieceStay> all() const { return space_.stays; }
+  std::span<const StayEnd<Condition>> ends(const PieceStay& stay) const {
+    return std::span<const StayEnd<Condition>>(space_.ends).subspan(stay.first_end, stay.end_count);
+  }
+
+ protected:
+  PairTests(const Stay& asked, bool times_wanted, PieceSpace<Condition>& space)
+      : asked_(asked), times_wanted_(times_wanted), space_(space) {
+    space.clear();
+  }
+
+  void begin_test() {
+    ++space_.tests;
+    space_.clipped.start(asked_);
+    space_.all_ends.clear();
+    space_.shared_ends = 0;
+  }
+  /// What was kept so far is kept in all parts.
+  void share() {
+    space_.outer.start(space_.clipped);
+    space_.shared_ends = space_.all_ends.size();
+  }
+  void begin_part() {
+    space_.clipped.start(space_.outer);
+    space_.all_ends.resize(space_.shared_ends);
+  }
+  /// What all conditions leave of the time asked about joins the stays.
+  void end_part() {
+    for (const Stay& stay : space_.clipped) add(stay, false);
+  }
+
+  void keep(const Condition& condition, const Inside& inside) {
+    if (space_.clipped.empty()) return;
+    space_.clipped.keep(inside);
+    if (!times_wanted_) return;
+    for (int i = 0; i < inside.count; ++i) {
+      const Stay& stay = inside.list[static_cast<std::size_t>(i)];
+      if (stay.begin.high > -Stay::inf) space_.all_ends.push_back({condition, Way::in, stay.begin});
+      if (stay.end.low < Stay::inf) space_.all_ends.push_back({condition, Way::out, stay.end});
+    }
+  }
+
+  /// A stay, with those ends that may be its own.
+  void add(const Stay& stay, bool is_moment) {
+    const auto first_end = static_cast<std::uint32_t>(space_.ends.size());
+    for (const StayEnd<Condition>& end : space_.all_ends)
+      if (end.at.meets(end.way == Way::in ? stay.begin : stay.end)) space_.ends.push_back(end);
+    const auto count = static_cast<std::uint32_t>(space_.ends.size()) - first_end;
+    space_.stays.push_back({stay, first_end, count, is_moment});
+  }
+
+  bool is_decided() const {
+    return !times_wanted_ && !space_.stays.empty() && space_.stays.back().is_certain();
+  }
+
+  const Stay asked_;
+  const bool times_wanted_;
+  PieceSpace<Condition>& space_;
+
+ private:
+  /// Some megabytes.
+  static constexpr std::size_t most_known = 1 << 15;
+
+  /// Their stays join all others.
+  [[gnu::noinline]] std::span<const PieceStay> stays_of(const PiecePair& pair) {
+    const std::size_t first = space_.stays.size();
+    static_cast<Test&>(*this).test(pair);
+    return std::span<const PieceStay>(space_.stays).subspan(first);
+  }
+};
+
+}  // namespace foresee::contact

@@ -1,0 +1,217 @@
+// Contact of what is a union of pieces, behind the room's door: the stages of a pair, one after the other.
+//
+//   return std::make_unique<UnionContact<FlatKit<2, 1>>>(setup, tables);
+//
+// Trees of boxes, pieces in doubles with error bounds and the crossing in DoubleDouble are those of
+// union_pair.h. What these leave open is asked of exact numbers: the pieces that may touch around a moment,
+// and between them, of solids, whether one lies within the other (docs/exactness.md).
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "base/float_environment.h"
+#include "contact/closest_approach.h"
+#include "contact/contact.h"
+#include "contact/exact/exact_contact.h"
+#include "contact/pieces/union_pair.h"
+
+namespace foresee::contact {
+
+/// `Kit`: as for UnionPair, with the type Tables of what the rows of both tables look like, take(), which
+/// gives the pieces of a pair, and the type Polynomials of some pairs of pieces.
+template <class Kit>
+class UnionContact final : public Contact {
+ public:
+  using Tables = typename Kit::Tables;
+
+  UnionContact(const Setup& setup, const Tables& tables) : setup_(setup), tables_(tables) {}
+
+  Reach reach() const override { return {setup_.within, setup_.within_z}; }
+  void heed(Interrupt& interrupt) override { steps_.emplace(interrupt); }
+
+  std::string effort() const override {
+    return a_pair(pieces_) + " pieces, " + a_pair(steps_->taken()) + " node tests and " +
+           a_pair(space_.tests) + " leaf tests a pair";
+  }
+
+  void decide(std::span<const Pair> pairs, std::vector<Pair>& hits) override {
+    const FloatEnvironment environment;
+    for (const Pair& pair : pairs)
+      if (touches(pair)) hits.push_back(pair);
+  }
+
+  void first_contacts(std::span<const Pair> pairs, TimesWanted wanted, std::vector<Pair>& hits,
+                      std::vector<ContactTimes>& times) override {
+    const FloatEnvironment environment;
+    for (const Pair& pair : pairs) {
+      const auto found = first_contact(pair, wanted);
+      if (!found) continue;
+      hits.push_back(pair);
+      times.push_back(*found);
+    }
+  }
+
+  void closest_approach(std::span<const Pair> hits, std::span<ClosestApproach> out) override {
+    const FloatEnvironment environment;
+    for (std::size_t i = 0; i < hits.size(); ++i)
+      out[i] = closest_approach_of<Kit::axes>(setup_, setup_.a.row(hits[i].a), setup_.b.row(hits[i].b));
+  }
+
+ private:
+  using Staged = UnionPair<Kit>;
+
+  /// A pair of rows, and its stages.
+  struct Rows {
+    const double *a, *b;
+  };
+
+  bool touches(const Pair& pair) {
+    const Rows rows{setup_.a.row(pair.a), setup_.b.row(pair.b)};
+    const Moments moments = moments_of(setup_, rows.a, rows.b);
+    if (moments.none) return false;
+    take_pieces(pair);
+    Staged staged(setup_, rows.a, rows.b, a_, b_, moments, false, space_, *steps_);
+    const Verdict touches = staged.touches();
+    if (touches != Verdict::uncertain) return touches == Verdict::yes;
+    return exactly_touches(rows, staged);
+  }
+
+  std::optional<ContactTimes> first_contact(const Pair& pair, TimesWanted wanted) {
+    const Rows rows{setup_.a.row(pair.a), setup_.b.row(pair.b)};
+    const Moments moments = moments_of(setup_, rows.a, rows.b);
+    if (moments.none) return {};
+    take_pieces(pair);
+    Staged staged(setup_, rows.a, rows.b, a_, b_, moments, true, space_, *steps_);
+    Instant begin;
+    const Verdict touches = staged.first_contact(begin);
+    if (touches == Verdict::no) return {};
+    if (touches == Verdict::uncertain) {
+      const auto exact = exact_contact(rows, staged, -Stay::inf, staged.met_by());
+      if (!exact || exact->dt_end < Stay::inf) return exact;
+      begin = {exact->dt, exact->t};
+    }
+    if (wanted != TimesWanted::both) return ContactTimes{begin.t, begin.t, begin.dt, begin.dt};
+    const Instant end = staged.end_of_contact(touches == Verdict::uncertain);
+    if (end.known()) return ContactTimes{begin.t, end.t, begin.dt, end.dt};
+    const auto exact = exact_contact(rows, staged, staged.last_certain_moment());
+    return ContactTimes{begin.t, exact.value().t_end, begin.dt, exact.value().dt_end};
+  }
+
+  void take_pieces(const Pair& pair) {
+    Kit::take(a_, b_, setup_, tables_, pair);
+    ++pairs_, pieces_ += a_.count() + b_.count();
+  }
+
+  /// To one decimal.
+  std::string a_pair(std::uint64_t all) const {
+    const std::uint64_t tenths = pairs_ == 0 ? 0 : (10 * all + pairs_ / 2) / pairs_;
+    return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
+  }
+
+  /// Some pieces at a time.
+  [[gnu::noinline]] bool exactly_touches(const Rows& rows, Staged& staged) {
+    constexpr std::size_t at_a_time = 1024;
+    const ExactMoments asked = exact_moments_of(setup_, rows.a, rows.b);
+    std::vector<PiecePair> pairs;
+    const auto met = [&] {
+      if (pairs.empty()) return false;
+      Polynomials polynomials = polynomials_of(rows, staged, pairs);
+      return exact_touches(polynomials.all(), asked);
+    };
+    bool touches = false;
+    staged.possible_pairs({-Stay::inf, Stay::inf}, [&](const PiecePair& pair) {
+      pairs.push_back(pair);
+      if (pairs.size() < at_a_time) return true;
+      touches = met();
+      pairs.clear();
+      return !touches;
+    });
+    return touches || met();
+  }
+
+  /// The first contact that ends at `from` or later, exactly. `from` is before all contact (-infinity), or
+  /// within one, whose begin then is no matter. Of a contact that lasts until `met_by`, when they touch, the
+  /// end is infinite.
+  [[gnu::noinline]] std::optional<ContactTimes> exact_contact(const Rows& rows, Staged& staged, double from,
+                                                              double met_by = Stay::inf) {
+    const ExactMoments asked = exact_moments_of(setup_, rows.a, rows.b);
+    std::optional<ContactTimes> found;  // of a contact that lasts until `from`
+    if (from == -Stay::inf)
+      from = staged.first_possible(from);
+    else
+      found.emplace();
+    while (from < Stay::inf && !(asked.end < Dyadic(from))) {
+      const double until = met_by < Stay::inf ? met_by : staged.possible_until(from);
+      const auto times = exact_times_between(rows, staged, asked, from, until);
+      if (times) {
+        if (!found) found = times;
+        found->t_end = times->t_end, found->dt_end = times->dt_end;
+        if (times->dt_end < Stay::inf || met_by < Stay::inf) return found;
+      }
+      from = staged.first_possible(until);
+      if (times && !is_within_between(staged, asked, until, from)) return ended_at(*found, asked, until);
+    }
+    if (found) found->t_end = asked.rounded.t_end, found->dt_end = asked.rounded.dt_end;
+    return found;
+  }
+
+  /// Of the pieces that may touch then; the end is infinite of what lasts until `until`, when more is asked
+  /// about.
+  std::optional<ContactTimes> exact_times_between(const Rows& rows, Staged& staged, const ExactMoments& asked,
+                                                  double from, double until) {
+    ExactMoments moments = asked;
+    begin_at(moments, from);
+    end_at(moments, until);
+    std::vector<PiecePair> pairs;
+    staged.possible_pairs({from, until}, [&pairs](const PiecePair& pair) {
+      pairs.push_back(pair);
+      return true;
+    });
+    Polynomials polynomials = polynomials_of(rows, staged, pairs);
+    if constexpr (Kit::has_solids)
+      return exact_times_of_solids(polynomials.all(), moments,
+                                   [&staged](const Dyadic& moment) { return staged.is_within_at(moment); });
+    return exact_times(polynomials.all(), moments);
+  }
+
+  /// Nothing before `from` is asked about: the pieces may touch again, but others before.
+  static void begin_at(ExactMoments& moments, double from) {
+    const Dyadic begin(from);
+    if (!(moments.begin < begin)) return;
+    moments.begin = begin;
+    moments.rounded.dt_begin = from, moments.rounded.t_begin = rounded(begin + moments.now);
+  }
+  static void end_at(ExactMoments& moments, double until) {
+    const Dyadic end(until);
+    if (!(end < moments.end)) return;
+    moments.end = end;
+    moments.rounded.dt_end = moments.rounded.t_end = Stay::inf;
+  }
+
+  /// Whether contact goes on after `until`, as far as `next`, when more pieces may touch.
+  static bool is_within_between(Staged& staged, const ExactMoments& asked, double until, double next) {
+    const Dyadic from(until), to = next < Stay::inf ? std::min(Dyadic(next), asked.end) : asked.end;
+    return from < to && staged.is_within_at(half_of(from + to));
+  }
+
+  static ContactTimes ended_at(ContactTimes found, const ExactMoments& asked, double until) {
+    found.dt_end = until, found.t_end = rounded(Dyadic(until) + asked.now);
+    return found;
+  }
+
+  using Polynomials = typename Kit::Polynomials;
+  Polynomials polynomials_of(const Rows& rows, const Staged& staged, std::span<const PiecePair> pairs) {
+    return {setup_, rows.a, rows.b, a_, b_, pairs, staged.is_grown()};
+  }
+
+  const Setup setup_;
+  const Tables tables_;
+  typename Kit::Pieces a_, b_;
+  typename Kit::Space space_;
+  NeverInterrupt never_;
+  std::optional<Steps> steps_{never_};
+  std::uint64_t pairs_ = 0, pieces_ = 0;  ///< that were asked about, and what they have together
+};
+
+}  // namespace foresee::contact
