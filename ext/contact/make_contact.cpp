@@ -1,6 +1,7 @@
 // The table of docs/semantics.md#contact, which distance a pair of shapes has, as one decision per statement.
 #include "base/error.h"
 #include "contact/contact.h"
+#include "contact/mesh_contact.h"
 #include "contact/outline_contact.h"
 #include "contact/set/shape_pairs.h"
 #include "contact/typed_contact.h"
@@ -39,6 +40,8 @@ bool has(const Bodies& a, const Bodies& b, Shape shape) {
 void require_cylinders_or_points(const Bodies& a, const Bodies& b) {
   if (a.layout.axes != 3)
     throw Error("within_z is for tables with x, y and z; leave it out here (within covers every axis)");
+  if (has(a, b, Shape::mesh))
+    throw Error("within_z is not for meshes: leave it out; within covers every axis");
   if (!has(a, b, Shape::point) && !has(a, b, Shape::cylinder) && !has(a, b, Shape::outline))
     throw Error(
         "within_z needs points, cylinders (r with hz) or prisms (shape with hz) on one side; between balls "
@@ -79,11 +82,38 @@ std::unique_ptr<Contact> make_contact_of_outlines(const Bodies& a, const Bodies&
                               std::max(degree_of(a.layout.law), degree_of(b.layout.law)));
 }
 
+void require_no_upright_with_mesh(const Bodies& a, const Bodies& b, const std::string& name_a,
+                                  const std::string& name_b) {
+  const bool mesh_a = a.layout.shape == Shape::mesh;
+  const Shape other = (mesh_a ? b : a).layout.shape;
+  if (other != Shape::cylinder && other != Shape::outline) return;
+  const std::string& mesh = mesh_a ? name_a : name_b;
+  const std::string& upright = mesh_a ? name_b : name_a;
+  throw Error("no distance is defined between " + mesh + " (meshes) and " + upright + " (" +
+              plural_of(other) + "): leave hz out of " + upright +
+              (other == Shape::outline ? " and declare meshes" : " to make them balls"));
+}
+
+std::unique_ptr<Contact> make_contact_of_meshes(const Bodies& a, const Bodies& b,
+                                                const ContactQuestion& question, const std::string& name_a,
+                                                const std::string& name_b) {
+  require_no_upright_with_mesh(a, b, name_a, name_b);
+  const Setup setup{a, b, question.horizon, question.within, question.within};
+  const auto meshes = [&](const Bodies& bodies) -> const MeshRows* {
+    if (question.rectangles_for_outlines || bodies.layout.shape != Shape::mesh) return nullptr;
+    if (!bodies.meshes && bodies.count > 0) throw Error("nobody knows the meshes of these rows");
+    return bodies.meshes;
+  };
+  return make_mesh_contact(setup, {meshes(a), meshes(b)},
+                           std::max(degree_of(a.layout.law), degree_of(b.layout.law)));
+}
+
 }  // namespace
 
 std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const ContactQuestion& question,
                                       const std::string& name_a, const std::string& name_b) {
   if (question.within_z) require_cylinders_or_points(a, b);
+  if (has(a, b, Shape::mesh)) return make_contact_of_meshes(a, b, question, name_a, name_b);
   if (has(a, b, Shape::outline)) return make_contact_of_outlines(a, b, question, name_a, name_b);
   const double within = question.within;
   const int degree = std::max(degree_of(a.layout.law), degree_of(b.layout.law));

@@ -1,6 +1,7 @@
 #include "contact/window_contact.h"
 
 #include "base/error.h"
+#include "contact/mesh_contact.h"
 #include "contact/outline_contact.h"
 #include "contact/set/shape_pairs.h"
 #include "contact/typed_contact.h"
@@ -26,6 +27,11 @@ ContactSet window_set(const Setup& setup) {
 
 void require_distance(const MovingWindow& zone, const Layout& objects) {
   const WindowFaces& faces = zone.faces();
+  if (objects.shape == Shape::mesh)
+    throw Error(
+        "no distance is defined between meshes and a zone, which is flat: bound the window by x0, x1, y0, "
+        "y1, "
+        "z0 and z1, or declare hz in the table to make its shapes prisms");
   if (objects.shape == Shape::ball && objects.axes == 3 && (faces.has_lower(2) || faces.has_upper(2)))
     throw Error(
         "no distance is defined between balls and a zone with z0 or z1: leave these out, or declare hz "
@@ -41,10 +47,10 @@ MovingWindow::MovingWindow(const WindowFaces& faces, const Layout& objects, doub
   bodies_ = Bodies(layout, row_.data(), 1);
   zone_.outline = std::move(zone);
   if (zone_.outline) bodies_.outlines = &zone_;
-  by_outlines_ = zone_.outline || objects.shape == Shape::outline;
+  from_origin_ = zone_.outline || objects.shape == Shape::outline || objects.shape == Shape::mesh;
   row_[static_cast<std::size_t>(bodies_.at.t)] = now;
   for (int axis = 0; axis < objects.axes; ++axis) {
-    row_[static_cast<std::size_t>(bodies_.at.x + axis)] = by_outlines_ ? 0 : faces.reference(axis);
+    row_[static_cast<std::size_t>(bodies_.at.x + axis)] = from_origin_ ? 0 : faces.reference(axis);
     row_[static_cast<std::size_t>(bodies_.at.v + axis)] = faces.velocity[static_cast<std::size_t>(axis)];
   }
 }
@@ -52,8 +58,10 @@ MovingWindow::MovingWindow(const WindowFaces& faces, const Layout& objects, doub
 std::unique_ptr<Contact> make_window_contact(const MovingWindow& window, const Bodies& objects,
                                              const Horizon& horizon) {
   const Setup setup{.a = window.bodies(), .b = objects, .horizon = horizon, .window = &window.faces()};
-  if (window.by_outlines()) {
-    require_distance(window, objects.layout);
+  if (window.has_zone()) require_distance(window, objects.layout);
+  if (objects.layout.shape == Shape::mesh)
+    return make_mesh_contact(setup, {nullptr, objects.meshes}, degree_of(objects.layout.law));
+  if (window.has_zone() || objects.layout.shape == Shape::outline) {
     return make_outline_contact(setup, {window.bodies().outlines, objects.outlines},
                                 degree_of(objects.layout.law));
   }

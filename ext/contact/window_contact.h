@@ -24,8 +24,9 @@
 namespace foresee::contact {
 
 /// A window as a body that contact can be asked about: a point at the reference of its faces, or at the
-/// origin where contact is that of outlines. With a zone the window is what lies within that outline, in
-/// absolute coordinates at `now`, and between its own faces across z; the others must be infinite.
+/// origin where contact is that of outlines or meshes. With a zone the window is what lies within that
+/// outline, in absolute coordinates at `now`, and between its own faces across z; the others must be
+/// infinite.
 class MovingWindow {
  public:
   MovingWindow(const WindowFaces& faces, const Layout& objects, double now,
@@ -35,8 +36,7 @@ class MovingWindow {
 
   const WindowFaces& faces() const { return faces_; }
   const Bodies& bodies() const { return bodies_; }
-  /// Whether contact is that of outlines.
-  bool by_outlines() const { return by_outlines_; }
+  bool has_zone() const { return zone_.outline != nullptr; }
 
  private:
   /// The one row of a zone.
@@ -47,7 +47,7 @@ class MovingWindow {
 
   WindowFaces faces_;
   Zone zone_;
-  bool by_outlines_;
+  bool from_origin_;
   std::array<double, 7> row_{};
   Bodies bodies_;
 };

@@ -1,0 +1,30 @@
+#include "contact/mesh/space_condition.h"
+
+namespace foresee::contact {
+namespace {
+
+/// The same with all digits of both products.
+Bounded close_minor(const Components<DoubleDouble>& a, const Components<DoubleDouble>& b, std::size_t i,
+                    std::size_t j) {
+  const DoubleDouble left = a[i] * b[j], right = a[j] * b[i], minor = left - right;
+  const auto is_there = [&](std::size_t m, std::size_t n) { return a[m].high != 0 && b[n].high != 0; };
+  if (!is_there(i, j) && !is_there(j, i)) return {};
+  const double lost = 0x1p-98 * (std::abs(left.high) + std::abs(right.high)) + 0x1p-1060;
+  return {minor.high, std::abs(minor.low) + lost};
+}
+
+}  // namespace
+
+Components<Bounded> close_cross_product(const Run& u, const Run& v) {
+  Components<Bounded> cross =
+      cross_product(gap_between<Bounded>(*u.to, *u.from), gap_between<Bounded>(*v.to, *v.from));
+  const auto is_close = [](const Bounded& c) { return c.error <= 0x1p-44 * std::abs(c.value); };
+  if (is_close(cross[0]) && is_close(cross[1]) && is_close(cross[2])) return cross;
+  const Components<DoubleDouble> a = gap_between<DoubleDouble>(*u.to, *u.from);
+  const Components<DoubleDouble> b = gap_between<DoubleDouble>(*v.to, *v.from);
+  for (std::size_t j = 0; j < 3; ++j)
+    if (!is_close(cross[j])) cross[j] = close_minor(a, b, (j + 1) % 3, (j + 2) % 3);
+  return cross;
+}
+
+}  // namespace foresee::contact

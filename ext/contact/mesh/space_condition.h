@@ -1,0 +1,166 @@
+// What must hold while two pieces in space touch: each condition a polynomial in time that is at most 0 then,
+// written once for every number type.
+//
+// Two convex pieces touch while d lies in their Minkowski sum A + (-B): on the inner side of all planes that
+// touch it, each of which goes through a corner p of A minus a corner q of B. If R is how near counts as
+// touching, d may also be at most R from a plane, from the line of an edge or from a corner of the sum, where
+// that is what is nearest: the sum grown by R is the union of these (space_parts.h).
+#pragma once
+
+#include "contact/mesh/space_pieces.h"
+#include "contact/set/primitive.h"
+#include "contact/set/relative_motion.h"
+
+namespace foresee::contact {
+
+/// A direction in space, not 0: that of a run, square to two runs, or square to such a one and a third run.
+struct SpaceAxis {
+  int factors;  ///< 1: u; 2: u x v; 3: (u x v) x w
+  Run u = {}, v = {}, w = {};
+};
+
+struct SpaceCondition {
+  enum class Kind : std::uint8_t {
+    plane,  ///< not beyond the plane through p - q, along the axis (sign 1) or against it (-1)
+    slab,   ///< at most R from that plane
+    tube,   ///< at most R from the line through p - q along the axis, which is a run
+    ball    ///< at most R from p - q
+  };
+  Kind kind = Kind::plane;
+  int sign = 1;
+  SpaceAxis axis = {};
+  const SpaceCorner *p, *q;
+};
+
+/// How near counts as touching.
+template <class T>
+struct SpaceSizes {
+  T radius;
+};
+
+template <class T>
+T radius_of(const Setup& setup, const double* row_a, const double* row_b) {
+  using E = Exactly<T>;
+  return E::number(value_or(row_a, setup.a.at.r, 0)) + E::number(value_or(row_b, setup.b.at.r, 0)) +
+         E::number(setup.within);
+}
+
+template <class T>
+using Components = std::array<T, 3>;
+
+/// a - b
+template <class T>
+Components<T> gap_between(const SpaceCorner& a, const SpaceCorner& b) {
+  using E = Exactly<T>;
+  return {E::difference_of(a.x, b.x), E::difference_of(a.y, b.y), E::difference_of(a.z, b.z)};
+}
+
+template <class T>
+Components<T> cross_product(const Components<T>& a, const Components<T>& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+/// A product whose underflow is counted where it happens: what it is multiplied with later may be large.
+inline Bounded safe_product(const Bounded& a, const Bounded& b) {
+  Bounded product = a * b;
+  if (std::abs(product.value) < 0x1p-960 && (a.value != 0 || a.error != 0) && (b.value != 0 || b.error != 0))
+    product.error += 0x1p-1060;
+  return product;
+}
+template <>
+inline Components<Bounded> cross_product(const Components<Bounded>& a, const Components<Bounded>& b) {
+  const auto minor = [&](std::size_t i, std::size_t j) {
+    return safe_product(a[i], b[j]) - safe_product(a[j], b[i]);
+  };
+  return {minor(1, 2), minor(2, 0), minor(0, 1)};
+}
+
+/// Square to two runs, in double but as if computed with twice the digits: of runs that are parallel but for
+/// roundings nothing else would be left than errors.
+Components<Bounded> close_cross_product(const Run& u, const Run& v);
+
+template <class T>
+Components<T> direction_of(const SpaceAxis& axis) {
+  const Components<T> u = gap_between<T>(*axis.u.to, *axis.u.from);
+  if (axis.factors == 1) return u;
+  const Components<T> normal = cross_product<T>(u, gap_between<T>(*axis.v.to, *axis.v.from));
+  if (axis.factors == 2) return normal;
+  return cross_product<T>(normal, gap_between<T>(*axis.w.to, *axis.w.from));
+}
+template <>
+inline Components<Bounded> direction_of(const SpaceAxis& axis) {
+  if (axis.factors == 1) return gap_between<Bounded>(*axis.u.to, *axis.u.from);
+  const Components<Bounded> normal = close_cross_product(axis.u, axis.v);
+  if (axis.factors == 2) return normal;
+  return cross_product(normal, gap_between<Bounded>(*axis.w.to, *axis.w.from));
+}
+
+template <class T>
+T squared_length(const Components<T>& a) {
+  return square(a[0]) + square(a[1]) + square(a[2]);
+}
+
+/// d as seen from p - q. `x`: d by powers of time.
+template <int K, class T>
+std::array<Powers<T, K>, 3> gap_from(const SpaceCondition& condition, const std::array<Powers<T, K>, 3>& x) {
+  const Components<T> at = gap_between<T>(*condition.p, *condition.q);
+  std::array<Powers<T, K>, 3> gap = x;
+  for (std::size_t j = 0; j < 3; ++j) gap[j][0] = gap[j][0] - at[j];
+  return gap;
+}
+
+/// How far d is beyond the plane, in lengths of `direction`.
+template <int K, class T>
+Powers<T, K> beyond_plane(const SpaceCondition& condition, const Components<T>& direction,
+                          const std::array<Powers<T, K>, 3>& x) {
+  const auto gap = gap_from<K>(condition, x);
+  Powers<T, K> p{};
+  for (std::size_t k = 0; k <= K; ++k) {
+    const T sum = direction[0] * gap[0][k] + direction[1] * gap[1][k] + direction[2] * gap[2][k];
+    p[k] = condition.sign < 0 ? -sum : sum;
+  }
+  return p;
+}
+
+/// The square of the distance from plane, line or corner, minus that of R, times that of the direction's
+/// length.
+template <int K, class T>
+Powers<T, 2 * K> round_polynomial(const SpaceCondition& condition, const std::array<Powers<T, K>, 3>& x,
+                                  const T& radius) {
+  Powers<T, 2 * K> p{};
+  const auto add = [&p](const Powers<T, K>& q) {
+    p[0] = p[0] + square(q[0]);
+    add_square_above<K>(p, q);
+  };
+  if (condition.kind == SpaceCondition::Kind::ball) {
+    p[0] = -square(radius);
+    for (const Powers<T, K>& gap : gap_from<K>(condition, x)) add(gap);
+    return p;
+  }
+  const Components<T> direction = direction_of<T>(condition.axis);
+  p[0] = -(square(radius) * squared_length(direction));
+  if (condition.kind == SpaceCondition::Kind::slab) {
+    add(beyond_plane<K>(condition, direction, x));
+    return p;
+  }
+  const auto gap = gap_from<K>(condition, x);
+  for (std::size_t j = 0; j < 3; ++j) {
+    const std::size_t one = (j + 1) % 3, other = (j + 2) % 3;
+    Powers<T, K> moment{};
+    for (std::size_t k = 0; k <= K; ++k)
+      moment[k] = gap[one][k] * direction[other] - gap[other][k] * direction[one];
+    add(moment);
+  }
+  return p;
+}
+
+/// Gives `take` the polynomial of a condition. `x`: d by powers of the time after some moment.
+template <int K, class T, class Take>
+auto with_polynomial(const SpaceCondition& condition, const std::array<Powers<T, K>, 3>& x,
+                     const SpaceSizes<T>& sizes, Take&& take) {
+  if (condition.kind == SpaceCondition::Kind::plane)
+    return take(beyond_plane<K>(condition, direction_of<T>(condition.axis), x));
+  return take(round_polynomial<K>(condition, x, sizes.radius));
+}
+
+}  // namespace foresee::contact
