@@ -13,8 +13,6 @@ Bounded close_minor(const Components<DoubleDouble>& a, const Components<DoubleDo
   return {minor.high, std::abs(minor.low) + lost};
 }
 
-}  // namespace
-
 Components<Bounded> close_cross_product(const Run& u, const Run& v) {
   Components<Bounded> cross =
       cross_product(gap_between<Bounded>(*u.to, *u.from), gap_between<Bounded>(*v.to, *v.from));
@@ -25,6 +23,15 @@ Components<Bounded> close_cross_product(const Run& u, const Run& v) {
   for (std::size_t j = 0; j < 3; ++j)
     if (!is_close(cross[j])) cross[j] = close_minor(a, b, (j + 1) % 3, (j + 2) % 3);
   return cross;
+}
+
+}  // namespace
+
+Components<Bounded> close_direction_of(const SpaceAxis& axis) {
+  if (axis.factors == 1) return direction_of<Bounded>(axis);
+  const Components<Bounded> normal = close_cross_product(axis.u, axis.v);
+  if (axis.factors == 2) return normal;
+  return cross_product(normal, gap_between<Bounded>(*axis.w.to, *axis.w.from));
 }
 
 }  // namespace foresee::contact

@@ -75,10 +75,6 @@ inline Components<Bounded> cross_product(const Components<Bounded>& a, const Com
   return {minor(1, 2), minor(2, 0), minor(0, 1)};
 }
 
-/// Square to two runs, in double but as if computed with twice the digits: of runs that are parallel but for
-/// roundings nothing else would be left than errors.
-Components<Bounded> close_cross_product(const Run& u, const Run& v);
-
 template <class T>
 Components<T> direction_of(const SpaceAxis& axis) {
   const Components<T> u = gap_between<T>(*axis.u.to, *axis.u.from);
@@ -87,13 +83,9 @@ Components<T> direction_of(const SpaceAxis& axis) {
   if (axis.factors == 2) return normal;
   return cross_product<T>(normal, gap_between<T>(*axis.w.to, *axis.w.from));
 }
-template <>
-inline Components<Bounded> direction_of(const SpaceAxis& axis) {
-  if (axis.factors == 1) return gap_between<Bounded>(*axis.u.to, *axis.u.from);
-  const Components<Bounded> normal = close_cross_product(axis.u, axis.v);
-  if (axis.factors == 2) return normal;
-  return cross_product(normal, gap_between<Bounded>(*axis.w.to, *axis.w.from));
-}
+/// The same in double as if computed with twice the digits: of runs that are parallel but for roundings
+/// nothing else would be left than errors.
+Components<Bounded> close_direction_of(const SpaceAxis& axis);
 
 template <class T>
 T squared_length(const Components<T>& a) {

@@ -147,7 +147,7 @@ std::span<const SpacePlanes> SpaceHull::of(const SpacePiece& a, const SpacePiece
 }
 
 void SpaceHull::add(const SpaceAxis& axis) {
-  const Components<Bounded> direction = direction_of<Bounded>(axis);
+  const Components<Bounded> direction = close_direction_of(axis);
   if (axis.factors == 2 && !are_surely_not_parallel(direction) && are_parallel(axis.u, axis.v)) return;
   const Extremes a(*a_, axis, direction), b(*b_, axis, direction);
   const SpaceCondition before{

@@ -58,20 +58,15 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     const SpacePlanes* flat = nullptr;
     for (const SpacePlanes& pair : planes) {
       if (space_.clipped.empty()) return;
-      if (pair.is_flat && !flat)
-        flat = &pair;
+      if (pair.is_flat && a_or_b_is_a_mesh())
+        flat = &pair;  // of a triangle's sum, all such are the plane that it lies in
       else
         keep(pair);
     }
-    if (flat && a_or_b_is_a_mesh())
+    if (flat)
       end_flat_part(*flat);
     else
-      end_whole_part(flat);
-  }
-
-  void end_whole_part(const SpacePlanes* more) {
-    if (more) keep(*more);
-    end_part();
+      end_part();
   }
 
   /// The stays within all other planes are known.
@@ -123,7 +118,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   }
   void keep_plane(const SpaceCondition& plane) {
     if (space_.clipped.empty()) return;
-    keep(plane, times_within(plane, direction_of<Bounded>(plane.axis), {}));
+    keep(plane, times_within(plane, close_direction_of(plane.axis), {}));
   }
   /// Not farther beyond the plane than `more`, in lengths of its direction.
   Inside times_within(const SpaceCondition& plane, const Components<Bounded>& direction,
@@ -143,7 +138,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   }
   /// As two planes: fewer powers than their square has.
   void keep_slab(const SpaceCondition& slab) {
-    const Components<Bounded> direction = direction_of<Bounded>(slab.axis);
+    const Components<Bounded> direction = close_direction_of(slab.axis);
     const Bounded more = radius_ * sqrt(with_lost(squared_length(direction), 0x1p-1060));
     for (const int side : {-1, 1}) {
       SpaceCondition plane = slab;

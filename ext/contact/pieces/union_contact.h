@@ -92,7 +92,13 @@ class UnionContact final : public Contact {
       begin = {exact->dt, exact->t};
     }
     if (wanted != TimesWanted::both) return ContactTimes{begin.t, begin.t, begin.dt, begin.dt};
-    const Instant end = staged.end_of_contact(touches == Verdict::uncertain);
+    Instant end = staged.end_of_contact(touches == Verdict::uncertain);
+    if (!end.known() && staged.last_certain_moment() == -Stay::inf) {
+      const auto exact = exact_contact(rows, staged, -Stay::inf, staged.met_by());
+      if (exact.value().dt_end < Stay::inf)
+        return ContactTimes{begin.t, exact->t_end, begin.dt, exact->dt_end};
+      end = staged.end_of_contact(true);
+    }
     if (end.known()) return ContactTimes{begin.t, end.t, begin.dt, end.dt};
     const auto exact = exact_contact(rows, staged, staged.last_certain_moment());
     return ContactTimes{begin.t, exact.value().t_end, begin.dt, exact.value().dt_end};
