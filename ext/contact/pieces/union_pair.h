@@ -8,40 +8,26 @@
 // The pieces of a solid are its surface alone. Then contact is also what lies between two stays, before the
 // first or after the last, if one of the two lies within the other there: nothing of that changes unless the
 // surfaces touch, so it is asked at one moment.
-//
-// A Kit says what the pieces are. It has `axes` and `degree` of the motion, the types Pieces (of one object,
-// under a tree), Condition, Sizes<T>, Space and Tests (pair_tests.h), sizes_of<T>() and Within, which tells
-// of solids whether one lies within the other; `has_solids` says that there may be some.
 #pragma once
 
-#include "contact/certain/advancement.h"
-#include "contact/certain/certain_motion.h"
+#include "contact/pieces/pair_stays.h"
 #include "contact/pieces/stay_instant.h"
-#include "contact/pieces/tree_walk.h"
 
 namespace foresee::contact {
 
 template <class Kit>
-class UnionPair {
+class UnionPair : public PairStays<Kit> {
+  using Base = PairStays<Kit>;
+  using Base::moments_, Base::asked_, Base::within_, Base::tests_, Base::walk_;
+
  public:
-  using Pieces = typename Kit::Pieces;
-
-  /// The moments must not be none. `times_wanted`: more is asked than whether they touch. An interrupt is
-  /// heeded at each of the `steps`.
-  UnionPair(const Setup& setup, const double* row_a, const double* row_b, const Pieces& a, const Pieces& b,
-            const Moments& moments, bool times_wanted, typename Kit::Space& space, Steps& steps)
-      : moments_(moments),
-        relative_(certain_motion_of<Kit::axes, Kit::degree>(setup, row_a, row_b)),
-        asked_(asked_of(moments)),
-        sizes_(Kit::template sizes_of<Bounded>(setup, row_a, row_b)),
-        within_(setup, row_a, row_b, a, b, relative_, steps),
-        tests_(a, b, relative_, asked_, sizes_, times_wanted, space),
-        walk_(a, b, relative_, {asked_.begin.low, asked_.end.high}, sizes_, steps),
-        instants_(setup, row_a, row_b, relative_, sizes_, moments_, asked_),
+  /// As that of PairStays.
+  UnionPair(const Setup& setup, const double* row_a, const double* row_b, const typename Kit::Pieces& a,
+            const typename Kit::Pieces& b, const Moments& moments, bool times_wanted,
+            typename Kit::Space& space, Steps& steps)
+      : Base(setup, row_a, row_b, a, b, moments, times_wanted, space, steps),
+        instants_(setup, row_a, row_b, Base::relative_, Base::sizes_, moments, asked_),
         seen_(space.seen) {}
-
-  UnionPair(const UnionPair&) = delete;
-  UnionPair& operator=(const UnionPair&) = delete;
 
   /// Is there a contact? Stops at the first that is certain. If it is uncertain, the pieces alone tell.
   Verdict touches() {
@@ -98,82 +84,7 @@ class UnionPair {
   /// After that: the last moment that certainly belongs to this contact; -infinity where none is known.
   double last_certain_moment() const { return last_.low; }
 
-  /// Whether one lies within the other. Requires: their surfaces do not touch then.
-  bool is_within_at(const Dyadic& moment) { return within_.at(moment); }
-
-  // For the exact stage: what is possible, in order of time.
-
-  /// When contact may begin that begins later than `after`; infinite if none may.
-  double first_possible(double after) {
-    double first = Stay::inf;
-    all_seen_ = false;
-    walk_.visit(
-        Order::earlier_first,
-        [&](const Period<double>& near) { return near.end > after && near.begin < first; },
-        [&](std::size_t a, std::size_t b, const Period<double>& near) {
-          for (const PieceStay& stay : tests_.of(a, b)) {
-            const auto [begin, end] = possible(stay, near);
-            if (begin <= end && begin > after) first = std::min(first, begin);
-          }
-        });
-    return first;
-  }
-  /// Until when contact may last that may be at `from`.
-  double possible_until(double from) {
-    double until = from, passed_by = from;
-    while (passed_by <= until) {
-      passed_by = Stay::inf;
-      const auto begins_by_then = [&](double begin) {
-        if (begin > until) passed_by = std::min(passed_by, begin);
-        return begin <= until;
-      };
-      walk_.visit(
-          Order::earlier_first,
-          [&](const Period<double>& near) { return near.end >= from && begins_by_then(near.begin); },
-          [&](std::size_t a, std::size_t b, const Period<double>& near) {
-            for (const PieceStay& stay : tests_.of(a, b)) {
-              const auto [begin, end] = possible(stay, near);
-              if (begin <= end && end >= from && begins_by_then(begin)) until = std::max(until, end);
-            }
-          });
-    }
-    return until;
-  }
-  /// Gives `take` each pair of pieces that may touch within the period, as long as it returns true.
-  template <class Take>
-  void possible_pairs(const Period<double>& period, Take&& take) {
-    bool more = true;
-    walk_.visit(
-        Order::earlier_first,
-        [&](const Period<double>& near) {
-          return more && near.begin <= period.end && near.end >= period.begin;
-        },
-        [&](std::size_t a, std::size_t b, const Period<double>& near) {
-          const auto stays = tests_.of(a, b);
-          if (std::any_of(stays.begin(), stays.end(), [&](const PieceStay& stay) {
-                const auto [begin, end] = possible(stay, near);
-                return begin <= end && begin <= period.end && end >= period.begin;
-              }))
-            more = take(PiecePair{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
-        });
-  }
-  bool is_grown() const { return sizes_.radius.value > 0; }  ///< near counts as touching
-
  private:
-  /// Outward and inward.
-  static Stay asked_of(const Moments& moments) {
-    constexpr double u = unit_roundoff;
-    const double begin = moments.dt_begin, end = moments.dt_end;
-    const double wider_begin = moments.begin_exact ? 0 : 2 * u * begin;
-    const double wider_end = moments.end_exact ? 0 : 2 * u * end;
-    return {{begin - wider_begin, begin + wider_begin}, {end - wider_end, end + wider_end}};
-  }
-
-  /// At no other moment may they touch; never if the end is before the begin.
-  static Period<double> possible(const PieceStay& stay, const Period<double>& near) {
-    return {std::max(stay.begin.low, near.begin), std::min(stay.end.high, near.end)};
-  }
-
   /// They certainly touch when what is asked about begins.
   bool begins_at_once() const { return met_by_ <= asked_.begin.low; }
 
@@ -220,7 +131,10 @@ class UnionPair {
     if (seen_.empty()) return false;
     const auto are_all = [this](auto&& what) { return std::all_of(seen_.begin(), seen_.end(), what); };
     if (!are_all([](const PieceStay& stay) { return stay.is_certain(); })) return false;
-    if (seen_.size() == 1) return last_ = seen_[0].end, true;
+    if (seen_.size() == 1) {
+      last_ = seen_[0].end, last_is_moment_ = seen_[0].is_moment;
+      return true;
+    }
     if (!are_all([](const PieceStay& stay) { return !stay.is_moment; })) return false;
     last_ = {met_by, met_by};  // whichever is first lasts until then
     return true;
@@ -233,7 +147,8 @@ class UnionPair {
     bool in_doubt = false;
     at_the_end([&](const PieceStay& stay) { in_doubt |= may_continue_it(stay); });
     if (in_doubt) return false;
-    const double next = first_possible(last_.high), until = std::min(next, asked_.end.low);
+    all_seen_ = false;  // as others may be tested
+    const double next = Base::first_possible(last_.high), until = std::min(next, asked_.end.low);
     const double between = last_.high + (until - last_.high) / 2;
     end_in_doubt_ = !(last_.high < between && between < until);
     if (end_in_doubt_ || !within_.at(Dyadic(between))) return false;
@@ -290,7 +205,11 @@ class UnionPair {
 
   bool lasts_to_the_end() const { return last_.low >= asked_.end.high; }
 
-  bool is_joined(const PieceStay& stay) const { return stay.is_certain() && stay.begin.high <= last_.low; }
+  bool is_joined(const PieceStay& stay) const {
+    if (stay.is_moment && last_is_moment_ && stay.end.low == last_.low && stay.end.high == last_.high)
+      return true;
+    return stay.is_certain() && stay.begin.high <= last_.low;
+  }
   bool may_end_it(const PieceStay& stay) const { return is_joined(stay) && stay.end.high >= last_.low; }
   /// Whether it begins before the end is in doubt, or whether it is, and it would end after that.
   bool may_continue_it(const PieceStay& stay) const {
@@ -354,18 +273,12 @@ class UnionPair {
     return latest;
   }
 
-  const Moments& moments_;
-  const CertainMotion<Kit::axes> relative_;
-  const Stay asked_;
-  const typename Kit::template Sizes<Bounded> sizes_;
-  typename Kit::Within within_;
-  typename Kit::Tests tests_;
-  const TreeWalk<Kit::axes, Pieces> walk_;
   StayInstants<Kit> instants_;
   std::vector<PieceStay>& seen_;  ///< by the last walk of follow()
   bool all_seen_ = false;         ///< and known still
   bool begins_within_ = false;    ///< one in the other
   bool end_in_doubt_ = false;
+  bool last_is_moment_ = false;             ///< when the contact was entered again, alone
   double met_by_ = Stay::inf;               ///< by then they certainly touch
   Instant earliest_{Stay::inf, Stay::inf};  ///< of the begins that are known
   double unknown_from_ = Stay::inf;         ///< and since when one may be that is not
