@@ -10,7 +10,7 @@ namespace foresee::contact {
 namespace {
 
 using namespace testing_by_hand;
-using oracle::Place;
+using oracle::Encounter;
 using oracle::Rational;
 using oracle::Region;
 using oracle::Stretch;
@@ -25,30 +25,20 @@ Region region_of(const OutlinedObject& o) {
   return {{{-x, -y}, {x, -y}, {x, y}, {-x, y}}};
 }
 
+Encounter encounter_of(const OutlineScene& scene) {
+  return {scene.a.row, scene.b.row, scene.question};
+}
+
 /// Empty if the answer is right, else what is wrong.
 std::string judged(const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
-  const Object &a = scene.a.row, &b = scene.b.row;
-  const Rational now(scene.question.horizon.now);
-  const auto at_now = [&](const Object& o, int j) -> Rational {
-    return Rational(o.x[j]) + Rational(o.v[j]) * (now - Rational(o.t));
-  };
-  const Place place{at_now(b, 0) - at_now(a, 0), at_now(b, 1) - at_now(a, 1)};
-  const Place velocity{Rational(b.v[0]) - Rational(a.v[0]), Rational(b.v[1]) - Rational(a.v[1])};
-  Stretch asked{0, Rational(scene.question.horizon.h)};
-  for (const Object* o : {&a, &b}) {
-    asked.begin = std::max<Rational>(asked.begin, Rational(o->t) - now);
-    if (std::isfinite(o->until)) asked.end = std::min<Rational>(asked.end, Rational(o->until) - now);
-  }
+  const Encounter encounter = encounter_of(scene);
+  const Stretch asked = encounter.asked();
   std::optional<Stretch> exact;
   if (asked.begin <= asked.end)
-    exact = oracle::first_contact(region_of(scene.a), region_of(scene.b), place, velocity, asked);
-  if (exact.has_value() != answer.has_value()) return exact ? "missed" : "invented";
-  if (!exact) return {};
-  if (!oracle::is_rounded(answer->dt, exact->begin)) return "wrong dt";
-  if (!oracle::is_rounded(answer->t, exact->begin + now)) return "wrong t";
-  if (!oracle::is_rounded(answer->dt_end, exact->end)) return "wrong dt_end";
-  if (!oracle::is_rounded(answer->t_end, exact->end + now)) return "wrong t_end";
-  return {};
+    exact = oracle::first_contact(region_of(scene.a), region_of(scene.b),
+                                  {encounter.place(0, 0), encounter.place(1, 0)},
+                                  {encounter.velocity(0), encounter.velocity(1)}, asked);
+  return oracle::compared(exact, answer, scene.question.horizon.now);
 }
 
 TEST(OutlineContact, IsThatOfRationalNumbers) {
@@ -67,56 +57,16 @@ TEST(OutlineContact, IsThatOfRationalNumbers) {
   EXPECT_GE(4 * contacts, cases);
 }
 
-/// Where b is seen from a at a moment from now on, exactly.
-Place place_at(const OutlineScene& scene, const Rational& moment) {
-  const auto at = [&](const Object& o, int j) -> Rational {
-    const Rational s = moment + Rational(scene.question.horizon.now) - Rational(o.t);
-    return Rational(o.x[j]) + s * (Rational(o.v[j]) + s * Rational(o.a[j]) / 2);
+/// The same, of any radius and motion.
+std::string judged_by_moments(const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
+  const Encounter encounter = encounter_of(scene);
+  const Region a = region_of(scene.a), b = region_of(scene.b);
+  const auto touch = [&](const Rational& moment) {
+    return oracle::touch_at(a, b, {encounter.place(0, moment), encounter.place(1, moment)},
+                            encounter.radius());
   };
-  const Object &a = scene.a.row, &b = scene.b.row;
-  return {at(b, 0) - at(a, 0), at(b, 1) - at(a, 1)};
+  return oracle::judged_by_moments(touch, scene.question.horizon.h, answer);
 }
-
-/// Judges contact of any radius and motion by single moments: just beside the times that were answered, and
-/// many others. Empty if nothing is wrong.
-class MomentJudge {
- public:
-  explicit MomentJudge(const OutlineScene& scene)
-      : scene_(scene),
-        a_(region_of(scene.a)),
-        b_(region_of(scene.b)),
-        radius_(Rational(scene.a.row.r) + Rational(scene.b.row.r) + Rational(scene.question.within)) {}
-
-  std::string judged(const std::optional<ContactTimes>& answer) const {
-    const double h = scene_.question.horizon.h, begin = answer ? answer->dt : 2 * h;
-    const double end = answer ? answer->dt_end : 2 * h;
-    for (int i = 0; i <= 16; ++i) {
-      const double moment = h * i / 16;
-      if (moment < begin && touch(moment)) return answer ? "begins earlier" : "missed";
-      if (begin < moment && moment < end && !touch(moment)) return "ends earlier";
-    }
-    if (!answer) return {};
-    if (begin > 0 && touch(beside(begin, -1))) return "begins earlier by an ulp";
-    if (begin < end && !touch(beside(begin, 1))) return "begins later";
-    if (end < h && touch(beside(end, 1))) return "ends later";
-    if (begin < end && !touch(beside(end, -1))) return "ends earlier by an ulp";
-    return {};
-  }
-
- private:
-  bool touch(const Rational& moment) const {
-    return oracle::touch_at(a_, b_, place_at(scene_, moment), radius_);
-  }
-  /// A little more than half an ulp before or after, where another double would be the nearest.
-  static Rational beside(double moment, int side) {
-    const double next = std::nextafter(moment, side * HUGE_VAL);
-    return Rational(moment) + (Rational(next) - Rational(moment)) * Rational(513, 1024);
-  }
-
-  const OutlineScene& scene_;
-  const Region a_, b_;
-  const Rational radius_;
-};
 
 TEST(OutlineContact, OfAnyRadiusAndMotionIsRightAtEveryMoment) {
   int cases = 0, contacts = 0;
@@ -136,7 +86,7 @@ TEST(OutlineContact, OfAnyRadiusAndMotionIsRightAtEveryMoment) {
         if (!family.bent && scene.question.within + scene.b.row.r == 0) continue;  // judged above
         const auto answer = outline_contact(scene);
         ++cases, contacts += answer.has_value();
-        ASSERT_EQ(MomentJudge(scene).judged(answer), "")
+        ASSERT_EQ(judged_by_moments(scene, answer), "")
             << family.name << " pairing " << static_cast<int>(pairing) << " seed " << seed << '\n'
             << described(scene);
       }

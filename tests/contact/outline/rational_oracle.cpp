@@ -1,8 +1,6 @@
 #include "contact/outline/rational_oracle.h"
 
 #include <algorithm>
-#include <bit>
-#include <cmath>
 
 namespace foresee::contact::oracle {
 namespace {
@@ -105,13 +103,7 @@ class Scene {
   std::optional<Stretch> first_contact() {
     meet_boundaries();
     fill_gaps();
-    if (contacts_.empty()) return {};
-    std::sort(contacts_.begin(), contacts_.end(),
-              [](const Stretch& s, const Stretch& t) { return s.begin < t.begin; });
-    Stretch first = contacts_[0];
-    for (const Stretch& s : contacts_)
-      if (s.begin <= first.end && first.end < s.end) first.end = s.end;
-    return first;
+    return first_of(contacts_);
   }
 
  private:
@@ -125,14 +117,7 @@ class Scene {
 
   /// Where no boundaries meet, nothing enters or leaves.
   void fill_gaps() {
-    std::vector<Stretch> met = contacts_;
-    std::sort(met.begin(), met.end(), [](const Stretch& s, const Stretch& t) { return s.begin < t.begin; });
-    Rational reached = asked_.begin;
-    for (const Stretch& s : met) {
-      if (reached < s.begin) fill(reached, s.begin);
-      reached = std::max(reached, s.end);
-    }
-    if (reached < asked_.end || met.empty()) fill(reached, asked_.end);
+    for (const Stretch& gap : gaps_between(contacts_, asked_)) fill(gap.begin, gap.end);
   }
 
   void fill(const Rational& begin, const Rational& end) {
@@ -165,15 +150,6 @@ bool touch_at(const Region& a, const Region& b, const Place& place, const Ration
     });
   });
   return near;
-}
-
-bool is_rounded(double value, const Rational& exact) {
-  const double inf = std::numeric_limits<double>::infinity();
-  const Rational here(value);
-  const Rational low = (here + Rational(std::nextafter(value, -inf))) / 2;
-  const Rational high = (here + Rational(std::nextafter(value, inf))) / 2;
-  const bool even = std::bit_cast<std::uint64_t>(value) % 2 == 0;
-  return even ? low <= exact && exact <= high : low < exact && exact < high;
 }
 
 }  // namespace foresee::contact::oracle

@@ -6,15 +6,13 @@
 // within the other. All moments together, in order of time, are the contacts.
 #pragma once
 
-#include <boost/multiprecision/cpp_int.hpp>
 #include <optional>
 #include <vector>
 
+#include "contact/rational_judge.h"
 #include "shape/outline/outline.h"
 
 namespace foresee::contact::oracle {
-
-using Rational = boost::multiprecision::cpp_rational;
 
 /// A place in the plane, exactly.
 struct Place {
@@ -24,19 +22,11 @@ struct Place {
 /// Rings of one region: a point is within if it is inside of an odd number of them. A point is a ring of one.
 using Region = std::vector<std::vector<Corner>>;
 
-/// Closed.
-struct Stretch {
-  Rational begin, end;
-};
-
 /// The first stretch of contact within `asked` of `a` at rest and `b`, which is at place + s velocity.
 std::optional<Stretch> first_contact(const Region& a, const Region& b, const Place& place,
                                      const Place& velocity, const Stretch& asked);
 
 /// Does b, moved by `place`, come within `radius` of a, or lie in it? At one moment, whatever the motion.
 bool touch_at(const Region& a, const Region& b, const Place& place, const Rational& radius);
-
-/// Is `value` the double nearest to `exact`, ties to even?
-bool is_rounded(double value, const Rational& exact);
 
 }  // namespace foresee::contact::oracle

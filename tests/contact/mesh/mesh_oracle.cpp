@@ -1,0 +1,206 @@
+#include "contact/mesh/mesh_oracle.h"
+
+#include <algorithm>
+#include <random>
+
+#include "contact/mesh/facets.h"
+
+namespace foresee::contact::oracle {
+namespace {
+
+using BigInteger = boost::multiprecision::cpp_int;
+
+/// All lengths in a unit of which they are whole multiples.
+class CommonUnit {
+ public:
+  void measure(const Rational& length) {
+    const BigInteger below = denominator(length);
+    if (per_one_ % below != 0) per_one_ = lcm(per_one_, below);
+  }
+  void measure(const SpacePlace& place) {
+    for (const Rational& length : place) measure(length);
+  }
+  void measure(const Body& body) {
+    for (const auto& triangle : body.triangles)
+      for (const SpaceCorner& corner : triangle) measure({corner.x, corner.y, corner.z});
+  }
+
+  Whole in_units(const Rational& length) const {
+    return Whole(BigInteger(numerator(length) * (per_one_ / denominator(length))));
+  }
+  Arrow in_units(const SpacePlace& place) const {
+    return {in_units(place[0]), in_units(place[1]), in_units(place[2])};
+  }
+  std::vector<Facet> in_units(const Body& body, const SpacePlace& shift) const {
+    const Arrow by = in_units(shift);
+    std::vector<Facet> facets;
+    for (const auto& triangle : body.triangles) {
+      Facet& facet = facets.emplace_back();
+      for (std::size_t i = 0; i < 3; ++i)
+        facet[i] = by + in_units(SpacePlace{triangle[i].x, triangle[i].y, triangle[i].z});
+    }
+    return facets;
+  }
+
+ private:
+  BigInteger per_one_ = 1;
+};
+
+Fraction fraction_of(const Rational& number) {
+  return {Whole(BigInteger(numerator(number))), Whole(BigInteger(denominator(number)))};
+}
+Rational rational_of(const Fraction& fraction) {
+  return Rational(BigInteger(fraction.above), BigInteger(fraction.below));
+}
+
+/// By an odd number of crossings. Requires: on no facet.
+bool is_within(const Arrow& corner, const std::vector<Facet>& solid) {
+  std::mt19937 random;
+  const auto any = [&random] { return Whole(static_cast<int>(random() % 2001) - 1000); };
+  while (true) {
+    const Arrow ray{any(), any(), any()};
+    int count = 0;
+    const bool is_told = std::all_of(solid.begin(), solid.end(), [&](const Facet& facet) {
+      const std::optional<int> crossed = crossings(corner, ray, facet);
+      count += crossed.value_or(0);
+      return crossed.has_value();
+    });
+    if (is_told) return count % 2 == 1;
+  }
+}
+
+/// Some triangle of `inner` is within `outer`. Requires: their surfaces do not touch.
+bool holds_one(const std::vector<Facet>& outer, const std::vector<Facet>& inner) {
+  return std::any_of(inner.begin(), inner.end(),
+                     [&](const Facet& facet) { return is_within(facet[0], outer); });
+}
+
+struct Bounds {
+  Arrow lower, upper;
+
+  explicit Bounds(const Facet& f)
+      : lower{std::min({f[0].x, f[1].x, f[2].x}), std::min({f[0].y, f[1].y, f[2].y}),
+              std::min({f[0].z, f[1].z, f[2].z})},
+        upper{std::max({f[0].x, f[1].x, f[2].x}), std::max({f[0].y, f[1].y, f[2].y}),
+              std::max({f[0].z, f[1].z, f[2].z})} {}
+};
+
+/// On which sides of a is b, by more than `distance`? A bit for each of six.
+unsigned sides_of(const Bounds& a, const Bounds& b, const Whole& distance) {
+  unsigned sides = 0;
+  for (const auto axis : {&Arrow::x, &Arrow::y, &Arrow::z}) {
+    sides = 4 * sides + (a.upper.*axis + distance < b.lower.*axis ? 1 : 0) +
+            (b.upper.*axis + distance < a.lower.*axis ? 2 : 0);
+  }
+  return sides;
+}
+
+/// Both at one moment, in a unit of that moment.
+struct Still {
+  std::vector<Facet> a, b;
+  std::vector<Bounds> bounds_a, bounds_b;
+
+  Still(const std::vector<Facet>& resting, const std::vector<Facet>& flying, const Arrow& velocity,
+        const Fraction& moment)
+      : a(resting), b(flying) {
+    const Arrow way = moment.above * velocity;
+    for (Facet& facet : a)
+      for (Arrow& corner : facet) corner = moment.below * corner;
+    for (Facet& facet : b)
+      for (Arrow& corner : facet) corner = moment.below * corner + way;
+    for (const Facet& facet : a) bounds_a.emplace_back(facet);
+    for (const Facet& facet : b) bounds_b.emplace_back(facet);
+  }
+};
+
+class Scene {
+ public:
+  Scene(const Body& a, const Body& b, const SpacePlace& place, const SpacePlace& velocity,
+        const Stretch& asked)
+      : a_is_solid_(a.is_solid), b_is_solid_(b.is_solid), asked_(asked) {
+    CommonUnit unit;
+    unit.measure(a), unit.measure(b), unit.measure(place), unit.measure(velocity);
+    a_ = unit.in_units(a, {}), b_ = unit.in_units(b, place);
+    velocity_ = unit.in_units(velocity);
+  }
+
+  std::optional<Stretch> first_contact() {
+    meet_surfaces();
+    for (const Stretch& gap : gaps_between(contacts_, asked_))
+      if (lies_within((gap.begin + gap.end) / 2)) contacts_.push_back(gap);
+    return first_of(contacts_);
+  }
+
+ private:
+  void meet_surfaces() {
+    const Span asked{fraction_of(asked_.begin), fraction_of(asked_.end)};
+    const Still first(a_, b_, velocity_, asked.begin), last(a_, b_, velocity_, asked.end);
+    for (std::size_t i = 0; i < a_.size(); ++i)
+      for (std::size_t j = 0; j < b_.size(); ++j) {
+        const unsigned sides = sides_of(first.bounds_a[i], first.bounds_b[j], 0);
+        if ((sides & sides_of(last.bounds_a[i], last.bounds_b[j], 0)) != 0) continue;  // never meet
+        const bool at_first = sides == 0 && touch(first.a[i], first.b[j]);
+        const bool at_last = touch(last.a[i], last.b[j]);
+        auto met = at_first && at_last ? asked : features_meet(a_[i], b_[j], velocity_, asked);
+        if (!met && !at_first && !at_last) continue;
+        contacts_.push_back({at_first ? asked_.begin : rational_of(met->begin),
+                             at_last ? asked_.end : rational_of(met->end)});
+      }
+  }
+
+  bool lies_within(const Rational& moment) const {
+    const Still still(a_, b_, velocity_, fraction_of(moment));
+    return (a_is_solid_ && holds_one(still.a, still.b)) || (b_is_solid_ && holds_one(still.b, still.a));
+  }
+
+  const bool a_is_solid_, b_is_solid_;
+  const Stretch asked_;
+  std::vector<Facet> a_, b_;
+  Arrow velocity_;
+  std::vector<Stretch> contacts_;
+};
+
+}  // namespace
+
+Body body_of(const shape::Mesh& mesh) {
+  Body body{{}, mesh.is_solid()};
+  for (const shape::Triangle& t : mesh.triangles())
+    body.triangles.push_back({mesh.corners()[t[0]], mesh.corners()[t[1]], mesh.corners()[t[2]]});
+  return body;
+}
+
+Body box_body(double half_x, double half_y, double half_z) {
+  // A corner for each of eight numbers, whose bits say on which sides it is; faces of four corners, in turn.
+  const auto corner = [&](int sides) -> SpaceCorner {
+    return {sides & 1 ? half_x : -half_x, sides & 2 ? half_y : -half_y, sides & 4 ? half_z : -half_z};
+  };
+  static constexpr int faces[6][4] = {{0, 1, 3, 2}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                      {2, 3, 7, 6}, {0, 2, 6, 4}, {1, 3, 7, 5}};
+  Body body{{}, half_x > 0 && half_y > 0 && half_z > 0};
+  if (half_x == 0 && half_y == 0 && half_z == 0) return {{{corner(0), corner(0), corner(0)}}};
+  for (const auto& face : faces) {
+    body.triangles.push_back({corner(face[0]), corner(face[1]), corner(face[2])});
+    body.triangles.push_back({corner(face[0]), corner(face[2]), corner(face[3])});
+  }
+  return body;
+}
+
+std::optional<Stretch> first_contact(const Body& a, const Body& b, const SpacePlace& place,
+                                     const SpacePlace& velocity, const Stretch& asked) {
+  return Scene(a, b, place, velocity, asked).first_contact();
+}
+
+bool touch_at(const Body& a, const Body& b, const SpacePlace& place, const Rational& radius) {
+  CommonUnit unit;
+  unit.measure(a), unit.measure(b), unit.measure(place), unit.measure(radius);
+  const Still still(unit.in_units(a, {}), unit.in_units(b, place), {}, {0, 1});
+  const Whole reach = unit.in_units(radius), squared = reach * reach;
+  for (std::size_t i = 0; i < still.a.size(); ++i)
+    for (std::size_t j = 0; j < still.b.size(); ++j) {
+      if (sides_of(still.bounds_a[i], still.bounds_b[j], reach) != 0) continue;
+      if (touch(still.a[i], still.b[j]) || are_near(still.a[i], still.b[j], squared)) return true;
+    }
+  return (a.is_solid && holds_one(still.a, still.b)) || (b.is_solid && holds_one(still.b, still.a));
+}
+
+}  // namespace foresee::contact::oracle

@@ -1,0 +1,105 @@
+#include "contact/rational_judge.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace foresee::contact::oracle {
+namespace {
+
+bool begins_before(const Stretch& s, const Stretch& t) {
+  return s.begin < t.begin;
+}
+
+/// A little more than half an ulp before or after, where another double would be the nearest.
+Rational beside(double moment, int side) {
+  const double next = std::nextafter(moment, side * HUGE_VAL);
+  return Rational(moment) + (Rational(next) - Rational(moment)) * Rational(513, 1024);
+}
+
+}  // namespace
+
+std::optional<Stretch> first_of(std::vector<Stretch> contacts) {
+  if (contacts.empty()) return {};
+  std::sort(contacts.begin(), contacts.end(), begins_before);
+  Stretch first = contacts[0];
+  for (const Stretch& s : contacts)
+    if (s.begin <= first.end && first.end < s.end) first.end = s.end;
+  return first;
+}
+
+std::vector<Stretch> gaps_between(std::vector<Stretch> contacts, const Stretch& asked) {
+  std::sort(contacts.begin(), contacts.end(), begins_before);
+  std::vector<Stretch> gaps;
+  Rational reached = asked.begin;
+  for (const Stretch& s : contacts) {
+    if (reached < s.begin) gaps.push_back({reached, s.begin});
+    reached = std::max(reached, s.end);
+  }
+  if (reached < asked.end || contacts.empty()) gaps.push_back({reached, asked.end});
+  return gaps;
+}
+
+bool is_rounded(double value, const Rational& exact) {
+  const double inf = std::numeric_limits<double>::infinity();
+  const Rational here(value);
+  const Rational low = (here + Rational(std::nextafter(value, -inf))) / 2;
+  const Rational high = (here + Rational(std::nextafter(value, inf))) / 2;
+  const bool even = std::bit_cast<std::uint64_t>(value) % 2 == 0;
+  return even ? low <= exact && exact <= high : low < exact && exact < high;
+}
+
+Stretch Encounter::asked() const {
+  const Rational now(question.horizon.now);
+  Stretch asked{0, Rational(question.horizon.h)};
+  for (const auto* o : {&a, &b}) {
+    asked.begin = std::max<Rational>(asked.begin, Rational(o->t) - now);
+    if (std::isfinite(o->until)) asked.end = std::min<Rational>(asked.end, Rational(o->until) - now);
+  }
+  return asked;
+}
+
+Rational Encounter::place(int axis, const Rational& moment) const {
+  const auto at = [&](const testing_by_hand::Object& o) -> Rational {
+    const Rational s = moment + Rational(question.horizon.now) - Rational(o.t);
+    return Rational(o.x[axis]) + s * (Rational(o.v[axis]) + s * Rational(o.a[axis]) / 2);
+  };
+  return at(b) - at(a);
+}
+
+Rational Encounter::velocity(int axis) const {
+  return Rational(b.v[axis]) - Rational(a.v[axis]);
+}
+
+Rational Encounter::radius() const {
+  return Rational(a.r) + Rational(b.r) + Rational(question.within);
+}
+
+std::string compared(const std::optional<Stretch>& exact, const std::optional<ContactTimes>& answer,
+                     double now) {
+  if (exact.has_value() != answer.has_value()) return exact ? "missed" : "invented";
+  if (!exact) return {};
+  if (!is_rounded(answer->dt, exact->begin)) return "wrong dt";
+  if (!is_rounded(answer->t, exact->begin + Rational(now))) return "wrong t";
+  if (!is_rounded(answer->dt_end, exact->end)) return "wrong dt_end";
+  if (!is_rounded(answer->t_end, exact->end + Rational(now))) return "wrong t_end";
+  return {};
+}
+
+std::string judged_by_moments(const std::function<bool(const Rational&)>& touch, double h,
+                              const std::optional<ContactTimes>& answer) {
+  const double begin = answer ? answer->dt : 2 * h, end = answer ? answer->dt_end : 2 * h;
+  for (int i = 0; i <= 16; ++i) {
+    const double moment = h * i / 16;
+    if (moment < begin && touch(moment)) return answer ? "begins earlier" : "missed";
+    if (begin < moment && moment < end && !touch(moment)) return "ends earlier";
+  }
+  if (!answer) return {};
+  if (begin > 0 && touch(beside(begin, -1))) return "begins earlier by an ulp";
+  if (begin < end && !touch(beside(begin, 1))) return "begins later";
+  if (end < h && touch(beside(end, 1))) return "ends later";
+  if (begin < end && !touch(beside(end, -1))) return "ends earlier by an ulp";
+  return {};
+}
+
+}  // namespace foresee::contact::oracle
