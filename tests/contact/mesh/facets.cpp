@@ -115,6 +115,18 @@ Arrow normal_of(const Facet& facet) {
   return cross(facet[1] - facet[0], facet[2] - facet[0]);
 }
 
+unsigned side_of(const Facet& plane, const Facet& other, const Whole& squared) {
+  const Arrow normal = normal_of(plane);
+  const Whole level = dot(normal, plane[0]), reach = squared == 0 ? squared : squared * dot(normal, normal);
+  unsigned side = 3;
+  for (const Arrow& corner : other) {
+    const Whole high = dot(normal, corner) - level;
+    if (high == 0 || (reach > 0 && high * high <= reach)) return 0;
+    side &= high > 0 ? 1 : 2;
+  }
+  return side;
+}
+
 std::optional<Span> corner_meets(const Arrow& corner, const Arrow& velocity, const Facet& facet, Span asked) {
   const Seen seen(facet);
   if (seen.squared == 0) return {};

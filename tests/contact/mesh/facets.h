@@ -13,6 +13,8 @@ namespace foresee::contact::oracle {
 
 struct Arrow {
   Whole x, y, z;
+
+  friend bool operator==(const Arrow&, const Arrow&) = default;
 };
 Arrow operator+(const Arrow& a, const Arrow& b);
 Arrow operator-(const Arrow& a, const Arrow& b);
@@ -23,6 +25,10 @@ Whole dot(const Arrow& a, const Arrow& b);
 /// Corners of a triangle.
 using Facet = std::array<Arrow, 3>;
 Arrow normal_of(const Facet& facet);
+
+/// Is the other wholly above its plane (1), wholly below (2), or neither (0)? By more than a distance whose
+/// square this is.
+unsigned side_of(const Facet& plane, const Facet& other, const Whole& squared);
 
 /// above / below, not reduced; below is positive.
 struct Fraction {

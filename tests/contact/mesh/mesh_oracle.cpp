@@ -71,8 +71,12 @@ bool is_within(const Arrow& corner, const std::vector<Facet>& solid) {
 
 /// Some triangle of `inner` is within `outer`. Requires: their surfaces do not touch.
 bool holds_one(const std::vector<Facet>& outer, const std::vector<Facet>& inner) {
-  return std::any_of(inner.begin(), inner.end(),
-                     [&](const Facet& facet) { return is_within(facet[0], outer); });
+  std::vector<Arrow> asked;
+  return std::any_of(inner.begin(), inner.end(), [&](const Facet& facet) {
+    if (std::find(asked.begin(), asked.end(), facet[0]) != asked.end()) return false;
+    asked.push_back(facet[0]);
+    return is_within(facet[0], outer);
+  });
 }
 
 struct Bounds {
@@ -113,6 +117,14 @@ struct Still {
   }
 };
 
+/// Whether on one side of the other all the way, which is straight: of its bounds, or of a triangle's plane.
+bool stays_beside(const Still& first, const Still& last, std::size_t i, std::size_t j) {
+  const auto stays = [&](const auto& side_at) { return (side_at(first) & side_at(last)) != 0; };
+  return stays([&](const Still& s) { return sides_of(s.bounds_a[i], s.bounds_b[j], 0); }) ||
+         stays([&](const Still& s) { return side_of(s.a[i], s.b[j], 0); }) ||
+         stays([&](const Still& s) { return side_of(s.b[j], s.a[i], 0); });
+}
+
 class Scene {
  public:
   Scene(const Body& a, const Body& b, const SpacePlace& place, const SpacePlace& velocity,
@@ -137,9 +149,8 @@ class Scene {
     const Still first(a_, b_, velocity_, asked.begin), last(a_, b_, velocity_, asked.end);
     for (std::size_t i = 0; i < a_.size(); ++i)
       for (std::size_t j = 0; j < b_.size(); ++j) {
-        const unsigned sides = sides_of(first.bounds_a[i], first.bounds_b[j], 0);
-        if ((sides & sides_of(last.bounds_a[i], last.bounds_b[j], 0)) != 0) continue;  // never meet
-        const bool at_first = sides == 0 && touch(first.a[i], first.b[j]);
+        if (stays_beside(first, last, i, j)) continue;
+        const bool at_first = touch(first.a[i], first.b[j]);
         const bool at_last = touch(last.a[i], last.b[j]);
         auto met = at_first && at_last ? asked : features_meet(a_[i], b_[j], velocity_, asked);
         if (!met && !at_first && !at_last) continue;
@@ -197,8 +208,10 @@ bool touch_at(const Body& a, const Body& b, const SpacePlace& place, const Ratio
   const Whole reach = unit.in_units(radius), squared = reach * reach;
   for (std::size_t i = 0; i < still.a.size(); ++i)
     for (std::size_t j = 0; j < still.b.size(); ++j) {
+      const Facet &one = still.a[i], &other = still.b[j];
       if (sides_of(still.bounds_a[i], still.bounds_b[j], reach) != 0) continue;
-      if (touch(still.a[i], still.b[j]) || are_near(still.a[i], still.b[j], squared)) return true;
+      if (side_of(one, other, squared) != 0 || side_of(other, one, squared) != 0) continue;
+      if (touch(one, other) || are_near(one, other, squared)) return true;
     }
   return (a.is_solid && holds_one(still.a, still.b)) || (b.is_solid && holds_one(still.b, still.a));
 }
