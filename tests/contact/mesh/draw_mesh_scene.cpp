@@ -21,15 +21,25 @@ class DrawScene {
     scene.question.horizon = {.now = family_.ages > 0 ? 100.0 : family_.now, .h = 8};
     heading_ = family_.turned < 0 ? std::abs(draw_.number(180)) : family_.turned;
     scene.a = mesh_object(true), scene.b = other_object();
+    if (family_.bent) bend(scene);
     move(scene);
     scale(scene);
     return scene;
   }
 
  private:
+  /// One, or both.
+  void bend(MeshScene& scene) {
+    const std::uint64_t which = draw_.below(4);
+    for (MeshObject* o : {&scene.a, &scene.b}) {
+      if (which == (o == &scene.a ? 0U : 1U)) continue;
+      o->row.layout.law = Law::accelerated;
+      for (double& a : o->row.a) a = draw_.number(1);
+    }
+  }
+
   MeshObject mesh_object(bool is_a) {
     MeshObject o = resting(turned(draw_.mesh(is_a), heading_));
-    if (family_.bent) o.row.layout.law = Law::accelerated;
     if (family_.turned < 0) heading_ = std::abs(draw_.number(180));
     return o;
   }
@@ -44,7 +54,6 @@ class DrawScene {
       o.row.layout.shape = Shape::box;
       for (double& half : o.row.half) half = draw_.below(8) ? std::abs(draw_.number(2)) : 0;
     }
-    if (family_.bent) o.row.layout.law = Law::accelerated;
     return o;
   }
 
@@ -66,7 +75,6 @@ class DrawScene {
     for (int j = 0; j < 3; ++j) {
       a.x[j] = family_.offset + draw_.number(5), a.v[j] = draw_.number(2);
       b.x[j] = a.x[j] + place[j], b.v[j] = a.v[j] + velocity[j];
-      if (family_.bent) a.a[j] = draw_.number(1), b.a[j] = draw_.number(1);
       for (auto i = family_.ulps > 0 ? draw_.below(family_.ulps + 1) : 0; i > 0; --i)
         b.x[j] = std::nextafter(b.x[j], draw_.below(2) ? 1e300 : -1e300);
     }

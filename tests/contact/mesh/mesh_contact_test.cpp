@@ -70,7 +70,7 @@ TEST(MeshContact, OfAnyRadiusAndMotionIsRightAtEveryMoment) {
   for (MeshFamily family : mesh_families())
     for (const auto pairing : {MeshPairing::meshes, MeshPairing::mesh_and_point, MeshPairing::mesh_and_box,
                                MeshPairing::mesh_and_ball})
-      for (int seed = 0; seed < scaled_count(2); ++seed) {
+      for (int seed = 0; seed < scaled_count(6); ++seed) {
         family.bent = seed % 2 == 1;
         if (family.lives || family.ages > 100) continue;
         MeshScene scene = draw_scene(family, pairing, static_cast<std::uint64_t>(seed));

@@ -1,6 +1,7 @@
 // What is easy to get wrong about meshes, one by one, by cases whose answer is known.
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <cmath>
 
 #include "contact/mesh/mesh_scenes.h"
@@ -346,6 +347,24 @@ TEST(MeshTraps, ZeroHasNoSign) {
   const MeshObject cube = moving_cube({-0.0, 1, -0.0}, {-0.0, -0.0, -0.0});
   expect_contact(within_ten(unit_cube, cube), 0, 10);
   expect_contact(within_ten(unit_cube, moving_cube({-3, -0.0, 1}, {1, -0.0, -0.0})), 2, 4);
+}
+
+TEST(MeshTraps, RoundingOfTheHostChangesNothing) {
+  const MeshFamily any{.name = "any", .whole = false};
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    const MeshScene scene =
+        draw_scene(any, seed % 2 ? MeshPairing::mesh_and_ball : MeshPairing::meshes, seed);
+    const auto nearest = mesh_contact(scene);
+    for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+      std::fesetround(mode);
+      const auto other = mesh_contact(scene);
+      std::fesetround(FE_TONEAREST);
+      ASSERT_EQ(other.has_value(), nearest.has_value());
+      if (!other) continue;
+      EXPECT_EQ(other->dt, nearest->dt);
+      EXPECT_EQ(other->dt_end, nearest->dt_end);
+    }
+  }
 }
 
 TEST(MeshTraps, FarFromTheOriginNothingIsLost) {

@@ -102,7 +102,8 @@ TEST(OutlineContact, OfRandomPairsIsToldByDoubles) {
     Instant begin;
     const Verdict touches = pair.first_contact(begin);
     contacts += touches == Verdict::yes;
-    in_doubt += touches == Verdict::uncertain || (touches == Verdict::yes && !pair.end_of_contact(false).known());
+    in_doubt +=
+        touches == Verdict::uncertain || (touches == Verdict::yes && !pair.end_of_contact(false).known());
   }
   EXPECT_GT(contacts, 200);
   EXPECT_LE(in_doubt, 2);
