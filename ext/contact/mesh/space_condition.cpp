@@ -34,4 +34,18 @@ Components<Bounded> close_direction_of(const SpaceAxis& axis) {
   return cross_product(normal, gap_between<Bounded>(*axis.w.to, *axis.w.from));
 }
 
+std::array<std::optional<double>, 3> steady_axes_of(const Setup& setup, const double* row_a,
+                                                    const double* row_b) {
+  std::array<std::optional<double>, 3> steady;
+  const bool one_age = value_or(row_a, setup.a.at.t, 0) == value_or(row_b, setup.b.at.t, 0);
+  for (int j = 0; j < 3; ++j) {
+    const AxisMotion<double> a = axis_motion(setup.a, row_a, j), b = axis_motion(setup.b, row_b, j);
+    const bool alike = one_age && a.v == b.v && a.a == b.a;
+    const bool at_rest = a.v == 0 && b.v == 0 && a.a == 0 && b.a == 0;
+    const DoubleDouble d = difference(b.x, a.x);
+    if ((alike || at_rest) && d.low == 0) steady[static_cast<std::size_t>(j)] = d.high;
+  }
+  return steady;
+}
+
 }  // namespace foresee::contact

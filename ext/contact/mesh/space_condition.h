@@ -7,6 +7,8 @@
 // that is what is nearest: the sum grown by R is the union of these (space_parts.h).
 #pragma once
 
+#include <optional>
+
 #include "contact/mesh/space_pieces.h"
 #include "contact/set/primitive.h"
 #include "contact/set/relative_motion.h"
@@ -32,11 +34,17 @@ struct SpaceCondition {
   const SpaceCorner *p, *q;
 };
 
-/// How near counts as touching.
+/// What the rows of a pair say beside the pieces, and the question.
 template <class T>
 struct SpaceSizes {
-  T radius;
+  T radius;  ///< how near counts as touching
+  /// d along each axis, where it never changes and a double holds it: so that doubles tell of what slides
+  /// along a floor or a wall that it does.
+  std::array<std::optional<double>, 3> steady = {};
 };
+
+std::array<std::optional<double>, 3> steady_axes_of(const Setup& setup, const double* row_a,
+                                                    const double* row_b);
 
 template <class T>
 T radius_of(const Setup& setup, const double* row_a, const double* row_b) {
@@ -55,12 +63,27 @@ Components<T> gap_between(const SpaceCorner& a, const SpaceCorner& b) {
   return {E::difference_of(a.x, b.x), E::difference_of(a.y, b.y), E::difference_of(a.z, b.z)};
 }
 
+template <>
+inline Components<Bounded> gap_between(const SpaceCorner& a, const SpaceCorner& b) {
+  const auto gap = [](double to, double from) {
+    const DoubleDouble exactly = difference(to, from);
+    return Bounded{exactly.high, std::abs(exactly.low)};
+  };
+  return {gap(a.x, b.x), gap(a.y, b.y), gap(a.z, b.z)};
+}
+
 template <class T>
 Components<T> cross_product(const Components<T>& a, const Components<T>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// A product whose underflow is counted where it happens: what it is multiplied with later may be large.
+/// A product whose underflow is counted where it happens: what it is multiplied with later may be large, and
+/// what is 0 without an error is 0.
+template <class T>
+T safe_product(const T& a, const T& b) {
+  return a * b;
+}
+template <>
 inline Bounded safe_product(const Bounded& a, const Bounded& b) {
   Bounded product = a * b;
   if (std::abs(product.value) < 0x1p-960 && (a.value != 0 || a.error != 0) && (b.value != 0 || b.error != 0))
@@ -108,7 +131,8 @@ Powers<T, K> beyond_plane(const SpaceCondition& condition, const Components<T>& 
   const auto gap = gap_from<K>(condition, x);
   Powers<T, K> p{};
   for (std::size_t k = 0; k <= K; ++k) {
-    const T sum = direction[0] * gap[0][k] + direction[1] * gap[1][k] + direction[2] * gap[2][k];
+    const T sum = safe_product(direction[0], gap[0][k]) + safe_product(direction[1], gap[1][k]) +
+                  safe_product(direction[2], gap[2][k]);
     p[k] = condition.sign < 0 ? -sum : sum;
   }
   return p;

@@ -24,7 +24,7 @@ struct SpaceKit {
 
   template <class T>
   static SpaceSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
-    return {radius_of<T>(setup, row_a, row_b)};
+    return {radius_of<T>(setup, row_a, row_b), steady_axes_of(setup, row_a, row_b)};
   }
   static constexpr bool is_cut(const SpaceCondition&) { return false; }
   /// What the rows of a pair look like.

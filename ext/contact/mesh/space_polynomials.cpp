@@ -42,7 +42,7 @@ void SpacePolynomials::add(const SpacePiece& a, const SpacePiece& b, bool grown)
 template <class T>
 Powers<T, 4> SpacePolynomials::polynomial_of(int primitive, const std::array<Powers<T, 2>, 3>& x) const {
   Powers<T, 4> all{};
-  const SpaceSizes<T> sizes{radius_of<T>(setup_, row_a_, row_b_)};
+  const SpaceSizes<T> sizes{.radius = radius_of<T>(setup_, row_a_, row_b_)};
   with_polynomial<2>(conditions_[static_cast<std::size_t>(primitive)], x, sizes,
                      [&all](const auto& p) { std::copy(p.begin(), p.end(), all.begin()); });
   return all;

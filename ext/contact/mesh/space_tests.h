@@ -36,13 +36,21 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
         radius_(sizes.radius),
         lost_(relative.underflow + 0x1p-1060),
         hull_(space.hull),
-        x_(seen_from<Degree>(relative, 0)) {}
+        x_(from_now(relative, sizes)) {}
 
  private:
   friend Base;
   using Kind = SpaceCondition::Kind;
   using Base::asked_, Base::space_;
   using Base::begin_part, Base::end_part, Base::keep;
+
+  static std::array<Powers<Bounded, Degree>, 3> from_now(const CertainMotion<3>& relative,
+                                                         const SpaceSizes<Bounded>& sizes) {
+    auto x = seen_from<Degree>(relative, 0);
+    for (std::size_t j = 0; j < 3; ++j)
+      if (sizes.steady[j]) x[j] = {}, x[j][0] = Bounded{*sizes.steady[j]};
+    return x;
+  }
 
   void test(const PiecePair& pair) {
     Base::begin_test();
@@ -125,6 +133,9 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
                       const Bounded& more) const {
     Powers<Bounded, Degree> p = beyond_plane<Degree>(plane, direction, x_);
     p[0] = p[0] - more;
+    // Along the plane, in it: what has no error is 0.
+    if (std::all_of(p.begin(), p.end(), [](const Bounded& c) { return c.value == 0 && c.error == 0; }))
+      return Inside::one(Stay::always());
     return inside(p, lost_, asked_.end.high);
   }
 
