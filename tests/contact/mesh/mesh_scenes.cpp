@@ -74,6 +74,16 @@ std::optional<ContactTimes> mesh_contact(const MeshScene& scene) {
   return answer_of(*make_contact(a, b, scene.question, "a", "b"));
 }
 
+std::optional<ContactTimes> mesh_in_window(const WindowFaces& faces, const MeshObject& object,
+                                           const Horizon& horizon) {
+  const std::vector<double> row = row_of(object);
+  Bodies bodies(object.row.layout, row.data(), 1);
+  const OneMesh mesh(object.mesh);
+  if (bodies.layout.shape == Shape::mesh) bodies.meshes = &mesh;
+  const MovingWindow window(faces, bodies.layout, horizon.now);
+  return answer_of(*make_window_contact(window, bodies, horizon));
+}
+
 std::span<const MeshFamily> mesh_families() {
   using Motion = MeshFamily::Motion;
   using Cast = MeshFamily::Cast;

@@ -8,9 +8,9 @@
 #include <span>
 #include <string>
 
-#include "contact/contact.h"
 #include "contact/mesh/mesh_shapes.h"
 #include "contact/pair_by_hand.h"
+#include "contact/window_contact.h"
 
 namespace foresee::contact::testing_by_hand {
 
@@ -44,6 +44,10 @@ struct MeshScene {
 
 /// The answer of the contact room; decide() and both ways of asking for times must agree.
 std::optional<ContactTimes> mesh_contact(const MeshScene& scene);
+
+/// Of a window and an object.
+std::optional<ContactTimes> mesh_in_window(const WindowFaces& faces, const MeshObject& object,
+                                           const Horizon& horizon);
 
 /// How the numbers of a family look.
 struct MeshFamily {
