@@ -17,6 +17,9 @@ Mesh DrawMesh::mesh(bool is_a) {
       return is_a ? surface_of(ground()) : solid_of(below(2) ? tetrahedron() : box(2));
     case MeshFamily::Cast::nested:
       return solid_of(is_a ? hollow() : below(2) ? tetrahedron() : box(1));
+    case MeshFamily::Cast::slivers:
+      if (below(2)) return surface_of({sliver(), sliver(), triangle()});
+      return solid_of(below(4) ? flat_tetrahedron() : tetrahedron());
     case MeshFamily::Cast::any:
       break;
   }
@@ -66,6 +69,29 @@ std::array<SpaceCorner, 3> DrawMesh::triangle() {
 Triangles DrawMesh::tetrahedron() {
   while (true) {
     const SpaceCorner p = place(4), q = place(4), r = place(4), s = place(4);
+    const Triangles faces{{p, q, r}, {p, q, s}, {p, r, s}, {q, r, s}};
+    if (have_area(faces)) return faces;
+  }
+}
+
+std::array<SpaceCorner, 3> DrawMesh::sliver() {
+  while (true) {
+    std::array<SpaceCorner, 3> t = triangle();
+    t[2] = {between(t[0].x, t[1].x), between(t[0].y, t[1].y), between(t[0].z, t[1].z)};
+    if (have_area({t})) return t;
+  }
+}
+
+double DrawMesh::between(double a, double b) {
+  const double middle = a + static_cast<double>(below(5)) / 4 * (b - a);
+  return below(2) ? middle : std::nextafter(middle, below(2) ? 9 : -9);
+}
+
+Triangles DrawMesh::flat_tetrahedron() {
+  while (true) {
+    const SpaceCorner p = place(4), q = place(4), r = place(4);
+    const SpaceCorner s{between(p.x, (q.x + r.x) / 2), between(p.y, (q.y + r.y) / 2),
+                        between(p.z, (q.z + r.z) / 2)};
     const Triangles faces{{p, q, r}, {p, q, s}, {p, r, s}, {q, r, s}};
     if (have_area(faces)) return faces;
   }

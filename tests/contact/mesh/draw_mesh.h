@@ -23,7 +23,12 @@ class DrawMesh {
  private:
   Mesh any_mesh();
   std::array<SpaceCorner, 3> triangle();
+  /// Nearly a line.
+  std::array<SpaceCorner, 3> sliver();
   Triangles tetrahedron();
+  Triangles flat_tetrahedron();
+  /// At a quarter of the way, or an ulp beside.
+  double between(double a, double b);
   Triangles box(double range);
   /// One, or two that are stacked, side by side or crossing.
   Triangles boxes();

@@ -67,14 +67,14 @@ class DrawScene {
 
   void move(MeshScene& scene) {
     Object &a = scene.a.row, &b = scene.b.row;
-    Vec<3> place = place_of(draw_.place(4)), velocity = place_of(draw_.place(3));
-    if (family_.motion == Motion::along_axes)
-      for (double& v : velocity) v = draw_.below(2) ? std::round(v) : 0;
-    place -= static_cast<double>(draw_.below(9)) * velocity;
-    if (family_.motion > Motion::along_axes) meet(scene, place, velocity);
+    const auto moment = static_cast<double>(draw_.below(9));
+    const Meeting met = meeting(scene);
     for (int j = 0; j < 3; ++j) {
+      // From that moment back to now.
+      const double bend = b.a[j] - a.a[j], velocity = met.velocity[j] - moment * bend;
+      const double place = met.place[j] - moment * (velocity + moment * bend / 2);
       a.x[j] = family_.offset + draw_.number(5), a.v[j] = draw_.number(2);
-      b.x[j] = a.x[j] + place[j], b.v[j] = a.v[j] + velocity[j];
+      b.x[j] = a.x[j] + place, b.v[j] = a.v[j] + velocity;
       for (auto i = family_.ulps > 0 ? draw_.below(family_.ulps + 1) : 0; i > 0; --i)
         b.x[j] = std::nextafter(b.x[j], draw_.below(2) ? 1e300 : -1e300);
     }
@@ -95,29 +95,56 @@ class DrawScene {
     }
   }
 
-  /// Brings a corner of b to one of a.
-  void meet(const MeshScene& scene, Vec<3>& place, Vec<3>& velocity) {
+  /// Where b is seen from a at some moment, and how fast it goes there.
+  struct Meeting {
+    Vec<3> place, velocity;
+  };
+
+  Meeting meeting(MeshScene& scene) {
+    Meeting any{place_of(draw_.place(4)), place_of(draw_.place(3))};
+    if (family_.motion == Motion::along_axes)
+      for (double& v : any.velocity) v = draw_.below(2) ? std::round(v) : 0;
+    if (family_.motion <= Motion::along_axes) return any;
     const auto corners = scene.a.mesh.corners();
     const auto triangles = scene.a.mesh.triangles();
     const shape::Triangle& t = triangles[draw_.below(triangles.size())];
     const Vec<3> p = place_of(corners[t[0]]), q = place_of(corner_of(scene.b));
-    const auto pace = [this] {
-      return std::ldexp(1.0, static_cast<int>(draw_.below(4)) - 2) * (draw_.below(2) ? 1 : -1);
+    const auto way_to = [&](const SpaceCorner& corner) -> Vec<3> {
+      const double pace = std::ldexp(1.0, static_cast<int>(draw_.below(4)) - 2) * (draw_.below(2) ? 1 : -1);
+      return pace * (place_of(corner) - p);
     };
-    const auto way_to = [&](const SpaceCorner& corner) -> Vec<3> { return pace() * (place_of(corner) - p); };
-    if (family_.motion == Motion::none) velocity.setZero();
-    if (family_.motion == Motion::along_an_edge) velocity = way_to(corners[t[1]]);
+    Meeting met{p - q, any.velocity};
+    if (family_.motion == Motion::none) met.velocity.setZero();
+    if (family_.motion == Motion::along_an_edge) met.velocity = way_to(corners[t[1]]);
     if (family_.motion == Motion::across_a_face) {
-      velocity = way_to(corners[t[1]]);
-      velocity += way_to(corners[t[2]]);
+      met.velocity = way_to(corners[t[1]]);
+      met.velocity += way_to(corners[t[2]]);
     }
-    if (family_.motion == Motion::through_corners) velocity = way_to(corners[draw_.below(corners.size())]);
-    place = p - q - static_cast<double>(draw_.below(9)) * velocity;
+    if (family_.motion == Motion::through_corners)
+      met.velocity = way_to(corners[draw_.below(corners.size())]);
+    if (family_.motion == Motion::passes_a_corner) pass(scene, met);
+    return met;
+  }
+
+  /// At a distance that is a number, and at a right angle to the way.
+  void pass(MeshScene& scene, Meeting& met) {
+    static constexpr double gaps[3][4] = {{1, 1.5, 3, 3.5}, {0, 1.5, 2, 2.5}, {0, 0, 3, 3}};
+    const auto& gap = gaps[draw_.below(3)];
+    const std::uint64_t first = draw_.below(3);
+    Vec<3> apart;
+    for (std::uint64_t j = 0; j < 3; ++j) apart[j] = gap[(first + j) % 3] * (draw_.below(2) ? 1 : -1);
+    scene.question.within = gap[3] - scene.b.row.r;
+    met.place += apart;
+    const Vec<3> v = met.velocity;
+    met.velocity = Vec<3>(apart[1] * v[2] - apart[2] * v[1], apart[2] * v[0] - apart[0] * v[2],
+                          apart[0] * v[1] - apart[1] * v[0]) /
+                   2;
   }
 
   void scale(MeshScene& scene) const {
     if (family_.scale == 0) return;
     const double factor = std::ldexp(1.0, family_.scale);
+    scene.question.within *= factor;
     for (MeshObject* o : {&scene.a, &scene.b}) {
       Object& row = o->row;
       row.r *= factor;

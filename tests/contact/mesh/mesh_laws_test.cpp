@@ -99,6 +99,24 @@ TEST(MeshLaws, LengthsInAnotherUnitChangeNothing) {
   });
 }
 
+TEST(MeshLaws, TimeInAnotherUnitChangesNothing) {
+  for_each_scene(scaled_count(2), [](MeshScene scene, const std::optional<ContactTimes>& answer) {
+    for (const double unit : {0x1p12, 0x1p-12}) {
+      MeshScene other = scene;
+      other.question.horizon.now *= unit, other.question.horizon.h *= unit;
+      for (MeshObject* o : {&other.a, &other.b}) {
+        o->row.t *= unit, o->row.until *= unit;
+        for (double& v : o->row.v) v /= unit;
+        for (double& a : o->row.a) a /= unit * unit;
+      }
+      auto found = mesh_contact(other);
+      if (found)
+        for (double* time : {&found->t, &found->dt, &found->t_end, &found->dt_end}) *time /= unit;
+      expect_same(answer, found, "in another unit of time");
+    }
+  });
+}
+
 TEST(MeshLaws, AGreaterDistanceIsReachedNoLater) {
   for_each_scene(scaled_count(4), [](MeshScene scene, const std::optional<ContactTimes>& answer) {
     if (!answer) return;

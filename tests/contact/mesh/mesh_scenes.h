@@ -52,19 +52,21 @@ std::optional<ContactTimes> mesh_in_window(const WindowFaces& faces, const MeshO
 /// How the numbers of a family look.
 struct MeshFamily {
   enum class Motion : std::uint8_t {
-    any,              ///< places and speeds are drawn
+    any,              ///< places and speeds at a whole moment are drawn
     along_axes,       ///< whole numbers, and some are 0
     meets_a_corner,   ///< a corner of b comes to a corner of a at a whole moment
     along_an_edge,    ///< the same, on the way along an edge of a
     across_a_face,    ///< the same, on the way in the plane of a triangle of a
     through_corners,  ///< from a corner of a to another, whatever lies between
+    passes_a_corner,  ///< a corner of b passes one of a at the distance that counts, a whole moment
     none              ///< corner on corner, and no relative motion
   };
   enum class Cast : std::uint8_t {
     any,      ///< all of them
     boxes,    ///< one or several, beside, on and in each other
     terrain,  ///< a is one
-    nested    ///< a has cavities, a hole or walls; b is small
+    nested,   ///< a has cavities, a hole or walls; b is small
+    slivers   ///< triangles that are nearly lines, solids that are nearly flat
   };
   const char* name;
   Motion motion = Motion::any;
