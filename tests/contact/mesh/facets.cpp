@@ -35,25 +35,6 @@ bool is_zero(const Arrow& a) {
   return a.x == 0 && a.y == 0 && a.z == 0;
 }
 
-Arrow edge_of(const Facet& facet, std::size_t i) {
-  return facet[(i + 1) % 3] - facet[i];
-}
-
-/// A place as seen from a triangle, gap from its first corner: gap = u e1 + w e2 + h normal, all but h times
-/// the square of the normal.
-struct Seen {
-  Arrow e1, e2, normal;
-  Whole squared;
-
-  explicit Seen(const Facet& facet)
-      : e1(facet[1] - facet[0]),
-        e2(facet[2] - facet[0]),
-        normal(cross(e1, e2)),
-        squared(dot(normal, normal)) {}
-  Whole u(const Arrow& gap) const { return dot(cross(gap, e2), normal); }
-  Whole w(const Arrow& gap) const { return dot(cross(e1, gap), normal); }
-};
-
 void widen(std::optional<Span>& all, const std::optional<Span>& span) {
   if (!span) return;
   if (!all) {
@@ -67,11 +48,10 @@ void widen(std::optional<Span>& all, const std::optional<Span>& span) {
 const Span once{{0, 1}, {0, 1}};
 
 bool is_near(const Arrow& corner, const Facet& facet, const Whole& squared) {
-  const Seen seen(facet);
-  const Arrow gap = corner - facet[0];
-  const Whole u = seen.u(gap), w = seen.w(gap), high = dot(gap, seen.normal);
-  return seen.squared != 0 && u >= 0 && w >= 0 && u + w <= seen.squared &&
-         high * high <= squared * seen.squared;
+  const Arrow gap = corner - facet.corners[0];
+  const Whole u = dot(gap, facet.to_u), w = dot(gap, facet.to_w), high = dot(gap, facet.normal);
+  return facet.squared != 0 && u >= 0 && w >= 0 && u + w <= facet.squared &&
+         high * high <= squared * facet.squared;
 }
 
 bool is_near(const Arrow& corner, const Arrow& q, const Arrow& f, const Whole& squared) {
@@ -88,8 +68,8 @@ bool is_near(const Arrow& corner, const Arrow& q, const Arrow& f, const Whole& s
 /// Edge on edge, where both are nearest each other between their ends.
 bool are_near(const Arrow& p, const Arrow& e, const Arrow& q, const Arrow& f, const Whole& squared) {
   const Arrow gap = q - p, turn = cross(e, f);
-  const Whole length = dot(turn, turn);
-  const Whole along_e = dot(cross(gap, f), turn), along_f = dot(cross(gap, e), turn), high = dot(gap, turn);
+  const Whole length = dot(turn, turn), high = dot(gap, turn);
+  const Whole along_e = dot(gap, cross(f, turn)), along_f = dot(gap, cross(e, turn));
   return length != 0 && along_e >= 0 && along_e <= length && along_f >= 0 && along_f <= length &&
          high * high <= squared * length;
 }
@@ -111,16 +91,19 @@ Arrow cross(const Arrow& a, const Arrow& b) {
 Whole dot(const Arrow& a, const Arrow& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
-Arrow normal_of(const Facet& facet) {
-  return cross(facet[1] - facet[0], facet[2] - facet[0]);
-}
+Facet::Facet(const std::array<Arrow, 3>& corners)
+    : corners(corners),
+      edges{corners[1] - corners[0], corners[2] - corners[1], corners[0] - corners[2]},
+      normal(cross(edges[2], edges[0])),
+      to_u(cross(normal, edges[2])),
+      to_w(cross(normal, edges[0])),
+      squared(dot(normal, normal)) {}
 
 unsigned side_of(const Facet& plane, const Facet& other, const Whole& squared) {
-  const Arrow normal = normal_of(plane);
-  const Whole level = dot(normal, plane[0]), reach = squared == 0 ? squared : squared * dot(normal, normal);
+  const Whole level = dot(plane.normal, plane.corners[0]), reach = squared * plane.squared;
   unsigned side = 3;
-  for (const Arrow& corner : other) {
-    const Whole high = dot(normal, corner) - level;
+  for (const Arrow& corner : other.corners) {
+    const Whole high = dot(plane.normal, corner) - level;
     if (high == 0 || (reach > 0 && high * high <= reach)) return 0;
     side &= high > 0 ? 1 : 2;
   }
@@ -128,13 +111,14 @@ unsigned side_of(const Facet& plane, const Facet& other, const Whole& squared) {
 }
 
 std::optional<Span> corner_meets(const Arrow& corner, const Arrow& velocity, const Facet& facet, Span asked) {
-  const Seen seen(facet);
-  if (seen.squared == 0) return {};
-  const Arrow gap = corner - facet[0];
-  if (!cut(asked, {dot(gap, seen.normal), dot(velocity, seen.normal)}, 0, 0)) return {};
-  const Steady u{seen.u(gap), seen.u(velocity)}, w{seen.w(gap), seen.w(velocity)};
-  if (!cut(asked, u, 0, seen.squared) || !cut(asked, w, 0, seen.squared)) return {};
-  if (!cut(asked, {u.value + w.value, u.slope + w.slope}, 0, seen.squared)) return {};
+  if (facet.squared == 0) return {};
+  const Arrow gap = corner - facet.corners[0];
+  if (!cut(asked, {dot(gap, facet.normal), dot(velocity, facet.normal)}, 0, 0)) return {};
+  const Steady u{dot(gap, facet.to_u), dot(velocity, facet.to_u)};
+  if (!cut(asked, u, 0, facet.squared)) return {};
+  const Steady w{dot(gap, facet.to_w), dot(velocity, facet.to_w)};
+  if (!cut(asked, w, 0, facet.squared)) return {};
+  if (!cut(asked, {u.value + w.value, u.slope + w.slope}, 0, facet.squared)) return {};
   return asked;
 }
 
@@ -144,10 +128,10 @@ std::optional<Span> edge_meets(const Arrow& p, const Arrow& e, const Arrow& q, c
   const Whole squared = dot(turn, turn);
   if (squared != 0) {
     if (!cut(asked, {dot(gap, turn), dot(velocity, turn)}, 0, 0)) return {};
-    const Steady along_e{dot(cross(gap, f), turn), dot(cross(velocity, f), turn)};
-    const Steady along_f{dot(cross(gap, e), turn), dot(cross(velocity, e), turn)};
-    if (cut(asked, along_e, 0, squared) && cut(asked, along_f, 0, squared)) return asked;
-    return {};
+    const Arrow to_e = cross(f, turn), to_f = cross(e, turn);
+    if (!cut(asked, {dot(gap, to_e), dot(velocity, to_e)}, 0, squared)) return {};
+    if (!cut(asked, {dot(gap, to_f), dot(velocity, to_f)}, 0, squared)) return {};
+    return asked;
   }
   // Parallel: in one line, and overlapping in it. An edge without length is a point.
   const Arrow& line = is_zero(e) ? f : e;
@@ -163,11 +147,12 @@ std::optional<Span> edge_meets(const Arrow& p, const Arrow& e, const Arrow& q, c
 std::optional<Span> features_meet(const Facet& a, const Facet& b, const Arrow& velocity, const Span& asked) {
   const Arrow back = Whole(-1) * velocity;
   std::optional<Span> all;
-  for (const Arrow& corner : a) widen(all, corner_meets(corner, back, b, asked));
-  for (const Arrow& corner : b) widen(all, corner_meets(corner, velocity, a, asked));
-  for (std::size_t i = 0; i < 3; ++i)
+  for (std::size_t i = 0; i < 3; ++i) {
+    widen(all, corner_meets(a.corners[i], back, b, asked));
+    widen(all, corner_meets(b.corners[i], velocity, a, asked));
     for (std::size_t j = 0; j < 3; ++j)
-      widen(all, edge_meets(a[i], edge_of(a, i), b[j], edge_of(b, j), velocity, asked));
+      widen(all, edge_meets(a.corners[i], a.edges[i], b.corners[j], b.edges[j], velocity, asked));
+  }
   return all;
 }
 
@@ -175,37 +160,38 @@ bool touch(const Facet& a, const Facet& b) {
   // An edge meets a triangle if its first corner would on the way to the second.
   const Span edge{{0, 1}, {1, 1}};
   for (std::size_t i = 0; i < 3; ++i)
-    if (corner_meets(a[i], edge_of(a, i), b, edge) || corner_meets(b[i], edge_of(b, i), a, edge)) return true;
-  if (!is_zero(normal_of(a)) && !is_zero(normal_of(b))) return false;
+    if (corner_meets(a.corners[i], a.edges[i], b, edge) || corner_meets(b.corners[i], b.edges[i], a, edge))
+      return true;
+  if (a.squared != 0 && b.squared != 0) return false;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
-      if (edge_meets(a[i], edge_of(a, i), b[j], edge_of(b, j), {0, 0, 0}, once)) return true;
+      if (edge_meets(a.corners[i], a.edges[i], b.corners[j], b.edges[j], {0, 0, 0}, once)) return true;
   return false;
 }
 
 bool are_near(const Facet& a, const Facet& b, const Whole& squared) {
   for (std::size_t i = 0; i < 3; ++i) {
-    if (is_near(a[i], b, squared) || is_near(b[i], a, squared)) return true;
+    const Arrow &p = a.corners[i], &e = a.edges[i];
+    if (is_near(p, b, squared) || is_near(b.corners[i], a, squared)) return true;
     for (std::size_t j = 0; j < 3; ++j) {
-      const Arrow e = edge_of(a, i), f = edge_of(b, j);
-      if (is_near(a[i], b[j], f, squared) || is_near(b[j], a[i], e, squared)) return true;
-      if (are_near(a[i], e, b[j], f, squared)) return true;
+      const Arrow &q = b.corners[j], &f = b.edges[j];
+      if (is_near(p, q, f, squared) || is_near(q, p, e, squared) || are_near(p, e, q, f, squared))
+        return true;
     }
   }
   return false;
 }
 
 std::optional<int> crossings(const Arrow& corner, const Arrow& ray, const Facet& facet) {
-  const Seen seen(facet);
-  const Arrow gap = corner - facet[0];
-  const Whole high = dot(gap, seen.normal), slope = dot(ray, seen.normal);
+  const Arrow gap = corner - facet.corners[0];
+  const Whole high = dot(gap, facet.normal), slope = dot(ray, facet.normal);
   if (slope == 0) return high == 0 ? std::nullopt : std::optional(0);
   if (high == 0 || (high > 0) == (slope > 0)) return 0;
   // Where the ray meets the plane, times the slope: gap slope - ray high.
   const Arrow there = slope * gap - high * ray;
   const int sign = slope.sign();
-  const Whole u = sign * seen.u(there), w = sign * seen.w(there);
-  const Whole rest = sign * slope * seen.squared - u - w;
+  const Whole u = sign * dot(there, facet.to_u), w = sign * dot(there, facet.to_w);
+  const Whole rest = sign * slope * facet.squared - u - w;
   if (u < 0 || w < 0 || rest < 0) return 0;
   if (u == 0 || w == 0 || rest == 0) return std::nullopt;
   return 1;

@@ -22,9 +22,17 @@ Arrow operator*(const Whole& factor, const Arrow& a);
 Arrow cross(const Arrow& a, const Arrow& b);
 Whole dot(const Arrow& a, const Arrow& b);
 
-/// Corners of a triangle.
-using Facet = std::array<Arrow, 3>;
-Arrow normal_of(const Facet& facet);
+/// A triangle. A place as seen from it, gap from its first corner, is u e1 + w e2 + h normal with e1 and e2
+/// to its other corners; u, w and h all times the square of the normal are products with gap.
+struct Facet {
+  std::array<Arrow, 3> corners;
+  std::array<Arrow, 3> edges;  ///< from each corner to the next
+  Arrow normal;
+  Arrow to_u, to_w;
+  Whole squared;  ///< of the normal; 0: a line or a point
+
+  explicit Facet(const std::array<Arrow, 3>& corners);
+};
 
 /// Is the other wholly above its plane (1), wholly below (2), or neither (0)? By more than a distance whose
 /// square this is.

@@ -33,12 +33,10 @@ class CommonUnit {
   }
   std::vector<Facet> in_units(const Body& body, const SpacePlace& shift) const {
     const Arrow by = in_units(shift);
+    const auto at = [&](const SpaceCorner& c) -> Arrow { return by + in_units(SpacePlace{c.x, c.y, c.z}); };
     std::vector<Facet> facets;
-    for (const auto& triangle : body.triangles) {
-      Facet& facet = facets.emplace_back();
-      for (std::size_t i = 0; i < 3; ++i)
-        facet[i] = by + in_units(SpacePlace{triangle[i].x, triangle[i].y, triangle[i].z});
-    }
+    for (const auto& triangle : body.triangles)
+      facets.push_back(Facet({at(triangle[0]), at(triangle[1]), at(triangle[2])}));
     return facets;
   }
 
@@ -73,20 +71,23 @@ bool is_within(const Arrow& corner, const std::vector<Facet>& solid) {
 bool holds_one(const std::vector<Facet>& outer, const std::vector<Facet>& inner) {
   std::vector<Arrow> asked;
   return std::any_of(inner.begin(), inner.end(), [&](const Facet& facet) {
-    if (std::find(asked.begin(), asked.end(), facet[0]) != asked.end()) return false;
-    asked.push_back(facet[0]);
-    return is_within(facet[0], outer);
+    const Arrow& corner = facet.corners[0];
+    if (std::find(asked.begin(), asked.end(), corner) != asked.end()) return false;
+    asked.push_back(corner);
+    return is_within(corner, outer);
   });
 }
 
 struct Bounds {
   Arrow lower, upper;
 
-  explicit Bounds(const Facet& f)
-      : lower{std::min({f[0].x, f[1].x, f[2].x}), std::min({f[0].y, f[1].y, f[2].y}),
-              std::min({f[0].z, f[1].z, f[2].z})},
-        upper{std::max({f[0].x, f[1].x, f[2].x}), std::max({f[0].y, f[1].y, f[2].y}),
-              std::max({f[0].z, f[1].z, f[2].z})} {}
+  explicit Bounds(const Facet& facet) {
+    const auto& c = facet.corners;
+    for (const auto axis : {&Arrow::x, &Arrow::y, &Arrow::z}) {
+      lower.*axis = std::min({c[0].*axis, c[1].*axis, c[2].*axis});
+      upper.*axis = std::max({c[0].*axis, c[1].*axis, c[2].*axis});
+    }
+  }
 };
 
 /// On which sides of a is b, by more than `distance`? A bit for each of six.
@@ -105,15 +106,14 @@ struct Still {
   std::vector<Bounds> bounds_a, bounds_b;
 
   Still(const std::vector<Facet>& resting, const std::vector<Facet>& flying, const Arrow& velocity,
-        const Fraction& moment)
-      : a(resting), b(flying) {
+        const Fraction& moment) {
     const Arrow way = moment.above * velocity;
-    for (Facet& facet : a)
-      for (Arrow& corner : facet) corner = moment.below * corner;
-    for (Facet& facet : b)
-      for (Arrow& corner : facet) corner = moment.below * corner + way;
-    for (const Facet& facet : a) bounds_a.emplace_back(facet);
-    for (const Facet& facet : b) bounds_b.emplace_back(facet);
+    const auto moved = [&](const Facet& facet, const Arrow& by) {
+      const auto at = [&](std::size_t i) { return moment.below * facet.corners[i] + by; };
+      return Facet({at(0), at(1), at(2)});
+    };
+    for (const Facet& facet : resting) bounds_a.emplace_back(a.emplace_back(moved(facet, {})));
+    for (const Facet& facet : flying) bounds_b.emplace_back(b.emplace_back(moved(facet, way)));
   }
 };
 

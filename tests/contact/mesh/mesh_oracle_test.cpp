@@ -114,7 +114,7 @@ TEST(MeshOracle, DistancesAreExact) {
 }
 
 TEST(MeshOracle, RaysAreToldFromEdges) {
-  const Facet facet{Arrow{0, 0, 0}, Arrow{4, 0, 0}, Arrow{0, 4, 0}};
+  const Facet facet({Arrow{0, 0, 0}, Arrow{4, 0, 0}, Arrow{0, 4, 0}});
   EXPECT_EQ(crossings({1, 1, 1}, {0, 0, -1}, facet), 1);
   EXPECT_EQ(crossings({1, 1, 1}, {0, 0, 1}, facet), 0);
   EXPECT_EQ(crossings({5, 5, 1}, {0, 0, -1}, facet), 0);
