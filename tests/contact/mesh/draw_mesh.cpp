@@ -20,6 +20,10 @@ Mesh DrawMesh::mesh(bool is_a) {
     case MeshFamily::Cast::slivers:
       if (below(2)) return surface_of({sliver(), sliver(), triangle()});
       return solid_of(below(4) ? flat_tetrahedron() : tetrahedron());
+    case MeshFamily::Cast::many:
+      if (!is_a) return solid_of(globe(5, 2, [this] { return above(1, 1); }));
+      if (below(2)) return solid_of(globe(12, 8, [this] { return above(2, 1); }));
+      return surface_of(shifted(terrain(10, 10, 1, [this] { return number(1); }), {-5, -5, 0}));
     case MeshFamily::Cast::any:
       break;
   }

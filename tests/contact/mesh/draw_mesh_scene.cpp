@@ -68,7 +68,8 @@ class DrawScene {
   void move(MeshScene& scene) {
     Object &a = scene.a.row, &b = scene.b.row;
     const auto moment = static_cast<double>(draw_.below(9));
-    const Meeting met = meeting(scene);
+    Meeting met = meeting(scene);
+    met.velocity *= std::ldexp(1.0, family_.pace);
     for (int j = 0; j < 3; ++j) {
       // From that moment back to now.
       const double bend = b.a[j] - a.a[j], velocity = met.velocity[j] - moment * bend;

@@ -66,7 +66,8 @@ struct MeshFamily {
     boxes,    ///< one or several, beside, on and in each other
     terrain,  ///< a is one
     nested,   ///< a has cavities, a hole or walls; b is small
-    slivers   ///< triangles that are nearly lines, solids that are nearly flat
+    slivers,  ///< triangles that are nearly lines, solids that are nearly flat
+    many      ///< a has some two hundred triangles
   };
   const char* name;
   Motion motion = Motion::any;
@@ -75,6 +76,7 @@ struct MeshFamily {
   bool whole = true;   ///< halves of whole numbers: exact touches, ties
   double offset = 0;   ///< far from the origin
   int scale = 0;       ///< lengths times 2^scale
+  int pace = 0;        ///< and relative velocities times 2^pace
   double now = 0;      ///< when it is asked; what is known is as of 0
   double ages = 0;     ///< reference times lie up to this before now
   bool lives = false;  ///< they end to exist at a whole moment
