@@ -25,7 +25,7 @@ SEES_SQLITE = {"storage", "sqlite"}
 INSIDE = {
     "contact": ["outline", "boxes", "exact", "certain", "set"],
     "index": ["paper_grid", "gpcd_grid", "tpr_tree"],
-    "shape": ["outline"],
+    "shape": ["mesh", "outline"],
     "query": ["join", "window", "nearest", "position"],
     "storage": ["table", "nodes", "rows", "format"],
     "sqlite": ["functions", "names", "table"],

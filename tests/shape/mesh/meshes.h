@@ -1,0 +1,18 @@
+// Meshes for tests, as texts and as they are.
+#pragma once
+
+#include <string>
+
+#include "shape/mesh/mesh.h"
+
+namespace foresee::shape {
+
+/// A corner at the origin, one along each axis: four triangles.
+constexpr const char* tetrahedron =
+    "POLYHEDRALSURFACE Z(((0 0 0, 0 1 0, 1 0 0, 0 0 0)), ((0 0 0, 1 0 0, 0 0 1, 0 0 0)), "
+    "((0 0 0, 0 0 1, 0 1 0, 0 0 0)), ((1 0 0, 0 1 0, 0 0 1, 1 0 0)))";
+
+/// A surface of so many triangles that hang together like a fan, as a text that begins with `word`.
+std::string fan(const std::string& word, std::size_t triangles);
+
+}  // namespace foresee::shape
