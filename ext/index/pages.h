@@ -34,7 +34,7 @@
 #include "shape/layout.h"
 
 namespace foresee::shape {
-class OutlineSource;
+class FormSource;
 }
 
 namespace foresee::index {
@@ -73,8 +73,9 @@ class NodeSource {
   /// 0: no objects.
   virtual NodeNumber find_root() = 0;
   virtual std::shared_ptr<const Node> read(NodeNumber number) = 0;
-  /// Of the outlines that records name by number; null where their layout has none. Lives as long as this.
-  virtual OutlineSource* outlines() { return nullptr; }
+  /// Of the outlines or meshes that records name by number; null where their layout has none. Lives as long
+  /// as this.
+  virtual FormSource* forms() { return nullptr; }
 };
 
 /// What the tree needs to change itself. Any call may throw; the caller then undoes what was announced.

@@ -12,7 +12,7 @@
 
 #include "index/tpr_tree/tree_join.h"
 #include "shape/bodies.h"
-#include "shape/outline/turned_outlines.h"
+#include "shape/row_forms.h"
 
 namespace foresee::query {
 
@@ -22,17 +22,19 @@ struct Scene {
   std::vector<std::int64_t> ids;
   std::vector<double> rows;               ///< ids.size() rows of row_offsets(layout).size doubles
   std::optional<TreeLevels> levels = {};  ///< where a join by the tree is asked: rows are in leaf order
-  std::unique_ptr<const TurnedOutlines> outlines = {};  ///< where the layout has any
+  std::unique_ptr<RowForms> forms = {};   ///< where the layout has any
 
   std::size_t size() const { return ids.size(); }
   Bodies bodies() const {
     Bodies bodies{layout, rows.data(), ids.size()};
-    bodies.outlines = outlines.get();
+    if (forms) forms->lend(bodies);
     return bodies;
   }
-  /// Once all rows are there. `source`: null for a layout without outlines.
-  void take_outlines(OutlineSource* source, Interrupt& interrupt) {
-    if (source) outlines = std::make_unique<const TurnedOutlines>(bodies(), *source, interrupt);
+  /// Once all rows are there. `source`: null for a layout without outlines and meshes.
+  void take_forms(FormSource* source, Interrupt& interrupt) {
+    if (!source) return;
+    forms = std::make_unique<RowForms>();
+    forms->assign(bodies(), *source, interrupt);
   }
 };
 

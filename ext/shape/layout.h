@@ -58,7 +58,7 @@ struct Offsets {
   int half = absent;     ///< half extents of a box
   int r = absent;        ///< radius of a ball or cylinder
   int hz = absent;       ///< half height of a cylinder or prism
-  int outline = absent;  ///< number of the outline or mesh (storage/table/outlines.h); 0: none
+  int outline = absent;  ///< number of the outline or mesh (storage/table/forms.h); 0: none
   int heading = absent;  ///< by which it is turned, in degrees clockwise
   int bounds = absent;   ///< of the turned outline around the centre: lower x, y, upper x, y; a mesh: x, y, z
   int until = absent;    ///< last moment of the motion, +infinity for ever

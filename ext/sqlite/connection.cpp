@@ -7,7 +7,7 @@ namespace {
 
 std::size_t memory_of(const Scene& scene) {
   return scene.ids.size() * sizeof(std::int64_t) + scene.rows.size() * sizeof(double) +
-         (scene.outlines ? scene.outlines->memory() : 0);
+         (scene.forms ? scene.forms->memory() : 0);
 }
 
 }  // namespace
@@ -87,7 +87,7 @@ std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, bool
   } else {
     table.store->read_all(scene->ids, scene->rows, interrupt_);
   }
-  scene->take_outlines(table.store->outlines(), interrupt_);
+  scene->take_forms(table.store->forms(), interrupt_);
   scenes_[table.store.get()] = {version, scene, ++last_use_};
   drop_scenes_used_long_ago();
   return scene;

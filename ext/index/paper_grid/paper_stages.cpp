@@ -28,7 +28,7 @@ class TypedStages final : public PaperStages {
     boxes_a_ = swept_boxes<D>(a, horizon, margin, interrupt);
     if (between) boxes_b_ = swept_boxes<D>(b, horizon, margin, interrupt);
     count(PaperStage::projection_overlap).seconds = thread_seconds() - begin;
-    // Nothing follows from a centre that an outline need not be around.
+    // Nothing follows from a centre that an outline or a mesh need not be around.
     if (a.at.outline != Offsets::absent || b_.at.outline != Offsets::absent) return;
     centres_ = make_contact(centres_of(a), centres_of(b), {.horizon = horizon}, "a", "b");
   }
@@ -106,7 +106,7 @@ class TypedStages final : public PaperStages {
   Vec<D> margin_;
   Interrupt& interrupt_;
   std::vector<Box<D>> boxes_a_, boxes_b_;  // b: only in a join between two
-  std::unique_ptr<Contact> centres_;       // null: of outlines
+  std::unique_ptr<Contact> centres_;       // null: of outlines or meshes
   std::vector<Pair> hits_, others_;
   std::vector<TwoTrajectories> trajectories_;  // of the pairs behind the hits that stage c has kept
 };

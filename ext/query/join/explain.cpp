@@ -30,7 +30,7 @@ class Explanation {
         b_(question.b ? *question.b : a_),
         interrupt_(interrupt),
         contact_(contact_of(question, true)),
-        refinement_(has_outlines() ? contact_of(question) : nullptr),
+        refinement_(has(Shape::outline) || has(Shape::mesh) ? contact_of(question) : nullptr),
         plan_(plan_join(question, contact_->reach())) {
     if (refinement_) refinement_->heed(interrupt);
     open_axes();
@@ -55,7 +55,7 @@ class Explanation {
   }
 
  private:
-  bool has_outlines() const { return a_.layout.shape == Shape::outline || b_.layout.shape == Shape::outline; }
+  bool has(Shape shape) const { return a_.layout.shape == shape || b_.layout.shape == shape; }
   bool to_the_letter() const { return plan_.method == JoinMethod::gpcd; }
 
   void open_axes() {
@@ -110,7 +110,7 @@ class Explanation {
     hits_.clear();
   }
 
-  /// Of the pairs whose rectangles touch, those whose outlines do. No index vouches for outlines.
+  /// Of the pairs whose boxes touch, those whose outlines or meshes do. No index vouches for these.
   void refine() {
     const double begin = thread_seconds();
     std::vector<Pair> touching;
@@ -133,8 +133,10 @@ class Explanation {
   StageCount left_out() const { return {.before = exact_count_.after, .after = exact_count_.after}; }
 
   std::string exact_detail() const {
-    return (refinement_ ? "of the smallest rectangles around outlines; " : "") + std::to_string(touching_) +
-           " touch at now already";
+    const char* const boxes = has(Shape::mesh)      ? "of the smallest boxes around meshes; "
+                              : has(Shape::outline) ? "of the smallest rectangles around outlines; "
+                                                    : "";
+    return boxes + std::to_string(touching_) + " touch at now already";
   }
 
   std::string refinement_detail() const {
@@ -167,7 +169,7 @@ class Explanation {
   const JoinQuestion& question_;
   const Scene &a_, &b_;
   Interrupt& interrupt_;
-  std::unique_ptr<Contact> contact_, refinement_;  // refinement: null without outlines
+  std::unique_ptr<Contact> contact_, refinement_;  // refinement: null without outlines and meshes
   JoinPlan plan_;
   std::unique_ptr<Candidates> candidates_;
   std::unique_ptr<PaperStages> stages_;

@@ -6,8 +6,8 @@
 //
 // The stages, in this order: candidates, projection overlap, centre point, time interval, trajectory
 // intersection, exact time, refinement (docs/gpcd.md). What one leaves is what the next begins with; the
-// first begins with all pairs of the question, the last leaves those that touch. Where a side has outlines,
-// exact time decides about the smallest rectangles around them and refinement about the outlines; elsewhere
+// first begins with all pairs of the question, the last leaves those that touch. Where a side has outlines
+// or meshes, exact time decides about the smallest boxes around them and refinement about these; elsewhere
 // that is left out. With method gpcd this is the join itself; the other methods go from candidates to exact
 // time at once, and the stages between are measured on their pairs.
 //

@@ -43,7 +43,7 @@ std::shared_ptr<const Scene> objects_near(const Scene& one, NodeSource& tree, co
   if (one.size() == 0) return near;
   with_axes(near->layout.axes,
             [&]<int D>(Axes<D>) { walk<D>(one, tree, horizon, reach, interrupt, keep, *near); });
-  near->take_outlines(tree.outlines(), interrupt);
+  near->take_forms(tree.forms(), interrupt);
   return near;
 }
 

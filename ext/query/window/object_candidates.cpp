@@ -63,7 +63,7 @@ class WindowOfTree final : public ObjectCandidates {
     rows_.resize(batch_size * static_cast<std::size_t>(row_offsets(layout).size));
     ids_.resize(batch_size);
     bodies_ = Bodies(layout, rows_.data(), batch_size);
-    if (tree_->outlines()) bodies_.outlines = &outlines_;
+    if (tree_->forms()) forms_.lend(bodies_);
   }
 
   const Bodies& bodies() const override { return bodies_; }
@@ -84,20 +84,21 @@ class WindowOfTree final : public ObjectCandidates {
       row_from_record(bodies_.layout, record, rows_.data() + row * static_cast<std::size_t>(bodies_.at.size));
       (is_inside(record) ? batch.inside : batch.doubtful).push_back(row);
     }
-    if (bodies_.outlines) {
+    if (FormSource* const source = tree_->forms()) {
       bodies_.count = row;
-      outlines_.assign(bodies_, *tree_->outlines(), interrupt_);
+      forms_.assign(bodies_, *source, interrupt_);
     }
     return !batch.empty();
   }
 
  private:
-  /// Where its centre is within the faces, any shape touches the window; of an outline, which may lie beside
-  /// its centre, the box must be. False where that is not certain.
+  /// Where its centre is within the faces, any shape touches the window; of an outline or a mesh, which may
+  /// lie beside its centre, the box must be. False where that is not certain.
   [[gnu::flatten]] bool is_inside(const double* record) const {
     const Motion<D> motion = reader_.motion(record);
     if (is_zone_ || now_ < motion.t || motion.until < now_) return false;
-    const Extents<D> extents = bodies_.outlines ? reader_.extents(record) : Extents<D>::none();
+    const Extents<D> extents =
+        is_stored_apart(bodies_.layout.shape) ? reader_.extents(record) : Extents<D>::none();
     const Bounds<D> all = bounds_at<D>(motion, extents, now_);
     return (lower_ <= all.x_lower && all.x_upper <= upper_).all();
   }
@@ -114,7 +115,7 @@ class WindowOfTree final : public ObjectCandidates {
   std::vector<double> rows_;
   std::vector<std::int64_t> ids_;
   Bodies bodies_;
-  TurnedOutlines outlines_;  ///< of the rows of this batch, where the layout has any
+  RowForms forms_;  ///< of the rows of this batch, where the layout has any
 };
 
 }  // namespace

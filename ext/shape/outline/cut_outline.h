@@ -10,14 +10,17 @@
 
 #include <mutex>
 
+#include "shape/form.h"
 #include "shape/outline/convex_pieces.h"
 #include "shape/outline/turn.h"
 #include "shape/outline/validity.h"
+#include "shape/outline/wkt_writer.h"
 
 namespace foresee::shape {
 
-class CutOutline {
+class CutOutline final : public Form {
  public:
+  using Pieces = ConvexPieces;
   /// Requires: a valid outline (validity.h).
   explicit CutOutline(Outline outline) : outline_(std::move(outline)) {}
 
@@ -35,20 +38,25 @@ class CutOutline {
     check_turned(outline_, edge_touch_, lies, heading);
     return lies;
   }
+  ConvexPieces pieces_as_it_lies(double heading) const {
+    return turned_pieces(pieces(), as_it_lies(heading));
+  }
+
+  Shape shape() const override { return Shape::outline; }
+  std::size_t corners() const override { return outline_.corners().size(); }
+  std::string text() const override { return write_outline(outline_); }
+  Extents<3> extents(double heading) const override {
+    const Extents<2> flat = as_it_lies(heading).extents();
+    Extents<3> around = Extents<3>::none();
+    around.lower.head<2>() = flat.lower, around.upper.head<2>() = flat.upper;
+    return around;
+  }
 
  private:
   Outline outline_;
   mutable std::once_flag cut_, touched_;
   mutable ConvexPieces pieces_;
   mutable std::optional<Flaw> edge_touch_;
-};
-
-/// Who knows outlines by the numbers that rows have.
-class OutlineSource {
- public:
-  virtual ~OutlineSource() = default;
-  /// Never null: throws where there is none of this number.
-  virtual std::shared_ptr<const CutOutline> outline(std::int64_t number) = 0;
 };
 
 }  // namespace foresee::shape

@@ -82,9 +82,7 @@ Outline turned(const Outline& outline, double heading) {
   for (std::size_t part = 0; part < outline.parts(); ++part)
     for (std::size_t r = outline.part_begin(part); r < outline.part_begin(part + 1); ++r) {
       r == outline.part_begin(part) ? lies.begin_part() : lies.begin_hole();
-      for (const Corner& corner : outline.ring(r)) {
-        lies.add(finite_turn(turn, corner, heading));
-      }
+      for (const Corner& corner : outline.ring(r)) lies.add(finite_turn(turn, corner, heading));
       lies.close_ring();
     }
   return lies;

@@ -31,7 +31,9 @@ class OutlineReader : WktLexer {
   [[noreturn]] void refuse_kind() {
     for (const char* mesh : {"TIN", "POLYHEDRALSURFACE"})
       if (next_is(mesh))
-        fail(std::string(mesh) + " is a mesh, which is not read yet: write POLYGON or MULTIPOLYGON");
+        fail(std::string(mesh) +
+             " is a mesh, as tables with x, y, z and without hz have: leave hz out, or write POLYGON or "
+             "MULTIPOLYGON");
     expected("POLYGON or MULTIPOLYGON");
   }
 

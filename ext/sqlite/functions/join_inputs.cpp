@@ -61,7 +61,7 @@ std::shared_ptr<const Scene> scene_of(const OpenTable& table, std::int64_t id, I
     scene->rows.resize(static_cast<std::size_t>(row_offsets(scene->layout).size));
     row_from_record(scene->layout, record->data(), scene->rows.data());
   }
-  scene->take_outlines(table.store->outlines(), interrupt);
+  scene->take_forms(table.store->forms(), interrupt);
   return scene;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "shape/outline/wkt_writer.h"
 #include "storage/rows/text.h"
 
 namespace foresee::sqlite {
@@ -119,10 +118,9 @@ void TableCursor::keep_ids() {
 }
 
 /// As well-known text; NULL where there is none, and nothing where an UPDATE leaves it as it is.
-void TableCursor::result_outline(sqlite3_context* context, double number) const {
+void TableCursor::result_form(sqlite3_context* context, double number) const {
   if (number == 0 || sqlite3_vtab_nochange(context)) return;
-  const auto outline = table_.store().outline(static_cast<std::int64_t>(number), belief_);
-  const std::string text = write_outline(outline->outline());
+  const std::string text = table_.store().form(static_cast<std::int64_t>(number), belief_)->text();
   sqlite3_result_text(context, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
 }
 
@@ -140,7 +138,7 @@ void TableCursor::column(sqlite3_context* context, int column) const {
             .columns[static_cast<std::size_t>(column - MovingObjectsTable::first_motion_column)];
     const std::size_t first = by_leaf_ ? position_ * (records_.size() / ids_.size()) : 0;
     const double number = records_[first + static_cast<std::size_t>(motion.place)];
-    if (motion.is_outline) return result_outline(context, number);
+    if (motion.is_form) return result_form(context, number);
     if (std::isfinite(number)) sqlite3_result_double(context, number);  // an infinite until reads as NULL
   } else if (column < table_.command_column() && !sqlite3_vtab_nochange(context)) {
     table_.store().result_auxiliary(context, rowid(), auxiliary);

@@ -38,7 +38,7 @@ class TableCursor : public sqlite3_vtab_cursor {
   void require_handle_word(sqlite3_value* word) const;
   void next_leaf();
   void read_present();
-  void result_outline(sqlite3_context* context, double number) const;
+  void result_form(sqlite3_context* context, double number) const;
 
   MovingObjectsTable& table_;
   std::vector<std::int64_t> ids_;

@@ -73,7 +73,7 @@ class Declarer {
     const Offsets at = record_offsets(declaration_.layout);
     for (const DeclaredWord& declared : words_)
       declaration_.columns.push_back({std::string(declared.word.name), place_of(at, declared.word),
-                                      declared.word.quantity == Quantity::outline});
+                                      declared.word.quantity == Quantity::form});
     return std::move(declaration_);
   }
 
@@ -81,7 +81,7 @@ class Declarer {
   void add_motion(const Argument& argument) {
     if (same_name(argument.name, "id")) refuse(argument, "id is declared twice; leave this one out");
     const Word& word = motion_word(argument);
-    if (word.quantity == Quantity::outline)
+    if (word.quantity == Quantity::form)
       require_text(argument);
     else if (!is_one_of(argument.detail,
                         {"", "REAL", "DOUBLE", "DOUBLE PRECISION", "FLOAT", "NUMERIC", "INT", "INTEGER"}))
@@ -150,7 +150,7 @@ void require_table_name(const Declaration& declaration, std::string_view table) 
 std::string declared_schema(const Declaration& declaration, std::string_view table) {
   std::string sql = "CREATE TABLE x(id INTEGER PRIMARY KEY";
   for (const MotionColumn& column : declaration.columns)
-    sql += ", " + quoted_name(column.name) + (column.is_outline ? " TEXT" : " REAL");
+    sql += ", " + quoted_name(column.name) + (column.is_form ? " TEXT" : " REAL");
   for (const AuxiliaryColumn& column : declaration.auxiliaries)
     sql += ", " + quoted_name(column.name) + " " + column.type;
   return sql + ", " + quoted_name(std::string(table)) + " HIDDEN)";

@@ -19,7 +19,7 @@ class Mixture {
     Layout layout{.axes = axes_, .law = law(), .shape = shape()};
     layout.has_t = has(Quantity::reference_time);
     layout.has_until = has(Quantity::until);
-    layout.has_radius = layout.shape == Shape::outline && has(Quantity::radius);
+    layout.has_radius = is_stored_apart(layout.shape) && has(Quantity::radius);
     layout.has_heading = has(Quantity::heading);
     return layout;
   }
@@ -104,21 +104,17 @@ class Mixture {
     return moves ? Law::uniform : Law::rest;
   }
 
-  void require_place_for_outline(const DeclaredWord* outline) const {
-    if (axes_ == 1)
-      refuse(outline, "an outline needs two axes or three; add y, or write hx in place of shape");
+  void require_place_for_form(const DeclaredWord* form) const {
+    if (axes_ == 1) refuse(form, "an outline needs two axes or three; add y, or write hx in place of shape");
     if (has(Quantity::half_extent, 0) || has(Quantity::half_extent, 1))
-      refuse(outline, "a table has either outlines (shape) or boxes (" + list(Quantity::half_extent) +
-                          "); leave one out: a box is an outline of four corners");
-    if (axes_ == 3 && !has(Quantity::half_extent, 2))
-      refuse(outline,
-             "on three axes an outline is that of an upright prism, and needs its half height; add hz");
+      refuse(form, "a table has either outlines (shape) or boxes (" + list(Quantity::half_extent) +
+                       "); leave one out: a box is an outline of four corners");
   }
 
   Shape shape() const {
-    if (const DeclaredWord* outline = first(Quantity::outline)) {
-      require_place_for_outline(outline);
-      return Shape::outline;
+    if (const DeclaredWord* form = first(Quantity::form)) {
+      require_place_for_form(form);
+      return axes_ == 3 && !has(Quantity::half_extent, 2) ? Shape::mesh : Shape::outline;
     }
     if (const DeclaredWord* heading = first(Quantity::heading))
       refuse(heading, "a heading turns an outline; add shape or leave heading out");
@@ -164,7 +160,7 @@ int place_of(const Offsets& at, const Word& word) {
       return at.half == Offsets::absent ? at.hz : at.half + word.axis;
     case Quantity::radius:
       return at.r;
-    case Quantity::outline:
+    case Quantity::form:
       return at.outline;
     case Quantity::heading:
       return at.heading;

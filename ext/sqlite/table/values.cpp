@@ -39,7 +39,7 @@ const char* rule_for_infinity(Quantity quantity) {
 }  // namespace
 
 Values::Values(const Declaration& declaration, const std::string& table)
-    : table_(table), layout_(declaration.layout), at_(record_offsets(layout_)), outlines_(layout_) {
+    : table_(table), layout_(declaration.layout), at_(record_offsets(layout_)), forms_(layout_) {
   for (const MotionColumn& column : declaration.columns)
     columns_.push_back({column.name, find_word(column.name)->quantity, column.place});
   record_.assign(static_cast<std::size_t>(at_.size), 0.0);
@@ -49,21 +49,21 @@ std::span<const double> Values::record(std::int64_t id, sqlite3_value** motion, 
                                        std::optional<std::int64_t> updated) {
   sqlite3_value* shape = nullptr;
   for (std::size_t i = 0; i < columns_.size(); ++i)
-    if (columns_[i].quantity == Quantity::outline)
+    if (columns_[i].quantity == Quantity::form)
       shape = motion[i];
     else
       record_[static_cast<std::size_t>(columns_[i].place)] = stored(columns_[i], id, motion[i]);
   if (layout_.has_until) require_motion_to_last(id);
   if (layout_.law == Law::forced) require_finite_acceleration(id);
-  if (shape) fill_outline(id, shape, store, updated);
+  if (shape) fill_form(id, shape, store, updated);
   return record_;
 }
 
-void Values::fill_outline(std::int64_t id, sqlite3_value* shape, Store& store,
-                          std::optional<std::int64_t> updated) try {
+void Values::fill_form(std::int64_t id, sqlite3_value* shape, Store& store,
+                       std::optional<std::int64_t> updated) try {
   std::vector<double> before;
   if (updated && sqlite3_value_nochange(shape)) before = store.read(*updated).value_or(before);
-  outlines_.fill(record_, shape, before, store);
+  forms_.fill(record_, shape, before, store);
 } catch (const StoreError&) {
   throw;
 } catch (const Error& error) {

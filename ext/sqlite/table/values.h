@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "sqlite/table/outline_values.h"
+#include "sqlite/table/form_values.h"
 #include "sqlite/table/vocabulary.h"
 #include "storage/format/declaration.h"
 #include "storage/rows/sqlite_api.h"
@@ -29,7 +29,7 @@ class Values {
   void rename(const std::string& table) { table_ = table; }
 
   /// `motion`: one value a declared motion column, in their order. `updated`: the row that an UPDATE changes.
-  /// Outlines are stored, by which nothing is changed. Valid until the next call.
+  /// Outlines and meshes are stored, by which nothing is changed. Valid until the next call.
   std::span<const double> record(std::int64_t id, sqlite3_value** motion, Store& store,
                                  std::optional<std::int64_t> updated = {});
 
@@ -44,7 +44,7 @@ class Values {
     int place;
   };
 
-  void fill_outline(std::int64_t id, sqlite3_value* shape, Store& store, std::optional<std::int64_t> updated);
+  void fill_form(std::int64_t id, sqlite3_value* shape, Store& store, std::optional<std::int64_t> updated);
   double stored(const Column& column, std::int64_t id, sqlite3_value* value) const;
   void require_motion_to_last(std::int64_t id) const;
   void require_finite_acceleration(std::int64_t id) const;
@@ -55,7 +55,7 @@ class Values {
   Layout layout_;
   Offsets at_;
   std::vector<Column> columns_;
-  OutlineValues outlines_;
+  FormValues forms_;
   std::vector<double> record_;
 };
 

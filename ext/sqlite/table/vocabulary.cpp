@@ -20,7 +20,7 @@ constexpr std::array words = {
     Word{"fz", Quantity::force, 2},         Word{"m", Quantity::mass, 0},
     Word{"hx", Quantity::half_extent, 0},   Word{"hy", Quantity::half_extent, 1},
     Word{"hz", Quantity::half_extent, 2},   Word{"r", Quantity::radius, 0},
-    Word{"shape", Quantity::outline, 0},    Word{"heading", Quantity::heading, 0},
+    Word{"shape", Quantity::form, 0},       Word{"heading", Quantity::heading, 0},
     Word{"until", Quantity::until, 0},
 };
 

@@ -21,7 +21,7 @@ enum class Quantity : std::uint8_t {
   mass,
   half_extent,
   radius,
-  outline,
+  form,
   heading,
   until,  // the last one
 };

@@ -12,9 +12,9 @@ namespace foresee::storage {
 /// One declared column of the motion vocabulary (the id is not among them) and its place in the stored
 /// record.
 struct MotionColumn {
-  std::string name;  ///< as docs/sql_reference.md#columns spells it: t, x, vy, fz, m, hx, r, shape, until
-  int place;         ///< index among the record's doubles
-  bool is_outline = false;  ///< what stands there is the number of an outline
+  std::string name;      ///< as docs/sql_reference.md#columns spells it: t, x, vy, fz, m, hx, r, shape, until
+  int place;             ///< index among the record's doubles
+  bool is_form = false;  ///< what stands there is the number of an outline
 };
 
 /// `+name TYPE`: carried along.

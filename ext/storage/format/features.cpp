@@ -16,9 +16,10 @@ std::string_view cut_first(std::string_view& names) {
 }  // namespace
 
 std::span<const Feature> known_features() {
-  static constexpr std::array<Feature, 2> known{
+  static constexpr std::array<Feature, 3> known{
       {{map_blocks, [](const Declaration&) { return true; }},
-       {stored_shapes, [](const Declaration& declared) { return declared.layout.shape == Shape::outline; }}}};
+       {stored_shapes, [](const Declaration& declared) { return is_stored_apart(declared.layout.shape); }},
+       {stored_meshes, [](const Declaration& declared) { return declared.layout.shape == Shape::mesh; }}}};
   return known;
 }
 

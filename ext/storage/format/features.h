@@ -23,8 +23,12 @@ struct Feature {
 /// Rows of <name>_map that are blocks of ids (format/id_block.h). Every new table has it.
 constexpr std::string_view map_blocks = "blocks";
 
-/// Outlines of <name>_shape, which records name by number. Tables with a column `shape` have it.
+/// What <name>_shape has, which records name by number. Tables with a column `shape` have it.
 constexpr std::string_view stored_shapes = "shapes";
+
+/// That what it has are meshes, and bounds those of three axes. Tables with `shape` and z, but no hz, have
+/// it.
+constexpr std::string_view stored_meshes = "meshes";
 
 /// Bytes that are read of their names.
 constexpr std::size_t most_features = 1000;

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "shape/shapes.h"
-#include "storage/format/outline_blob.h"
+#include "storage/format/form_blob.h"
 
 namespace foresee::storage {
 namespace {
@@ -25,17 +25,22 @@ bool all_finite(const std::byte* numbers, std::size_t count) {
   return found == 0;
 }
 
-const char* outline_fault(const NodeFormat& format, const std::byte* record) {
+const char* form_fault(const NodeFormat& format, const std::byte* record) {
+  const bool mesh = format.layout.shape == Shape::mesh;
+  const int axes = bounded_axes(format.layout.shape);
   const double number = number_at(record, format.at.outline);
-  if (!(0 <= number && number <= static_cast<double>(largest_outline_number) && number == std::floor(number)))
-    return "an outline's number is none";
+  if (!(0 <= number && number <= static_cast<double>(largest_form_number) && number == std::floor(number)))
+    return mesh ? "a mesh's number is none" : "an outline's number is none";
   if (format.at.heading != Offsets::absent && std::abs(number_at(record, format.at.heading)) > 360)
     return "a heading is beyond 360 degrees";
-  for (int axis = 0; axis < 2; ++axis) {
+  for (int axis = 0; axis < axes; ++axis) {
     const double lower = number_at(record, format.at.bounds + axis);
-    const double upper = number_at(record, format.at.bounds + 2 + axis);
-    if (lower > upper) return "the bounds of an outline are the wrong way round";
-    if (number == 0 && (lower != 0 || upper != 0)) return "what has no outline has bounds";
+    const double upper = number_at(record, format.at.bounds + axes + axis);
+    if (lower > upper)
+      return mesh ? "the bounds of a mesh are the wrong way round"
+                  : "the bounds of an outline are the wrong way round";
+    if (number == 0 && (lower != 0 || upper != 0))
+      return mesh ? "what has no mesh has bounds" : "what has no outline has bounds";
   }
   return nullptr;
 }
@@ -47,7 +52,7 @@ const char* extent_fault(const NodeFormat& format, const std::byte* record) {
       for (int axis = 0; axis < axes; ++axis)
         if (number_at(record, format.at.*column.place + axis) < 0) return column.when_negative;
     }
-    return format.layout.shape == Shape::outline ? outline_fault(format, record) : nullptr;
+    return is_stored_apart(format.layout.shape) ? form_fault(format, record) : nullptr;
   });
 }
 

@@ -3,27 +3,25 @@
 #include <cmath>
 
 #include "shape/outline/validity.h"
-#include "storage/format/crc32c.h"
+#include "storage/format/form_frame.h"
 #include "storage/format/node_format.h"
 
 namespace foresee::storage {
 namespace {
 
-constexpr std::uint8_t format = 1, flat = 1;
-constexpr std::size_t counts_at = 4, header_size = 16, checksum_size = 4;
-
 /// How many of each a blob has, and so where everything stands.
 struct Counts {
   std::uint32_t rings, parts, corners;
 
-  std::size_t part_begins_at() const { return header_size + std::size_t{4} * rings; }
+  std::size_t part_begins_at() const { return form_header_size + std::size_t{4} * rings; }
   std::size_t corners_at() const { return part_begins_at() + std::size_t{4} * parts; }
-  std::size_t size() const { return corners_at() + sizeof(Corner) * corners + checksum_size; }
+  std::size_t size() const { return corners_at() + sizeof(Corner) * corners + form_checksum_size; }
 };
 
 Counts counts_of(const std::byte* blob) {
-  return {load_number<std::uint32_t>(blob + counts_at), load_number<std::uint32_t>(blob + counts_at + 4),
-          load_number<std::uint32_t>(blob + counts_at + 8)};
+  const std::byte* const at = blob + form_counts_at;
+  return {load_number<std::uint32_t>(at), load_number<std::uint32_t>(at + 4),
+          load_number<std::uint32_t>(at + 8)};
 }
 
 /// Rings as the blob has them, as far as they are rings at all.
@@ -35,7 +33,7 @@ const char* read_rings(const std::byte* blob, const Counts& counts, Outline& out
     if (ring == 0 && !begins_part) return "its first ring begins no part";
     part += begins_part;
     begins_part ? outline.begin_part() : outline.begin_hole();
-    const auto end = load_number<std::uint32_t>(blob + header_size + std::size_t{4} * ring);
+    const auto end = load_number<std::uint32_t>(blob + form_header_size + std::size_t{4} * ring);
     if (end <= corner || end > counts.corners) return "its rings do not follow one another";
     for (; corner < end; ++corner) {
       const auto at = load_number<Corner>(blob + counts.corners_at() + sizeof(Corner) * corner);
@@ -53,13 +51,12 @@ std::vector<std::byte> encode_outline(const Outline& outline) {
   const Counts counts{static_cast<std::uint32_t>(outline.rings()),
                       static_cast<std::uint32_t>(outline.parts()),
                       static_cast<std::uint32_t>(outline.corners().size())};
-  std::vector<std::byte> blob(counts.size());
-  store_number(blob.data(), format);
-  store_number(blob.data() + 1, flat);
-  store_number(blob.data() + counts_at, counts.rings);
-  store_number(blob.data() + counts_at + 4, counts.parts);
-  store_number(blob.data() + counts_at + 8, counts.corners);
-  std::byte* at = blob.data() + header_size;
+  std::vector<std::byte> blob = form_blob_of(FormKind::outline, counts.size());
+  std::byte* at = blob.data() + form_counts_at;
+  for (const std::uint32_t count : {counts.rings, counts.parts, counts.corners}) {
+    store_number(at, count);
+    at += sizeof count;
+  }
   for (std::uint32_t ring = 0; ring < counts.rings; ++ring, at += 4)
     store_number(at, static_cast<std::uint32_t>(outline.ring_begin(ring) + outline.ring(ring).size()));
   for (std::uint32_t part = 0; part < counts.parts; ++part, at += 4)
@@ -68,21 +65,14 @@ std::vector<std::byte> encode_outline(const Outline& outline) {
     store_number(at, corner);
     at += sizeof corner;
   }
-  store_number(at, crc32c(blob.data(), blob.size() - checksum_size));
+  seal_form(blob);
   return blob;
-}
-
-std::uint32_t checksum_of_outline(std::span<const std::byte> blob) {
-  return load_number<std::uint32_t>(blob.data() + blob.size() - checksum_size);
 }
 
 const char* decode_outline(std::span<const std::byte> blob, Outline& outline) {
   outline = {};
-  if (blob.size() < header_size + checksum_size) return "it is too short";
-  if (checksum_of_outline(blob) != crc32c(blob.data(), blob.size() - checksum_size))
-    return "its checksum is wrong";
-  if (load_number<std::uint8_t>(blob.data()) != format || load_number<std::uint8_t>(blob.data() + 1) != flat)
-    return "its format or kind is not known";
+  if (const char* fault = form_frame_fault(blob)) return fault;
+  if (form_kind_of(blob) != FormKind::outline) return "its format or kind is not known";
   const Counts counts = counts_of(blob.data());
   if (counts.corners > most_corners || counts.rings > counts.corners || counts.parts > counts.rings)
     return "its counts are wrong";

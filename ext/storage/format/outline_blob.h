@@ -1,4 +1,4 @@
-// An outline as it is stored: a row's blob of <name>_shape.
+// An outline as it is stored: a row's blob of <name>_shape (form_frame.h).
 //
 //     byte 0   1      2..3   4..7    8..11   12..15
 //   +--------+------+------+-------+-------+---------+-----------------+------------------+----------+
@@ -11,7 +11,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -19,14 +18,8 @@
 
 namespace foresee::storage {
 
-/// Outlines are numbered from 1 to this: a record holds the number in a double.
-constexpr std::int64_t largest_outline_number = std::int64_t{1} << 53;
-
 /// Requires: a valid outline.
 std::vector<std::byte> encode_outline(const Outline& outline);
-
-/// What a blob says of itself: equal blobs have equal ones, others seldom.
-std::uint32_t checksum_of_outline(std::span<const std::byte> blob);
 
 /// What is wrong with a blob; null: nothing, and `outline` is a valid outline.
 const char* decode_outline(std::span<const std::byte> blob, Outline& outline);

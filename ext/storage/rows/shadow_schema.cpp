@@ -46,7 +46,7 @@ ShadowTables shadow_tables(sqlite3* db, const QualifiedName& name, const Declara
     for (std::size_t i = 0; i < declaration.auxiliaries.size(); ++i) definition += ", a" + std::to_string(i);
     tables.push_back({"aux", definition + ")"});
   }
-  if (declaration.layout.shape == Shape::outline) tables.push_back(ShapeRows::table());
+  if (is_stored_apart(declaration.layout.shape)) tables.push_back(ShapeRows::table());
   return {db, name, std::move(tables)};
 }
 
@@ -71,7 +71,7 @@ std::string describe_columns(const Declaration& declaration) {
                          : static_cast<void>(text += std::string(", ") + column.name);
     }
   });
-  if (layout.shape == Shape::outline) text += layout.has_heading ? ", shape, heading" : ", shape";
+  if (is_stored_apart(layout.shape)) text += layout.has_heading ? ", shape, heading" : ", shape";
   if (layout.has_until) text += ", until";
   for (const AuxiliaryColumn& column : declaration.auxiliaries) text += ", +" + column.name;
   return text;

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 
-#include "storage/format/outline_blob.h"
+#include "storage/format/form_blob.h"
 #include "storage/rows/store_error.h"
 
 namespace foresee::storage {
 
-ShapeRows::ShapeRows(const ShadowTables& tables)
+ShapeRows::ShapeRows(const ShadowTables& tables, Shape shape)
     : table_(tables.name().table),
+      shape_(shape),
       by_hash_(tables.statement("SELECT number, data FROM {shape} WHERE hash = ?1 ORDER BY number")),
       largest_(tables.statement("SELECT number FROM {shape} ORDER BY number DESC LIMIT 1")),
       add_(tables.statement("INSERT INTO {shape} VALUES(?1, ?2, ?3)")),
@@ -19,15 +20,16 @@ ShapeRows::ShapeRows(const ShadowTables& tables)
 
 std::int64_t ShapeRows::number_of(std::optional<std::int64_t> last, Statement::Run& run) const {
   const std::int64_t number = number_after(last, run, {table_, "shape"});
-  if (number < 1 || number > largest_outline_number)
+  if (number < 1 || number > largest_form_number)
     throw StoreError(SQLITE_CORRUPT_VTAB, table_ + ": " + table_ + "_shape is damaged: row " +
-                                              std::to_string(number) + " is no outline's number");
+                                              std::to_string(number) + " is no " + name_of_form(shape_) +
+                                              "'s number");
   return number;
 }
 
 std::optional<std::int64_t> ShapeRows::find(std::span<const std::byte> blob) {
   Statement::Run run(by_hash_);
-  run.bind(1, std::int64_t{checksum_of_outline(blob)});
+  run.bind(1, std::int64_t{checksum_of_form(blob)});
   for (std::optional<std::int64_t> last; run.step();) {
     last = number_of(last, run);
     if (std::ranges::equal(run.blob(1), blob)) return last;
@@ -41,24 +43,25 @@ std::int64_t ShapeRows::read_largest_number() {
 }
 
 void ShapeRows::add(std::int64_t number, std::span<const std::byte> blob) {
-  if (number > largest_outline_number)
-    throw StoreError(SQLITE_FULL, table_ + ": there is no number left for an outline");
+  if (number > largest_form_number)
+    throw StoreError(SQLITE_FULL, table_ + ": there is no number left for " +
+                                      (shape_ == Shape::mesh ? "a mesh" : "an outline"));
   Statement::Run run(add_);
   run.bind(1, number);
-  run.bind(2, std::int64_t{checksum_of_outline(blob)});
+  run.bind(2, std::int64_t{checksum_of_form(blob)});
   run.bind(3, blob);
   run.step();
 }
 
-Outline ShapeRows::read(std::int64_t number) {
-  const std::string where = table_ + ": outline " + std::to_string(number);
+std::shared_ptr<const Form> ShapeRows::read(std::int64_t number) {
+  const std::string where = table_ + ": " + name_of_form(shape_) + ' ' + std::to_string(number);
   Statement::Run run(read_);
   run.bind(1, number);
   if (!run.step()) throw StoreError(SQLITE_CORRUPT_VTAB, where + " is missing in " + table_ + "_shape");
-  Outline outline;
-  if (const char* fault = row_fault(run, outline))
+  std::shared_ptr<const Form> form;
+  if (const char* fault = row_fault(run, form))
     throw StoreError(SQLITE_CORRUPT_VTAB, where + " is damaged: " + fault);
-  return outline;
+  return form;
 }
 
 void ShapeRows::erase(std::int64_t number) {
@@ -67,11 +70,11 @@ void ShapeRows::erase(std::int64_t number) {
   run.step();
 }
 
-const char* ShapeRows::row_fault(Statement::Run& run, Outline& outline) {
+const char* ShapeRows::row_fault(Statement::Run& run, std::shared_ptr<const Form>& form) const {
   if (!run.is_blob(2)) return "it is no blob";
   const std::span<const std::byte> blob = run.blob(2);
-  if (const char* fault = decode_outline(blob, outline)) return fault;
-  const bool agrees = run.is_integer(1) && run.integer(1) == std::int64_t{checksum_of_outline(blob)};
+  if (const char* fault = decode_form(blob, shape_, form)) return fault;
+  const bool agrees = run.is_integer(1) && run.integer(1) == std::int64_t{checksum_of_form(blob)};
   return agrees ? nullptr : "its hash is not that of its content";
 }
 

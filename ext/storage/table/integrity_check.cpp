@@ -8,7 +8,7 @@
 #include "storage/format/leaf_node.h"
 #include "storage/rows/store_error.h"
 #include "storage/rows/text.h"
-#include "storage/table/outline_check.h"
+#include "storage/table/form_check.h"
 
 namespace foresee::storage {
 namespace {
@@ -71,8 +71,8 @@ class IntegrityCheck {
   }
 
   /// A leaf that is damaged has been said already.
-  void outlines(ShapeRows& rows) try {
-    OutlineCheck check(rows, format_);
+  void forms(ShapeRows& rows) try {
+    FormCheck check(rows, format_);
     const auto say = [this](const std::string& fault) { this->say(fault); };
     check.read(say);
     std::vector<double> record(static_cast<std::size_t>(format_.at.size));
@@ -159,13 +159,13 @@ class IntegrityCheck {
 }  // namespace
 
 std::vector<std::string> check_integrity(ShadowRows& rows, NodeCache& cache, const NodeFormat& format,
-                                         const QualifiedName& name, bool has_auxiliaries, ShapeRows* outlines,
+                                         const QualifiedName& name, bool has_auxiliaries, ShapeRows* shapes,
                                          Interrupt& interrupt) {
   IntegrityCheck check(rows, cache, format, name, interrupt);
   check.meta();
   check.nodes();
   check.map();
-  if (outlines) check.outlines(*outlines);
+  if (shapes) check.forms(*shapes);
   if (has_auxiliaries) check.auxiliaries();
   check.tree();
   check.count();

@@ -34,14 +34,14 @@
 #include "storage/nodes/pending_objects.h"
 #include "storage/rows/store_error.h"
 #include "storage/table/content_version.h"
+#include "storage/table/forms.h"
 #include "storage/table/object_count.h"
-#include "storage/table/outlines.h"
 
 namespace foresee::storage {
 
 class LeafView;
 
-class Store final : private MemoryHolder, public OutlineSource, public std::enable_shared_from_this<Store> {
+class Store final : private MemoryHolder, public FormSource, public std::enable_shared_from_this<Store> {
  public:
   /// Makes the shadow tables of a new table.
   static std::shared_ptr<Store> create(sqlite3* db, const std::string& schema, const std::string& table,
@@ -80,16 +80,14 @@ class Store final : private MemoryHolder, public OutlineSource, public std::enab
   std::shared_ptr<NodeSource> take_snapshot();
   /// The newest reference time stored; 0 without objects or without t. Reads one node.
   double read_newest_t();
-  /// Of the outlines that records name by number; null in a table without.
-  OutlineSource* outlines() { return outlines_ ? this : nullptr; }
+  /// Of the outlines or meshes that records name by number; null in a table without.
+  FormSource* forms() { return forms_ ? this : nullptr; }
   /// One of them, as this connection sees them now.
-  std::shared_ptr<const CutOutline> outline(std::int64_t number) override;
+  std::shared_ptr<const Form> form(std::int64_t number) override;
   /// The same for a statement that reads the table, again and again.
-  std::shared_ptr<const CutOutline> outline(std::int64_t number, StatementBelief& belief);
+  std::shared_ptr<const Form> form(std::int64_t number, StatementBelief& belief);
   /// For snapshots; null in a table without.
-  std::shared_ptr<const StoredOutlines::ByNumber> known_outlines() {
-    return outlines_ ? outlines_->known() : nullptr;
-  }
+  std::shared_ptr<const StoredForms::ByNumber> known_forms() { return forms_ ? forms_->known() : nullptr; }
   /// Whoever has read every leaf says how many objects there were: SQLITE_CORRUPT_VTAB if the map has others.
   /// While changed leaves wait to be written, nothing can be said.
   void expect_objects(std::size_t found);
@@ -100,9 +98,9 @@ class Store final : private MemoryHolder, public OutlineSource, public std::enab
   // --- writing: each is atomic, all or nothing
   /// The id that SQLite would give to a row without one: one more than the largest.
   std::int64_t find_next_id();
-  /// The outline of a well-known text, stored if it is not yet: for a record to name it by number. Throws
-  /// Error for a text that is none. Requires: the layout is one of outlines.
-  StoredOutlines::Known find_or_add_outline(std::string_view text);
+  /// The outline or mesh of a well-known text, stored if it is not yet: for a record to name it by number.
+  /// Throws Error for a text that is none. Requires: the layout is one whose shapes are stored apart.
+  StoredForms::Known find_or_add_form(std::string_view text);
   /// Requires: no object has this id. `auxiliaries`: one value per auxiliary column.
   void insert(std::int64_t id, std::span<const double> record, std::span<sqlite3_value*> auxiliaries);
   /// Requires: `id` exists. Auxiliary values that are sqlite3_value_nochange stay as they are. Another object
@@ -222,7 +220,7 @@ class Store final : private MemoryHolder, public OutlineSource, public std::enab
   void collect_stored(std::vector<std::int64_t>& ids, std::vector<double>& records, Interrupt& interrupt);
   void pack(Interrupt& interrupt);
   /// Outlines that none of these records names go, unless a snapshot may still ask for them.
-  void drop_unused_outlines(std::span<const double> records);
+  void drop_unused_forms(std::span<const double> records);
 
   // transactions (store_life.cpp)
   struct Savepoint {
@@ -259,9 +257,9 @@ class Store final : private MemoryHolder, public OutlineSource, public std::enab
   MemoryShare share_;
   NodeCache cache_;
   std::unique_ptr<TprTree> tree_;
-  std::shared_ptr<PendingObjects> pending_;   ///< shared with savepoints that would take it back
-  std::unique_ptr<StoredOutlines> outlines_;  ///< null: the layout has none
-  ObjectChanges object_changes_;              ///< empty where nobody wants them
+  std::shared_ptr<PendingObjects> pending_;  ///< shared with savepoints that would take it back
+  std::unique_ptr<StoredForms> forms_;       ///< null: the layout has none
+  ObjectChanges object_changes_;             ///< empty where nobody wants them
   bool keeps_changes_ = false, wants_changes_ = false;
 
   bool in_transaction_;

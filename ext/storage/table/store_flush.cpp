@@ -173,16 +173,16 @@ void Store::pack(Interrupt& interrupt) {
   cache_.erase_everything();
   with_sound_tree([&] { tree_->bulk_load(ids, records, interrupt); });
   write_count(static_cast<std::int64_t>(ids.size()));
-  if (outlines_) drop_unused_outlines(records);
+  if (forms_) drop_unused_forms(records);
   atomic_change.done();
 }
 
-void Store::drop_unused_outlines(std::span<const double> records) {
+void Store::drop_unused_forms(std::span<const double> records) {
   if (cache_.has_snapshots()) return;
   std::unordered_set<std::int64_t> used;
   for (std::size_t i = 0; i < records.size(); i += static_cast<std::size_t>(format_.at.size))
     used.insert(static_cast<std::int64_t>(records[i + static_cast<std::size_t>(format_.at.outline)]));
-  outlines_->keep_only(used);
+  forms_->keep_only(used);
 }
 
 }  // namespace foresee::storage

@@ -62,8 +62,9 @@ Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const Nod
       in_transaction_(is_new),
       table_at_begin_(name_.table) {
   cache_.connect(*shadow_rows_);
-  if (declaration_.layout.shape == Shape::outline)
-    outlines_ = std::make_unique<StoredOutlines>(shadow_tables(db_, name_, declaration_));
+  if (is_stored_apart(declaration_.layout.shape))
+    forms_ =
+        std::make_unique<StoredForms>(shadow_tables(db_, name_, declaration_), declaration_.layout.shape);
 }
 
 ShadowRows& Store::shadow_rows() {
@@ -87,7 +88,7 @@ void Store::believe_only_this_stamp() {
   if (!stamp) damaged("the stamp is missing");
   if (believed_stamp_ == stamp) return;
   cache_.forget_all();
-  if (outlines_) outlines_->forget_all();
+  if (forms_) forms_->forget_all();
   believed_stamp_.reset();
   count_.stored = shadow_rows().read_objects();
   believed_stamp_ = stamp;
@@ -172,7 +173,7 @@ void Store::rollback() {
 
 void Store::back_to_begin() noexcept {
   cache_.roll_back();
-  if (outlines_) outlines_->forget_texts();
+  if (forms_) forms_->forget_texts();
   if (writing_) count_ = count_before_;
   if (!savepoints_.empty()) pending_ = savepoints_.front().pending;
   pending_->clear();
@@ -240,7 +241,7 @@ void Store::back_to(const Savepoint& savepoint) {
   go_by(savepoint.table);
   own_stamp_ = savepoint.own_stamp;
   cache_.restore(savepoint.mark, savepoint.map_position);
-  if (outlines_) outlines_->forget_texts();
+  if (forms_) forms_->forget_texts();
   pending_ = savepoint.pending;
   pending_->rewind(savepoint.pending_position);
   object_changes_.rewind(savepoint.changes_position);
@@ -266,7 +267,7 @@ void Store::go_by(const std::string& table) {
   const ShadowTables tables = shadow_tables(db_, name_, declaration_);
   shadow_rows_ = std::make_unique<ShadowRows>(tables, declaration_);
   cache_.connect(*shadow_rows_);
-  if (outlines_) outlines_->connect(tables);
+  if (forms_) forms_->connect(tables);
   remember_open_store(db_, name_, shared_from_this());
 }
 

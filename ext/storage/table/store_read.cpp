@@ -183,15 +183,15 @@ double Store::read_newest_t() {
   return with_sound_tree([&] { return index::read_newest_t(nodes()); });
 }
 
-std::shared_ptr<const CutOutline> Store::outline(std::int64_t number) {
-  believe_only_this_stamp();  // under another one the number may be another outline's
-  return outlines_->outline(number);
+std::shared_ptr<const Form> Store::form(std::int64_t number) {
+  believe_only_this_stamp();  // under another one the number may be another form's
+  return forms_->form(number);
 }
 
-std::shared_ptr<const CutOutline> Store::outline(std::int64_t number, StatementBelief& belief) {
+std::shared_ptr<const Form> Store::form(std::int64_t number, StatementBelief& belief) {
   if (belief.transaction != transaction_) believe_only_this_stamp();
   belief.transaction = transaction_;
-  return outlines_->outline(number);
+  return forms_->form(number);
 }
 
 std::vector<std::string> Store::integrity_check(Interrupt& interrupt) {
@@ -199,7 +199,7 @@ std::vector<std::string> Store::integrity_check(Interrupt& interrupt) {
   cache_.forget_clean();
   return with_sound_tree([&] {
     return check_integrity(shadow_rows(), cache_, format_, name_, has_auxiliaries(),
-                           outlines_ ? &outlines_->rows() : nullptr, interrupt);
+                           forms_ ? &forms_->rows() : nullptr, interrupt);
   });
 }
 

@@ -58,11 +58,11 @@ std::int64_t Store::find_next_id() {
   throw StoreError(SQLITE_FULL, name_.table + ": there is no id left");
 }
 
-StoredOutlines::Known Store::find_or_add_outline(std::string_view text) {
+StoredForms::Known Store::find_or_add_form(std::string_view text) {
   start_change({});
   const OwnStatements own(*this);
   ++undo_position_;  // a row may be written, which only going back takes away
-  return outlines_->find_or_add(text);
+  return forms_->find_or_add(text);
 }
 
 // --- what a transaction has changed

@@ -8,12 +8,12 @@
 
 namespace foresee::storage {
 
-class TreeSnapshot final : public NodeSource, private OutlineSource {
+class TreeSnapshot final : public NodeSource, private FormSource {
  public:
   explicit TreeSnapshot(std::shared_ptr<Store> store)
       : store_(std::move(store)),
         root_(store_->nodes().find_root()),
-        outlines_(store_->known_outlines()),
+        forms_(store_->known_forms()),
         mark_(store_->nodes().set_mark(true)) {}
   ~TreeSnapshot() override { store_->give_up(mark_); }
   TreeSnapshot(const TreeSnapshot&) = delete;
@@ -24,18 +24,18 @@ class TreeSnapshot final : public NodeSource, private OutlineSource {
   std::shared_ptr<const Node> read(NodeNumber number) override {
     return store_->nodes().read_at(mark_, number);
   }
-  OutlineSource* outlines() override { return outlines_ ? this : nullptr; }
+  FormSource* forms() override { return forms_ ? this : nullptr; }
 
  private:
   /// What a rollback took back is not stored any more.
-  std::shared_ptr<const CutOutline> outline(std::int64_t number) override {
-    const auto known = outlines_->find(number);
-    return known == outlines_->end() ? store_->outline(number) : known->second;
+  std::shared_ptr<const Form> form(std::int64_t number) override {
+    const auto known = forms_->find(number);
+    return known == forms_->end() ? store_->form(number) : known->second;
   }
 
   std::shared_ptr<Store> store_;
   NodeNumber root_;
-  std::shared_ptr<const StoredOutlines::ByNumber> outlines_;  ///< null: the layout has none
+  std::shared_ptr<const StoredForms::ByNumber> forms_;  ///< null: the layout has none
   UndoLog::Handle mark_;
 };
 

@@ -12,8 +12,8 @@
 namespace foresee::shape {
 namespace {
 
-struct Shelf final : OutlineSource {
-  std::shared_ptr<const CutOutline> outline(std::int64_t number) override {
+struct Shelf final : FormSource {
+  std::shared_ptr<const Form> form(std::int64_t number) override {
     ++asked;
     if (number > 2) throw Error("no such outline");
     return std::make_shared<const CutOutline>(read_outline(

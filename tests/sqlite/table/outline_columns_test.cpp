@@ -42,9 +42,6 @@ TEST_F(OutlineColumns, AreRefusedWithWhatToWriteInstead) {
             "s: \"shape\": a table has either outlines (shape) or boxes (hx, hy); leave one out: a box is an "
             "outline of four corners");
   EXPECT_EQ(create_error("id, x, y, shape, hz"), "s: \"hz\": there is no axis z; add z or leave hz out");
-  EXPECT_EQ(create_error("id, x, y, z, shape"),
-            "s: \"shape\": on three axes an outline is that of an upright prism, and needs its half height; "
-            "add hz");
   EXPECT_EQ(create_error("id, x, y, heading"),
             "s: \"heading\": a heading turns an outline; add shape or leave heading out");
   EXPECT_EQ(create_error("id, x, y, shape REAL"),
@@ -84,8 +81,8 @@ TEST_F(OutlineColumns, SayWhatIsWrongAndWhere) {
   EXPECT_EQ(fault("'POLYGON Z((0 0 1, 2 2 1, 2 0 1, 0 0 1))'"),
             "ships.shape of row 7: at character 9: corners of a flat outline have two numbers: leave Z out");
   EXPECT_EQ(fault("'TIN Z(((0 0 0, 1 0 0, 0 1 0, 0 0 0)))'"),
-            "ships.shape of row 7: at character 1: TIN is a mesh, which is not read yet: write POLYGON or "
-            "MULTIPOLYGON");
+            "ships.shape of row 7: at character 1: TIN is a mesh, as tables with x, y, z and without hz "
+            "have: leave hz out, or write POLYGON or MULTIPOLYGON");
   EXPECT_EQ(fault("NULL", "511"),
             "ships.heading of row 7 is 511: write -360 to 360 (511 is \"not available\" in AIS: write the "
             "course, or NULL for shape and half the length as r)");

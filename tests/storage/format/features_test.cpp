@@ -34,6 +34,16 @@ TEST(Features, TheFirstUnknownOneIsFound) {
   EXPECT_EQ(unknown_feature(",long", two), ",");
 }
 
+// To a library of before, bounds of three axes would be those of two.
+TEST(Features, MeshesAreRefusedByWhoKnowsFlatOutlinesOnly) {
+  Declaration declaration{.layout = {.axes = 3, .shape = Shape::mesh}};
+  EXPECT_EQ(features_of(declaration), "blocks,shapes,meshes");
+  EXPECT_EQ(unknown_feature(features_of(declaration)), "");
+  EXPECT_EQ(unknown_feature(features_of(declaration), known_features().first(2)), "meshes");
+  declaration.layout.shape = Shape::outline;
+  EXPECT_EQ(features_of(declaration), "blocks,shapes");
+}
+
 TEST(Features, OneIsFoundAmongTheNames) {
   for (const char* names : {"blocks", "blocks,growth", "growth,blocks", "a,blocks,b"})
     EXPECT_TRUE(has_feature(names, "blocks")) << names;

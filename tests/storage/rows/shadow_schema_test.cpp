@@ -20,6 +20,8 @@ TEST(ShadowSchema, DescribesTheColumnsOfEveryLayout) {
   EXPECT_EQ(describe_columns({.layout = outlined}), "id, x, y, z, hz, shape, heading, until");
   outlined.axes = 2, outlined.has_radius = true, outlined.has_heading = false;
   EXPECT_EQ(describe_columns({.layout = outlined}), "id, x, y, r, shape, until");
+  const Layout meshes{.axes = 3, .shape = Shape::mesh, .has_radius = true, .has_heading = true};
+  EXPECT_EQ(describe_columns({.layout = meshes}), "id, x, y, z, r, shape, heading");
 }
 
 TEST(ShadowSchema, KnowsItsSuffixes) {

@@ -1,0 +1,21 @@
+#include "shape/form.h"
+
+#include "shape/mesh/cut_mesh.h"
+#include "shape/mesh/mesh_reader.h"
+#include "shape/outline/cut_outline.h"
+#include "shape/outline/wkt_reader.h"
+
+namespace foresee::shape {
+
+std::shared_ptr<const Form> read_form(Shape shape, std::string_view text) {
+  if (shape == Shape::mesh) {
+    Mesh mesh = read_mesh(text);
+    check_mesh(mesh);
+    return std::make_shared<const CutMesh>(std::move(mesh));
+  }
+  Outline outline = read_outline(text);
+  check_outline(outline);
+  return std::make_shared<const CutOutline>(std::move(outline));
+}
+
+}  // namespace foresee::shape

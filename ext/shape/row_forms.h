@@ -1,0 +1,36 @@
+// The forms of many rows, of whichever shape their layout has: for whoever makes bodies of rows.
+//
+//   RowForms forms;
+//   forms.assign(bodies, *tree.forms(), interrupt);       // once the rows are there
+//   forms.lend(bodies);                                   // bodies.outlines or bodies.meshes
+#pragma once
+
+#include "shape/mesh/turned_meshes.h"
+#include "shape/outline/turned_outlines.h"
+
+namespace foresee::shape {
+
+class RowForms {
+ public:
+  /// As TurnedForms::assign(). Requires: a layout whose shapes are stored apart.
+  void assign(const Bodies& bodies, FormSource& source, Interrupt& interrupt) {
+    if (bodies.layout.shape == Shape::mesh)
+      meshes_.assign(bodies, source, interrupt);
+    else
+      outlines_.assign(bodies, source, interrupt);
+  }
+  /// Contact of these bodies asks here from now on; this must outlive it.
+  void lend(Bodies& bodies) const {
+    if (bodies.layout.shape == Shape::mesh)
+      bodies.meshes = &meshes_;
+    else
+      bodies.outlines = &outlines_;
+  }
+  std::size_t memory() const { return outlines_.memory() + meshes_.memory(); }
+
+ private:
+  TurnedOutlines outlines_;
+  TurnedMeshes meshes_;
+};
+
+}  // namespace foresee::shape
