@@ -27,7 +27,7 @@ const std::vector<unsigned char>& sound_database(std::size_t which) {
     std::string values = std::to_string(id);
     for (int i = 0; i < table.numbers; ++i)
       values += ", " + std::to_string(1 + (id * (7 + i)) % (11 + 2 * i));
-    if (table.outlined) values += std::string(", ") + fuzz_shapes[id % 3];
+    if (!table.shapes.empty()) values += std::string(", ") + table.shapes[static_cast<std::size_t>(id % 3)];
     db.run("INSERT INTO ships VALUES(" + values + ")");  // until < t is refused
   }
   sqlite3_int64 size = 0;
@@ -76,12 +76,12 @@ void change_node(Connection& db, FuzzBytes& bytes) {
 }
 
 /// The hash agrees, as somebody would see to who knows the format.
-void change_outline(Connection& db, FuzzBytes& bytes) {
+void change_shape(Connection& db, FuzzBytes& bytes) {
   const auto number = bytes.in_range<std::int64_t>(1, 3);
   std::uint32_t checksum = 0;
-  change_blob(db, bytes, "ships_shape", number, [&checksum](std::vector<std::byte>& outline) {
-    checksum = crc32c(outline.data(), outline.size() - sizeof checksum);
-    std::memcpy(outline.data() + outline.size() - sizeof checksum, &checksum, sizeof checksum);
+  change_blob(db, bytes, "ships_shape", number, [&checksum](std::vector<std::byte>& shape) {
+    checksum = crc32c(shape.data(), shape.size() - sizeof checksum);
+    std::memcpy(shape.data() + shape.size() - sizeof checksum, &checksum, sizeof checksum);
   });
   db.run("UPDATE ships_shape SET hash = " + std::to_string(checksum) +
          " WHERE number = " + std::to_string(number));
@@ -143,8 +143,8 @@ void run(FuzzBytes& bytes) {
   Connection db;
   load(db, sound_database(which));
   for (int changes = bytes.in_range(1, 4); changes > 0; --changes)
-    if (fuzz_tables[which].outlined && bytes.flag())
-      change_outline(db, bytes);
+    if (!fuzz_tables[which].shapes.empty() && bytes.flag())
+      change_shape(db, bytes);
     else
       bytes.in_range(0, 3) > 0 ? change_node(db, bytes) : change_tables(db, bytes);
   ask_and_write(db, bytes, fuzz_tables[which]);

@@ -2,15 +2,10 @@
 // that are cut, doubled and spoilt. A message or an outline will do; what is an outline must read back the
 // same, be cut into pieces of its area, and lie turned as an outline or be refused. A crash or a hang will
 // not do.
-#include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <string>
 
 #include "base/error.h"
-#include "base/shown.h"
-#include "bytes.h"
 #include "numbers/dyadic.h"
 #include "shape/outline/convex_pieces.h"
 #include "shape/outline/orientation.h"
@@ -18,43 +13,17 @@
 #include "shape/outline/validity.h"
 #include "shape/outline/wkt_reader.h"
 #include "shape/outline/wkt_writer.h"
+#include "wkt.h"
 
 namespace foresee::testing {
 namespace {
 
-void require(bool holds, const char* what, const std::string& text) {
-  if (holds) return;
-  std::fprintf(stderr, "%s: %s\n", what, text.c_str());
-  std::abort();
-}
-
-std::string number(FuzzBytes& bytes) {
-  switch (bytes.in_range(0, 9)) {
-    case 0: {
-      const auto bits = bytes.any<std::uint64_t>();
-      double any;
-      std::memcpy(&any, &bits, sizeof any);
-      return base::shown(any);
-    }
-    case 1: {
-      const int exponent = bytes.in_range(-300, 200);
-      return base::shown(std::ldexp(bytes.in_range(-9, 9), exponent));
-    }
-    case 2: {
-      const double whole = bytes.in_range(0, 5);
-      return base::shown(std::nextafter(whole, bytes.flag() ? 9 : -9));
-    }
-    default:
-      return std::to_string(bytes.in_range(0, 5));
-  }
-}
-
 std::string ring(FuzzBytes& bytes) {
-  const std::string first = number(bytes) + ' ' + number(bytes);
+  const std::string first = fuzz_coordinate(bytes) + ' ' + fuzz_coordinate(bytes);
   std::string text = '(' + first;
   for (int n = bytes.in_range(2, 5); n > 0; --n) {
-    const std::string x = number(bytes);
-    text += ", " + x + ' ' + number(bytes);
+    const std::string x = fuzz_coordinate(bytes);
+    text += ", " + x + ' ' + fuzz_coordinate(bytes);
   }
   return text + ", " + first + ')';
 }
@@ -71,18 +40,6 @@ std::string fuzz_text(FuzzBytes& bytes) {
   std::string text = "MULTIPOLYGON(" + part(bytes);
   for (int n = bytes.in_range(0, 2); n > 0; --n) text += ", " + part(bytes);
   return text + ')';
-}
-
-/// A few characters changed, cut out or doubled.
-void spoil(std::string& text, FuzzBytes& bytes) {
-  for (int n = bytes.in_range(1, 4); n > 0 && !text.empty(); --n) {
-    const std::size_t at = bytes.in_range<std::size_t>(0, text.size() - 1), length = bytes.in_range(0, 8);
-    const int kind = bytes.in_range(0, 3);
-    if (kind == 0) text[at] = static_cast<char>(bytes.any<std::uint8_t>());
-    if (kind == 1) text[at] = "()., -+e19nP"[bytes.in_range(0, 11)];
-    if (kind == 2) text.erase(at, length);
-    if (kind == 3) text.insert(at, text.substr(at, length));
-  }
 }
 
 Dyadic twice_area(std::span<const Corner> ring) {

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <initializer_list>
+#include <span>
 #include <string>
 
 #include "bytes.h"
@@ -72,11 +73,31 @@ class Connection {
   sqlite3* db_ = nullptr;
 };
 
+/// As they are read back; the last but one is none.
+inline constexpr const char* fuzz_outlines[] = {
+    "'POLYGON((0 0, 2 0, 0 2, 0 0))'",
+    "'POLYGON((-1 -1, 3 -1, 3 0, 0 0, 0 3, -1 3, -1 -1))'",
+    "'POLYGON((0 0, 6 0, 6 6, 0 6, 0 0), (2 2, 3 2, 3 3, 2 2))'",
+    "'MULTIPOLYGON(((4 4, 5 4, 4 5, 4 4)), ((-4 -4, -5 -4, -4 -5, -4 -4)))'",
+    "'POLYGON((0 0, 1 1))'",
+    "NULL",
+};
+inline constexpr const char* fuzz_meshes[] = {
+    "'TIN Z(((0 0 0, 2 0 0, 0 2 0, 0 0 0)))'",
+    "'POLYHEDRALSURFACE Z(((0 0 0, 0 3 0, 3 0 0, 0 0 0)), ((0 0 0, 3 0 0, 0 0 3, 0 0 0)), ((0 0 0, 0 0 3, 0 "
+    "3 0, "
+    "0 0 0)), ((3 0 0, 0 3 0, 0 0 3, 3 0 0)))'",
+    "'TIN Z(((-1 -1 1, 3 -1 0, 0 3 2, -1 -1 1)), ((3 -1 0, -1 -1 1, 0 -4 -1, 3 -1 0)))'",
+    "'MULTIPOLYGON Z(((4 4 4, 5 4 4, 4 5 4, 4 4 4)), ((0 0 -2, 1 0 -2, 0 1 -1, 0 0 -2)))'",
+    "'POLYHEDRALSURFACE Z(((0 0 0, 2 0 0, 0 2 0, 0 0 0)))'",
+    "NULL",
+};
+
 struct FuzzTable {
   const char* columns;  ///< after the id
   int numbers;
   int axes;
-  bool outlined = false;  ///< behind the numbers comes a shape
+  std::span<const char* const> shapes = {};  ///< one of them comes behind the numbers, if there are any
 };
 
 inline constexpr FuzzTable fuzz_tables[] = {
@@ -87,17 +108,8 @@ inline constexpr FuzzTable fuzz_tables[] = {
     {"t, x, y, vx, vy, ax, ay, hx, hy, until", 10, 2},
     {"t, x, y, z, vx, vy, vz, r, hz", 9, 3},
     {"t, x, y, z, vx, vy, vz, fx, fy, fz, m, r, until", 13, 3},
-    {"t, x, y, vx, vy, r, heading, shape", 7, 2, true},
-};
-
-/// As they are read back; the last but one is none.
-inline constexpr const char* fuzz_shapes[] = {
-    "'POLYGON((0 0, 2 0, 0 2, 0 0))'",
-    "'POLYGON((-1 -1, 3 -1, 3 0, 0 0, 0 3, -1 3, -1 -1))'",
-    "'POLYGON((0 0, 6 0, 6 6, 0 6, 0 0), (2 2, 3 2, 3 3, 2 2))'",
-    "'MULTIPOLYGON(((4 4, 5 4, 4 5, 4 4)), ((-4 -4, -5 -4, -4 -5, -4 -4)))'",
-    "'POLYGON((0 0, 1 1))'",
-    "NULL",
+    {"t, x, y, vx, vy, r, heading, shape", 7, 2, fuzz_outlines},
+    {"t, x, y, z, vx, vy, vz, r, heading, shape", 9, 3, fuzz_meshes},
 };
 
 /// The parts one after the other. They are also made in this order, on every compiler; the operands of + are
@@ -137,8 +149,8 @@ inline double fuzz_number(FuzzBytes& bytes) {
 inline std::string fuzz_values(FuzzBytes& bytes, const FuzzTable& table) {
   std::string list;
   for (int i = 0; i < table.numbers; ++i) list += (i ? ", " : "") + literal(fuzz_number(bytes));
-  if (table.outlined)
-    list += std::string(", ") + fuzz_shapes[bytes.in_range<std::size_t>(0, std::size(fuzz_shapes) - 1)];
+  if (!table.shapes.empty())
+    list += std::string(", ") + table.shapes[bytes.in_range<std::size_t>(0, table.shapes.size() - 1)];
   return list;
 }
 
