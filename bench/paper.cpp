@@ -1,12 +1,14 @@
 // The paper's experiments: running time, pairs and prune power against h, v_max, n and a_max, on its scene of
 // 10000 x 10000 x 50 with centres uniform, by Zipf's law and in cities, in linear and in accelerated motion.
 //
-//   bench_paper [--quick] FOLDER          # writes paper.csv and paper_stages.csv there; progress to stderr
+//   bench_paper [--quick] FOLDER          # writes paper.csv, paper_stages.csv and paper_soldiers.csv there;
+//                                         # progress to stderr
 //
 // Methods: gpcd (the paper to the letter), grid (the one for every day), sij-tpr (the synchronous traversal
 // of a loaded TPR-tree with itself; loading is a column of its own) and scan (brute force). Each emits (a, b,
 // t) with the same exact contact, and all must agree. Processor time of one thread; the methods take turns,
-// and a figure is the median over the turns. --quick: fewer turns, and sweeps of three steps.
+// and a figure is the median over the turns. Stages are also those of soldiers (soldiers.h), meshes in place
+// of boxes, at the defaults and 5000 objects. --quick: fewer turns, and sweeps of three steps.
 #include <bit>
 #include <cstdio>
 #include <functional>
@@ -20,6 +22,7 @@
 #include "program.h"
 #include "query/join/explain.h"
 #include "query/join/join.h"
+#include "soldiers.h"
 #include "workloads.h"
 
 namespace foresee::bench {
@@ -145,16 +148,20 @@ void print_setting(std::FILE* file, const Setting& s) {
 class Report {
  public:
   explicit Report(const std::string& folder)
-      : times_(open(folder + "/paper.csv")), stages_(open(folder + "/paper_stages.csv")) {
+      : times_(open(folder + "/paper.csv")),
+        stages_(open(folder + "/paper_stages.csv")),
+        soldiers_(open(folder + "/paper_soldiers.csv")) {
     const char* setting = "sweep,spread,motion,h,v_max,a_max,n";
     std::fprintf(times_, "%s,pairs", setting);
     for (const Method& method : methods) std::fprintf(times_, ",%s_ms", method.name);
     std::fprintf(times_, ",load_ms\n");
-    std::fprintf(stages_, "%s,stage,before,after,prune_power,ms\n", setting);
+    for (std::FILE* file : {stages_, soldiers_})
+      std::fprintf(file, "%s,stage,before,after,prune_power,ms\n", setting);
   }
   ~Report() {
     std::fclose(times_);
     std::fclose(stages_);
+    std::fclose(soldiers_);
   }
   Report(const Report&) = delete;
   Report& operator=(const Report&) = delete;
@@ -166,30 +173,39 @@ class Report {
     std::fprintf(times_, ",%.4f\n", 1e3 * measured.load);
   }
 
-  void add(const Setting& setting, const std::vector<ExplainRow>& rows) {
-    for (const ExplainRow& row : rows) {
-      print_setting(stages_, setting);
-      std::fprintf(stages_, ",%s,%llu,%llu,%.4f,%.4f\n", row.stage,
-                   static_cast<unsigned long long>(row.before), static_cast<unsigned long long>(row.after),
-                   row.prune_power().value_or(0), 1e3 * row.seconds);
-    }
+  void add(const Setting& setting, const std::vector<ExplainRow>& rows) { add(stages_, setting, rows); }
+  void add_soldiers(const Setting& setting, const std::vector<ExplainRow>& rows) {
+    add(soldiers_, setting, rows);
   }
 
  private:
+  static void add(std::FILE* file, const Setting& setting, const std::vector<ExplainRow>& rows) {
+    for (const ExplainRow& row : rows) {
+      print_setting(file, setting);
+      std::fprintf(file, ",%s,%llu,%llu,%.4f,%.4f\n", row.stage, static_cast<unsigned long long>(row.before),
+                   static_cast<unsigned long long>(row.after), row.prune_power().value_or(0),
+                   1e3 * row.seconds);
+    }
+  }
+
   static std::FILE* open(const std::string& path) {
     std::FILE* file = std::fopen(path.c_str(), "w");
     if (file == nullptr) throw Error("cannot write " + path);
     return file;
   }
 
-  std::FILE *times_, *stages_;
+  std::FILE *times_, *stages_, *soldiers_;
 };
 
+std::vector<ExplainRow> explain_boxes(const PaperScene& scene, Interrupt& interrupt) {
+  return explain_join(Objects(scene).question(JoinMethod::gpcd), interrupt);
+}
+
 /// The stages of `count` scenes like this one, summed.
-std::vector<ExplainRow> explain_many(PaperScene scene, std::uint64_t count) {
+std::vector<ExplainRow> explain_many(PaperScene scene, std::uint64_t count, decltype(explain_boxes) explain) {
   std::vector<ExplainRow> sum;
   for (scene.seed = 0; scene.seed < count; ++scene.seed) {
-    const std::vector<ExplainRow> rows = explain_join(Objects(scene).question(JoinMethod::gpcd), never);
+    const std::vector<ExplainRow> rows = explain(scene, never);
     if (sum.empty()) sum.resize(rows.size());
     for (std::size_t i = 0; i < rows.size(); ++i)
       sum[i] = {rows[i].stage, sum[i].before + rows[i].before, sum[i].after + rows[i].after,
@@ -228,11 +244,15 @@ int main_of(const Options& options) {
     std::fprintf(stderr, "\r%zu of %zu settings: %-8s %s      ", i + 1, all.size(), all[i].sweep,
                  name_of(all[i].scene.spread).c_str());
     const std::uint64_t scenes = quick ? 5 : 25;
-    const std::vector<ExplainRow> stages = explain_many(all[i].scene, scenes);
+    const std::vector<ExplainRow> stages = explain_many(all[i].scene, scenes, explain_boxes);
     report.add(all[i], stages);
     Objects objects(all[i].scene);
     report.add(all[i], measure(objects, quick ? 3 : 11),
                static_cast<double>(stages.back().after) / static_cast<double>(scenes));
+  }
+  for (Spread spread : all_spreads) {
+    const Setting soldiers{"soldiers", {.spread = spread, .count = 5000}};
+    report.add_soldiers(soldiers, explain_many(soldiers.scene, quick ? 5 : 25, explain_soldiers));
   }
   std::fprintf(stderr, "\n");
   return 0;
