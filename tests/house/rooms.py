@@ -23,7 +23,7 @@ PAGE_INTERFACE = {"index/pages.h", "index/tpr_tree/tpr_tree.h"}
 SEES_SQLITE = {"storage", "sqlite"}
 # The rooms inside a room: each may include those to its right.
 INSIDE = {
-    "contact": ["outline", "boxes", "exact", "certain", "set"],
+    "contact": ["mesh", "outline", "pieces", "boxes", "exact", "certain", "set"],
     "index": ["paper_grid", "gpcd_grid", "tpr_tree"],
     "shape": ["mesh", "outline"],
     "query": ["join", "window", "nearest", "position"],

@@ -81,7 +81,8 @@ struct JoinRow {
 void require_valid(const JoinQuestion& question);
 
 /// The contact that decides this question's pairs: make_contact() with its scenes, which must outlive the
-/// contact, and its limits; or the same about the smallest rectangles around outlines.
+/// contact, and its limits; or the same about the smallest boxes around outlines
+/// and meshes.
 std::unique_ptr<Contact> contact_of(const JoinQuestion& question, bool rectangles_for_outlines = false);
 
 /// Each side's swept boxes grow by half the reach, rounded up: two grown boxes meet wherever the pair can

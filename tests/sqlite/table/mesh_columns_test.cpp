@@ -76,7 +76,7 @@ TEST_F(MeshColumns, SayWhatIsWrongAndWhere) {
             "drones.shape of row 7: edge (0 0 0, 1 0 0) belongs to 1 triangle, a");
   EXPECT_EQ(fault("'" + roof + "'", "361"),
             "drones.heading of row 7 is 361: beyond a full turn; write degrees from -360 to 360");
-  EXPECT_EQ(fault("'TIN Z(((0 0 0, 4 0 0, 1 1e-30 0, 0 0 0)))'", "45").substr(0, 58),
+  EXPECT_EQ(fault("'TIN Z(((0 0 0, 4 0 0, 1 1e-30 0, 0 0 0)))'", "45").substr(0, 59),
             "drones.shape of row 7: turned by 45 degrees its face 1 (0 0");
   EXPECT_EQ(db.rows("SELECT count(*) FROM drones"), "0");
   EXPECT_EQ(db.rows("SELECT count(*) FROM drones_shape"), "0");
