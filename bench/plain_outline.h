@@ -1,5 +1,6 @@
 // When do two outlines first touch? As a textbook has it, in plain double: every corner of each against every
-// edge of the other, one division each; and at the beginning whether a corner is within.
+// edge of the other, one division each; and at the beginning, where their boxes meet, whether a corner is
+// within or edges cross.
 #pragma once
 
 #include <algorithm>
@@ -41,11 +42,46 @@ inline bool is_within(std::span<const Corner> ring, double x, double y) {
   return within;
 }
 
+/// Do edges of `b`, moved by (x, y), cross edges of `a`?
+inline bool any_crossing(std::span<const Corner> a, std::span<const Corner> b, double x, double y) {
+  const auto side = [](const Corner& p, const Corner& q, const Corner& r) {
+    return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+  };
+  for (std::size_t i = b.size() - 1, j = 0; j < b.size(); i = j++) {
+    const Corner from{b[i].x + x, b[i].y + y}, to{b[j].x + x, b[j].y + y};
+    for (std::size_t k = a.size() - 1, l = 0; l < a.size(); k = l++)
+      if (side(a[k], a[l], from) * side(a[k], a[l], to) < 0 &&
+          side(from, to, a[k]) * side(from, to, a[l]) < 0)
+        return true;
+  }
+  return false;
+}
+
+inline bool boxes_meet(std::span<const Corner> a, std::span<const Corner> b, double x, double y) {
+  const auto apart = [&](auto&& less, auto&& coordinate, double shift) {
+    const auto [a_low, a_high] = std::minmax_element(a.begin(), a.end(), less);
+    const auto [b_low, b_high] = std::minmax_element(b.begin(), b.end(), less);
+    return coordinate(*b_low) + shift > coordinate(*a_high) ||
+           coordinate(*b_high) + shift < coordinate(*a_low);
+  };
+  const auto x_of = [](const Corner& c) { return c.x; };
+  const auto y_of = [](const Corner& c) { return c.y; };
+  return !apart([](const Corner& p, const Corner& q) { return p.x < q.x; }, x_of, x) &&
+         !apart([](const Corner& p, const Corner& q) { return p.y < q.y; }, y_of, y);
+}
+
+/// Whether they touch at the beginning.
+inline bool touch_at_once(const PlainOutlines& p) {
+  if (p.b.size() == 1) return is_within(p.a, p.b[0].x + p.x, p.b[0].y + p.y);
+  return boxes_meet(p.a, p.b, p.x, p.y) &&
+         (is_within(p.a, p.b[0].x + p.x, p.b[0].y + p.y) || is_within(p.b, p.a[0].x - p.x, p.a[0].y - p.y) ||
+          any_crossing(p.a, p.b, p.x, p.y));
+}
+
 /// -1: never. `all`: also where they touch at the beginning, every corner is asked, as whoever wants to know
 /// the end must.
 inline double first_touch(const PlainOutlines& p, bool all) {
-  const bool at_once = is_within(p.a, p.b[0].x + p.x, p.b[0].y + p.y) ||
-                       (p.b.size() > 1 && is_within(p.b, p.a[0].x - p.x, p.a[0].y - p.y));
+  const bool at_once = touch_at_once(p);
   if (at_once && !all) return 0;
   const double never = 2 * p.h;
   double first = first_meeting(p.a, p.b, p.x, p.y, p.vx, p.vy, never);

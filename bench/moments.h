@@ -1,0 +1,47 @@
+// Which pairs does a rival miss, which does it invent, and how far are its moments off?
+//
+//   const Agreement steps = agreement_of(our_moments, moments_of_steps);
+//   steps.missed, steps.invented, steps.off
+//
+// A moment a pair, in seconds from the beginning; below 0: they never touch.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "all_rooms.h"
+#include "contact/contact.h"
+
+namespace foresee::bench {
+
+constexpr double never = -1;
+
+struct Agreement {
+  std::size_t missed = 0, invented = 0;
+  double off = 0;  ///< at most, in seconds
+};
+
+/// The rival may have been asked for the first pairs only.
+inline Agreement agreement_of(std::span<const double> ours, std::span<const double> rivals) {
+  Agreement agreement;
+  for (std::size_t i = 0; i < rivals.size(); ++i) {
+    if (ours[i] >= 0 && rivals[i] < 0) ++agreement.missed;
+    if (ours[i] < 0 && rivals[i] >= 0) ++agreement.invented;
+    if (ours[i] >= 0 && rivals[i] >= 0)
+      agreement.off = std::max(agreement.off, std::abs(rivals[i] - ours[i]));
+  }
+  return agreement;
+}
+
+/// The moments of all pairs, by the hits among them, which stand in the same order.
+inline std::vector<double> moments_of(std::span<const Pair> pairs, std::span<const Pair> hits,
+                                      std::span<const ContactTimes> times) {
+  std::vector<double> moments(pairs.size(), never);
+  for (std::size_t i = 0, hit = 0; i < pairs.size() && hit < hits.size(); ++i)
+    if (pairs[i] == hits[hit]) moments[i] = times[hit++].dt;
+  return moments;
+}
+
+}  // namespace foresee::bench

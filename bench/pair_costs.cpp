@@ -1,0 +1,73 @@
+#include "pair_costs.h"
+
+#include <cstdio>
+
+#include "measure.h"
+
+namespace foresee::bench {
+namespace {
+
+template <class Work>
+double nanoseconds_a_pair(std::size_t pairs, Work&& work) {
+  return seconds_of(work) * 1e9 / static_cast<double>(pairs);
+}
+
+}  // namespace
+
+void PairCosts::add_rival(std::string name, std::size_t most, int repetitions,
+                          std::function<double(const Pair&)> first_moment) {
+  rivals_.push_back({std::move(name), std::min(most, pairs_.size()), repetitions, std::move(first_moment)});
+}
+
+/// The first repetition warms up.
+void PairCosts::measure(int repetitions) {
+  for (int i = 0; i <= repetitions; ++i) {
+    measure_ours(i > 0);
+    for (Rival& rival : rivals_)
+      if (i <= rival.repetitions) measure_rival(rival, i > 0 || rival.repetitions == 0);
+  }
+}
+
+void PairCosts::measure_ours(bool counts) {
+  std::vector<Pair> hits;
+  std::vector<ContactTimes> times;
+  const auto run = [&](std::vector<double>& costs, auto&& work) {
+    hits.clear(), times.clear();
+    const double cost = nanoseconds_a_pair(pairs_.size(), work);
+    if (counts) costs.push_back(cost);
+  };
+  run(decide_, [&] { contact_.decide(pairs_, hits); });
+  run(begins_, [&] { contact_.first_contacts(pairs_, TimesWanted::begins, hits, times); });
+  run(both_, [&] { contact_.first_contacts(pairs_, TimesWanted::both, hits, times); });
+  moments_ = moments_of(pairs_, hits, times);
+}
+
+void PairCosts::measure_rival(Rival& rival, bool counts) const {
+  rival.moments.assign(rival.pairs, never);
+  const double cost = nanoseconds_a_pair(rival.pairs, [&] {
+    for (std::size_t i = 0; i < rival.pairs; ++i) rival.moments[i] = rival.first_moment(pairs_[i]);
+  });
+  if (counts) rival.costs.push_back(cost);
+}
+
+void PairCosts::print(const char* scene) const {
+  const double decide = median(decide_), begins = median(begins_), both = median(both_);
+  const auto touch = [](std::span<const double> moments) {
+    return std::count_if(moments.begin(), moments.end(), [](double moment) { return moment >= 0; });
+  };
+  std::printf("%s: %zu pairs, %td touch; %s\n", scene, pairs_.size(), touch(moments_),
+              contact_.effort().c_str());
+  std::printf("    %-26s %9.0f ns decide %9.0f ns t %9.0f ns t, t_end\n", "foresee", decide, begins, both);
+  for (const Rival& rival : rivals_) {
+    const double cost = median(rival.costs);
+    const Agreement found = agreement_of(moments_, rival.moments);
+    std::printf(
+        "    %-26s %9.0f ns: %.3gx %.3gx %.3gx; of %td in %zu pairs misses %zu, invents %zu, t off by %.2g "
+        "s\n",
+        rival.name.c_str(), cost, cost / decide, cost / begins, cost / both,
+        touch(std::span(moments_).first(rival.pairs)), rival.pairs, found.missed, found.invented, found.off);
+  }
+  std::fflush(stdout);
+}
+
+}  // namespace foresee::bench
