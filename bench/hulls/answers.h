@@ -1,0 +1,34 @@
+// The same question to several tables, one after another in each repetition: what does it cost each?
+#pragma once
+
+#include "measure.h"
+#include "sql.h"
+
+namespace foresee::bench {
+
+/// A prepared question; its first column is a number of rows.
+struct Asked {
+  Asked(Database& db, const std::string& sql) : statement(db, sql) {}
+
+  Statement statement;
+  std::vector<double> seconds = {};
+  std::int64_t rows = 0;
+};
+
+/// `ask` steps through the question once, or once a value that it binds.
+template <class Ask>
+void ask_in_turns(const std::vector<Asked*>& questions, int repetitions, Ask&& ask) {
+  for (int i = 0; i <= repetitions; ++i)
+    for (Asked* question : questions) {
+      question->rows = 0;
+      const double seconds = seconds_of([&] { ask(*question); });
+      if (i > 0) question->seconds.push_back(seconds);
+    }
+}
+
+/// Steps through all rows, the numbers of which add up.
+inline void step_through(Asked& question) {
+  while (question.statement.step()) question.rows += question.statement.integer(0);
+}
+
+}  // namespace foresee::bench
