@@ -4,7 +4,7 @@
 // Two convex pieces touch while d lies in their Minkowski sum A + (-B): on the inner side of all planes that
 // touch it, each of which goes through a corner p of A minus a corner q of B. If R is how near counts as
 // touching, d may also be at most R from a plane, from the line of an edge or from a corner of the sum, where
-// that is what is nearest: the sum grown by R is the union of these (space_parts.h).
+// that is what is nearest: the sum grown by R is the union of these (round_parts.h).
 #pragma once
 
 #include <optional>
