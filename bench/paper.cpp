@@ -1,8 +1,8 @@
 // The paper's experiments: running time, pairs and prune power against h, v_max, n and a_max, on its scene of
 // 10000 x 10000 x 50 with centres uniform, by Zipf's law and in cities, in linear and in accelerated motion.
 //
-//   bench_paper [--quick] FOLDER          # writes paper.csv, paper_stages.csv and paper_soldiers.csv there;
-//                                         # progress to stderr
+//   bench_paper [--quick] FOLDER          # writes paper.csv, paper_stages.csv and the stages of soldiers
+//                                         # there; progress to stderr
 //
 // Methods: gpcd (the paper to the letter), grid (the one for every day), sij-tpr (the synchronous traversal
 // of a loaded TPR-tree with itself; loading is a column of its own) and scan (brute force). Each emits (a, b,

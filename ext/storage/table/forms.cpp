@@ -39,8 +39,9 @@ std::shared_ptr<const Form> StoredForms::form(std::int64_t number) {
 }
 
 StoredForms::Known StoredForms::find_or_add(std::string_view text) {
-  const std::string key(text.substr(0, longest_text + 1));
-  if (const auto found = texts_.find(key); found != texts_.end()) return found->second;
+  const bool short_enough = text.size() <= longest_text;
+  const std::string key(short_enough ? text : std::string_view());
+  if (const auto found = texts_.find(key); short_enough && found != texts_.end()) return found->second;
   auto form = read_form(shape_, text);
   const std::vector<std::byte> blob = encode_form(*form);
   Known known{rows_.find(blob).value_or(0), nullptr};
@@ -51,7 +52,7 @@ StoredForms::Known StoredForms::find_or_add(std::string_view text) {
   }
   known.form = find_known(known.number);
   if (!known.form) remember(known.number, known.form = std::move(form));
-  if (text.size() > longest_text) return known;
+  if (!short_enough) return known;
   if (text_bytes_ + text.size() > most_text_bytes) forget_texts();
   texts_.emplace(key, known);
   text_bytes_ += text.size();
