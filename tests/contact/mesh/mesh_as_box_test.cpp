@@ -1,0 +1,121 @@
+// A mesh that is a box meets others as that box does, one that is an upright prism as that prism does.
+#include <gtest/gtest.h>
+
+#include "contact/case_count.h"
+#include "contact/mesh/meshes_by_hand.h"
+#include "contact/outline/outline_scenes.h"
+
+namespace foresee::contact {
+namespace {
+
+using namespace testing_by_hand;
+
+/// Halves of whole numbers, so that touches, ties and grazes come up; or any.
+class Numbers {
+ public:
+  explicit Numbers(std::uint64_t seed) : random_(seed), whole_(seed % 3 != 0) {}
+
+  double operator()(double range) {
+    const double any = std::uniform_real_distribution<double>(-range, range)(random_);
+    return whole_ ? std::round(2 * any) / 2 : any;
+  }
+  bool often() { return random_() % 2 == 0; }
+
+ private:
+  std::mt19937_64 random_;
+  bool whole_;
+};
+
+Object moving_object(Numbers& number, Shape shape, bool bent) {
+  Object o = object(3, shape);
+  if (!bent) o.layout.law = Law::uniform;
+  for (int j = 0; j < 3; ++j) {
+    o.x[j] = number(4), o.v[j] = number(2), o.a[j] = bent ? number(2) : 0;
+    o.half[j] = std::abs(number(3));
+  }
+  return o;
+}
+
+MeshObject as_mesh(const Object& box) {
+  const double x = box.half[0], y = box.half[1], z = box.half[2];
+  MeshObject o{box, solid_of(box_between({-x, -y, -z}, {x, y, z}))};
+  o.row.layout.shape = Shape::mesh;
+  o.row.layout.has_radius = true;
+  return o;
+}
+
+/// A box and an object of `shape`: as they are, and with the box as a mesh, or both.
+void compare_boxes(Shape shape, bool grown, int cases) {
+  int contacts = 0;
+  for (int seed = 0; seed < cases; ++seed) {
+    Numbers number(static_cast<std::uint64_t>(seed));
+    const bool bent = number.often();
+    Object box = moving_object(number, Shape::box, bent), other = moving_object(number, shape, bent);
+    for (double& half : box.half) half += 0.5;
+    for (double& half : other.half) half += 0.5;
+    ContactQuestion question{.horizon = {.now = 0, .h = 6}};
+    if (grown) other.r = std::abs(number(2)), question.within = std::abs(number(1));
+    const auto expected = contact(box, other, question);
+    contacts += expected.has_value();
+    const std::string what = "seed " + std::to_string(seed);
+    const MeshObject mesh = as_mesh(box);
+    ASSERT_NO_FATAL_FAILURE(expect_same(expected, mesh_contact({mesh, {other, {}}, question}), what));
+    ASSERT_NO_FATAL_FAILURE(expect_same(expected, mesh_contact({{other, {}}, mesh, question}), what));
+    if (shape != Shape::box) continue;
+    ASSERT_NO_FATAL_FAILURE(expect_same(expected, mesh_contact({mesh, as_mesh(other), question}), what));
+  }
+  EXPECT_GT(contacts, cases / 10);
+}
+
+TEST(MeshAsBox, MeetsPointsAsTheBoxDoes) {
+  compare_boxes(Shape::point, false, scaled_count(400));
+}
+TEST(MeshAsBox, MeetsBoxesAsTheBoxDoes) {
+  compare_boxes(Shape::box, false, scaled_count(400));
+}
+TEST(MeshAsBox, MeetsBallsAsTheBoxDoes) {
+  compare_boxes(Shape::ball, true, scaled_count(400));
+}
+
+/// An outline with a reflex corner, around the origin.
+std::vector<shape::Corner> arrow(Numbers& number) {
+  const double w = 1 + std::abs(number(3)), h = 1 + std::abs(number(3));
+  return {{0, 0}, {w, -h}, {0, 2 * h}, {-w, -h}};
+}
+
+/// As an upright prism, and as a mesh.
+struct Upright {
+  OutlinedObject prism;
+  MeshObject mesh;
+};
+
+Upright upright(Numbers& number, bool bent) {
+  Object row = moving_object(number, Shape::cylinder, bent);
+  row.hz = 0.5 + row.half[2];
+  const std::vector<shape::Corner> ring = arrow(number);
+  Ring numbers;
+  for (const shape::Corner& corner : ring) numbers.push_back(corner.x), numbers.push_back(corner.y);
+  Upright both{{row, outline_of({{numbers}})}, {row, solid_of(prism(ring, ring[0], -row.hz, row.hz))}};
+  both.mesh.row.layout.shape = Shape::mesh;
+  both.mesh.row.layout.has_radius = true;
+  return both;
+}
+
+TEST(MeshAsBox, AMeshThatIsAPrismMeetsOthersAsThePrismDoes) {
+  const int cases = scaled_count(400);
+  int contacts = 0;
+  for (int seed = 0; seed < cases; ++seed) {
+    Numbers number(static_cast<std::uint64_t>(seed));
+    const bool bent = number.often();
+    const Upright a = upright(number, bent), b = upright(number, bent);
+    const ContactQuestion question{.horizon = {.now = 0, .h = 6}};
+    const auto expected = outline_contact({a.prism, b.prism, question});
+    contacts += expected.has_value();
+    ASSERT_NO_FATAL_FAILURE(
+        expect_same(expected, mesh_contact({a.mesh, b.mesh, question}), "seed " + std::to_string(seed)));
+  }
+  EXPECT_GT(contacts, cases / 10);
+}
+
+}  // namespace
+}  // namespace foresee::contact
