@@ -65,6 +65,12 @@ T begin_of(const SumEdge& edge, int axis) {
   return axis == 0 ? Exactly<T>::difference_of(edge.p->x, edge.q->x)
                    : Exactly<T>::difference_of(edge.p->y, edge.q->y);
 }
+/// Where it ends.
+template <class T>
+T end_of(const SumEdge& edge, int axis) {
+  return axis == 0 ? Exactly<T>::difference_of(edge.p_end->x, edge.q_end->x)
+                   : Exactly<T>::difference_of(edge.p_end->y, edge.q_end->y);
+}
 /// How far it runs along an axis: its direction, which may be longer than the edge.
 template <class T>
 T run_of(const SumEdge& edge, int axis) {

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "contact/certain/certain_motion.h"
+#include "contact/certain/chord.h"
 #include "contact/outline/condition.h"
 #include "contact/outline/object_pieces.h"
 #include "contact/pieces/pair_tests.h"
@@ -37,7 +38,8 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
         sizes_(sizes),
         lost_(relative.underflow + 0x1p-1060),
         edges_(space.edges),
-        x_(seen_from<Degree>(relative, 0)) {}
+        x_(seen_from<Degree>(relative, 0)),
+        chord_(relative, asked.end.high) {}
 
  private:
   friend Base;
@@ -74,10 +76,14 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
     }
     if (space_.clipped.empty()) return;
     share();
+    const Period<double> all = reached(space_.outer);
     for (const SumEdge& one : edges_) keep({.edge = one});
+    const Period<double> inside = surely_held(space_.clipped);
     end_part();
     for (const SumEdge& one : edges_) {
       if (is_decided()) return;
+      const Period<double> near = near_edge(one, all);
+      if (!(near.begin <= near.end) || (inside.begin <= near.begin && near.end <= inside.end)) continue;
       begin_part();
       for (const int side : {-1, 1}) keep({.kind = Kind::foot, .sign = side, .edge = one});
       for (const int side : {-1, 1}) keep({.kind = Kind::side, .edge = one}, beside(one, side));
@@ -86,6 +92,34 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
       keep({.kind = Kind::corner, .edge = one});
       end_part();
     }
+  }
+
+  static Period<double> reached(const Stays& stays) {
+    Period<double> reached{Stay::inf, -Stay::inf};
+    for (const Stay& stay : stays)
+      reached = {std::min(reached.begin, stay.begin.low), std::max(reached.end, stay.end.high)};
+    return reached;
+  }
+  /// During one of the stays.
+  static Period<double> surely_held(const Stays& stays) {
+    Period<double> held{Stay::inf, -Stay::inf};
+    for (const Stay& stay : stays)
+      if (stay.is_certain()) held = {stay.begin.high, stay.end.low};
+    return held;
+  }
+  /// Of the time given, when d may be in the box of an edge that is grown by R: most edges of a sum it passes
+  /// by.
+  Period<double> near_edge(const SumEdge& edge, const Period<double>& when) const {
+    static constexpr Faces faces[] = {{.axis = 0, .below = 0, .above = 1},
+                                      {.axis = 1, .below = 2, .above = 3}};
+    Bounded reach[4];
+    for (int j = 0; j < 2; ++j) {
+      const Bounded begin = begin_of<Bounded>(edge, j), end = end_of<Bounded>(edge, j);
+      const double error = std::max(begin.error, end.error);
+      reach[2 * j] = sizes_.radius - Bounded{std::min(begin.value, end.value), error};
+      reach[2 * j + 1] = sizes_.radius + Bounded{std::max(begin.value, end.value), error};
+    }
+    return chord_.between(faces, 2, reach, when);
   }
 
   void keep(const Condition& condition) {
@@ -124,6 +158,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
   const double lost_;
   std::vector<SumEdge>& edges_;
   const std::array<Powers<Bounded, Degree>, D> x_;  ///< the motion from now on
+  const Chord<D> chord_;
 };
 
 }  // namespace foresee::contact

@@ -90,8 +90,11 @@ class PairTests {
     space_.stays.push_back({stay, first_end, count, is_moment});
   }
 
+  /// The last stay tells all that is asked: that they touch, or that they do all the time.
   bool is_decided() const {
-    return !times_wanted_ && !space_.stays.empty() && space_.stays.back().is_certain();
+    if (space_.stays.empty() || !space_.stays.back().is_certain()) return false;
+    const PieceStay& last = space_.stays.back();
+    return !times_wanted_ || (last.begin.high <= asked_.begin.low && last.end.low >= asked_.end.high);
   }
 
   const Stay asked_;
