@@ -10,6 +10,8 @@
 namespace foresee::bench {
 namespace {
 
+using testing::Random;
+
 constexpr std::size_t rings = 10, sides = 12, kinds = 16;
 
 /// From the feet to the head: half of the width, arms held out, and of the depth.
