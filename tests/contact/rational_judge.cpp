@@ -95,10 +95,12 @@ std::string judged_by_moments(const std::function<bool(const Rational&)>& touch,
     if (begin < moment && moment < end && !touch(moment)) return "ends earlier";
   }
   if (!answer) return {};
+  // Between neighbours there is no moment of which rounding leaves no doubt.
+  const bool has_inside = std::nextafter(begin, end) < end;
   if (begin > 0 && touch(beside(begin, -1))) return "begins earlier by an ulp";
-  if (begin < end && !touch(beside(begin, 1))) return "begins later";
+  if (has_inside && !touch(beside(begin, 1))) return "begins later";
   if (end < h && touch(beside(end, 1))) return "ends later";
-  if (begin < end && !touch(beside(end, -1))) return "ends earlier by an ulp";
+  if (has_inside && !touch(beside(end, -1))) return "ends earlier by an ulp";
   return {};
 }
 
