@@ -107,59 +107,23 @@ bool are_surely_not_parallel(const Components<Bounded>& cross) {
   return is_there(cross[0]) || is_there(cross[1]) || is_there(cross[2]);
 }
 
-SpaceAxis normal_of(const SpacePiece& triangle) {
-  return {.factors = 2, .u = triangle.runs()[0], .v = triangle.runs()[1]};
-}
-
 }  // namespace
 
 bool are_parallel(const Run& u, const Run& v) {
   return minor_sign(u, v, 0) == 0 && minor_sign(u, v, 1) == 0 && minor_sign(u, v, 2) == 0;
 }
 
-std::span<const SpacePlanes> SpaceHull::of(const SpacePiece& a, const SpacePiece& b) {
-  a_ = &a, b_ = &b;
-  planes_.clear();
-  if (a.is_box() && b.is_box()) {
-    for (const Run& run : a.runs()) add({.factors = 1, .u = run});
-    return planes_;
-  }
-  bool is_flat = false;
-  for (const SpacePiece* piece : {a_, b_})
-    if (!piece->is_box()) {
-      add(normal_of(*piece));
-      is_flat |= planes_.back().is_flat;
-    } else if (!piece->is_point()) {
-      for (const Run& run : piece->runs()) add({.factors = 1, .u = run});
-    }
-  const auto along_normal = [this](const SpacePiece& plane) {
-    for (const SpacePiece* piece : {a_, b_})
-      if (!piece->is_box()) add_along(normal_of(plane), *piece);
-  };
-  if (a.is_point() || b.is_point()) {
-    along_normal(a.is_point() ? b : a);
-    return planes_;
-  }
-  for (const Run& u : a.runs())
-    for (const Run& v : b.runs()) add({.factors = 2, .u = u, .v = v});
-  if (is_flat && !a.is_box() && !b.is_box()) along_normal(a);
-  return planes_;
-}
-
-void SpaceHull::add(const SpaceAxis& axis) {
-  const Components<Bounded> direction = close_direction_of(axis);
-  if (axis.factors == 2 && !are_surely_not_parallel(direction) && are_parallel(axis.u, axis.v)) return;
-  const Extremes a(*a_, axis, direction), b(*b_, axis, direction);
-  const SpaceCondition before{
-      .kind = SpaceCondition::Kind::plane, .sign = -1, .axis = axis, .p = &a.nearest(), .q = &b.farthest()};
-  SpaceCondition beyond = before;
-  beyond.sign = 1, beyond.p = &a.farthest(), beyond.q = &b.nearest();
-  planes_.push_back({before, beyond, direction, before.p == beyond.p && before.q == beyond.q});
-}
-
-/// Square to the normal and to each run of a piece that lies in the plane.
-void SpaceHull::add_along(const SpaceAxis& normal, const SpacePiece& piece) {
-  for (const Run& run : piece.runs()) add({.factors = 3, .u = normal.u, .v = normal.v, .w = run});
+bool SpaceHull::make(const SpaceAxis& axis, SpacePlanes& planes) const {
+  planes.direction = close_direction_of(axis);
+  if (axis.factors == 2 && !are_surely_not_parallel(planes.direction) && are_parallel(axis.u, axis.v))
+    return false;
+  const Extremes a(a_, axis, planes.direction), b(b_, axis, planes.direction);
+  planes.before =
+      planes.beyond = {.kind = SpaceCondition::Kind::plane, .axis = axis, .p = nullptr, .q = nullptr};
+  planes.before.sign = -1, planes.before.p = &a.nearest(), planes.before.q = &b.farthest();
+  planes.beyond.sign = 1, planes.beyond.p = &a.farthest(), planes.beyond.q = &b.nearest();
+  planes.is_flat = planes.before.p == planes.beyond.p && planes.before.q == planes.beyond.q;
+  return true;
 }
 
 }  // namespace foresee::contact

@@ -1,17 +1,14 @@
 // Which planes bound the places of d at which two pieces in space touch? These places are the Minkowski sum
 // A + (-B) of two convex pieces.
 //
-//   SpaceHull hull;
-//   for (const SpacePlanes& planes : hull.of(a, b)) keep(planes.before), keep(planes.beyond);
+//   SpaceHull hull(a, b);
+//   hull.for_each([&](const SpacePlanes& planes) { return keep(planes); });       // false: no more
 //
 // Each plane is square to an axis that is a normal of one piece or square to an edge of each (S. Gottschalk,
 // M. C. Lin, D. Manocha, "OBBTree", SIGGRAPH 1996, section 5); where all of the sum lies in one plane, it is
 // bounded there by planes square to that along the edges. Which corners a plane goes through is decided by
 // exact signs, so that all number types mean the same planes. Cost: some hundred nanoseconds.
 #pragma once
-
-#include <span>
-#include <vector>
 
 #include "contact/mesh/space_condition.h"
 
@@ -24,20 +21,64 @@ struct SpacePlanes {
   bool is_flat;                   ///< they are one: all of the sum lies in it
 };
 
-/// For one pair of pieces after another.
-class SpaceHull {
- public:
-  std::span<const SpacePlanes> of(const SpacePiece& a, const SpacePiece& b);
-
- private:
-  void add(const SpaceAxis& axis);
-  void add_along(const SpaceAxis& normal, const SpacePiece& piece);
-
-  const SpacePiece *a_ = nullptr, *b_ = nullptr;
-  std::vector<SpacePlanes> planes_;
-};
-
 /// Whether the runs are parallel, exactly.
 bool are_parallel(const Run& u, const Run& v);
+
+/// The pieces must outlive it.
+class SpaceHull {
+ public:
+  SpaceHull(const SpacePiece& a, const SpacePiece& b) : a_(a), b_(b) {}
+
+  /// Each is made when it comes, as few are needed where the two pass each other.
+  template <class Take>
+  void for_each(Take&& take) const {
+    if (a_.is_box() && b_.is_box()) return static_cast<void>(across_box(a_, take));
+    bool is_flat = false;
+    for (const SpacePiece* piece : {&a_, &b_})
+      if (piece->is_box() ? !piece->is_point() && !across_box(*piece, take)
+                          : !across(normal_of(*piece), take, &is_flat))
+        return;
+    if (a_.is_point() || b_.is_point()) return along(a_.is_point() ? b_ : a_, take);
+    for (const Run& u : a_.runs())
+      for (const Run& v : b_.runs())
+        if (!across({.factors = 2, .u = u, .v = v}, take)) return;
+    if (is_flat && !a_.is_box() && !b_.is_box()) along(a_, take);
+  }
+
+ private:
+  static SpaceAxis normal_of(const SpacePiece& triangle) {
+    return {.factors = 2, .u = triangle.runs()[0], .v = triangle.runs()[1]};
+  }
+
+  /// The planes square to an axis. Whether more are wanted, as from all of these.
+  template <class Take>
+  bool across(const SpaceAxis& axis, Take&& take, bool* is_flat = nullptr) const {
+    SpacePlanes planes;
+    if (!make(axis, planes)) return true;
+    if (is_flat) *is_flat |= planes.is_flat;
+    return take(planes);
+  }
+  template <class Take>
+  bool across_box(const SpacePiece& box, Take&& take) const {
+    for (const Run& run : box.runs())
+      if (!across({.factors = 1, .u = run}, take)) return false;
+    return true;
+  }
+  /// Square to the plane of a triangle, along each edge that lies in it.
+  template <class Take>
+  void along(const SpacePiece& triangle, Take&& take) const {
+    const SpaceAxis normal = normal_of(triangle);
+    for (const SpacePiece* piece : {&a_, &b_}) {
+      if (piece->is_box()) continue;
+      for (const Run& run : piece->runs())
+        if (!across({.factors = 3, .u = normal.u, .v = normal.v, .w = run}, take)) return;
+    }
+  }
+
+  /// Whether there are such planes: not where the axis is 0.
+  bool make(const SpaceAxis& axis, SpacePlanes& planes) const;
+
+  const SpacePiece &a_, &b_;
+};
 
 }  // namespace foresee::contact

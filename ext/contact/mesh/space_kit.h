@@ -17,7 +17,7 @@ struct SpaceKit {
   using Condition = SpaceCondition;
   template <class T>
   using Sizes = SpaceSizes<T>;
-  using Space = SpaceSpace;
+  using Space = PieceSpace<SpaceCondition>;
   using Tests = SpaceTests<Degree>;
   using Within = contact::Within;
   using Polynomials = SpacePolynomials;

@@ -22,10 +22,11 @@ int SpacePolynomials::add(const SpaceCondition& condition) {
 }
 
 void SpacePolynomials::add(const SpacePiece& a, const SpacePiece& b, bool grown) {
-  SpaceHull hull;
   Conditions core;
-  for (const SpacePlanes& planes : hull.of(a, b))
+  SpaceHull(a, b).for_each([&](const SpacePlanes& planes) {
     core.all.push_back(add(planes.before)), core.all.push_back(add(planes.beyond));
+    return true;
+  });
   set_.add_piece(core);
   if (!grown) return;
   RoundParts(a, b).for_each([this](const RoundPart& part) {

@@ -10,16 +10,12 @@
 #pragma once
 
 #include "contact/certain/certain_motion.h"
+#include "contact/mesh/plainly_apart.h"
 #include "contact/mesh/round_parts.h"
 #include "contact/pieces/pair_tests.h"
 #include "contact/pieces/seen_from.h"
 
 namespace foresee::contact {
-
-/// Space for the tests of one pair of objects after another.
-struct SpaceSpace : PieceSpace<SpaceCondition> {
-  SpaceHull hull;
-};
 
 template <int Degree>
 class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
@@ -28,14 +24,13 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
  public:
   /// `asked`: the moments asked about, enclosed. What is given must outlive this.
   SpaceTests(const SpacePieces& a, const SpacePieces& b, const CertainMotion<3>& relative, const Stay& asked,
-             const SpaceSizes<Bounded>& sizes, bool times_wanted, SpaceSpace& space)
+             const SpaceSizes<Bounded>& sizes, bool times_wanted, PieceSpace<SpaceCondition>& space)
       : Base(asked, times_wanted, space),
         a_(a),
         b_(b),
         relative_(relative),
         radius_(sizes.radius),
         lost_(relative.underflow + 0x1p-1060),
-        hull_(space.hull),
         x_(from_now(relative, sizes)) {}
 
  private:
@@ -55,22 +50,29 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   void test(const PiecePair& pair) {
     Base::begin_test();
     const SpacePiece a = a_.piece(pair.a), b = b_.piece(pair.b);
-    const auto planes = hull_.of(a, b);
+    if (pass_each_other(a, b)) return;
     if (radius_.value > 0)
-      test_grown(a, b, planes);
+      test_grown(a, b);
     else
-      test_as_they_are(planes);
+      test_as_they_are(a, b);
   }
 
-  void test_as_they_are(std::span<const SpacePlanes> planes) {
-    const SpacePlanes* flat = nullptr;
-    for (const SpacePlanes& pair : planes) {
-      if (space_.clipped.empty()) return;
+  bool pass_each_other(const SpacePiece& a, const SpacePiece& b) const {
+    if constexpr (Degree == 1)
+      return !a.is_box() && !b.is_box() && are_plainly_apart(a, b, x_, radius_, asked_);
+    return false;
+  }
+
+  void test_as_they_are(const SpacePiece& a, const SpacePiece& b) {
+    std::optional<SpacePlanes> flat;
+    SpaceHull(a, b).for_each([&](const SpacePlanes& pair) {
       if (pair.is_flat && a_or_b_is_a_mesh())
-        flat = &pair;  // of a triangle's sum, all such are the plane that it lies in
+        flat = pair;  // of a triangle's sum, all such are the plane that it lies in
       else
         keep(pair);
-    }
+      return !space_.clipped.empty();
+    });
+    if (space_.clipped.empty()) return;
     if (flat)
       end_flat_part(*flat);
     else
@@ -93,19 +95,21 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
 
   /// First what lies within all planes moved out by R, which is more; then each part of the grown sum. A flat
   /// sum lies in what is near its faces and edges.
-  void test_grown(const SpacePiece& a, const SpacePiece& b, std::span<const SpacePlanes> planes) {
+  void test_grown(const SpacePiece& a, const SpacePiece& b) {
     bool is_flat = false;
-    for (const SpacePlanes& pair : planes) {
-      if (space_.clipped.empty()) return;
+    planes_.clear();
+    SpaceHull(a, b).for_each([&](const SpacePlanes& pair) {
       is_flat |= pair.is_flat;
+      planes_.push_back(pair);
       const Bounded more = radius_ * sqrt(with_lost(squared_length(pair.direction), 0x1p-1060));
       for (const SpaceCondition& plane : {pair.before, pair.beyond})
         space_.clipped.keep(times_within(plane, pair.direction, more));
-    }
+      return !space_.clipped.empty();
+    });
     if (space_.clipped.empty()) return;
     Base::share();
     if (!is_flat || !a_or_b_is_a_mesh()) {
-      for (const SpacePlanes& pair : planes) keep(pair);
+      for (const SpacePlanes& pair : planes_) keep(pair);
       end_part();
     }
     RoundParts(a, b).for_each([this](const RoundPart& part) {
@@ -166,7 +170,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   const CertainMotion<3>& relative_;
   const Bounded radius_;
   const double lost_;
-  SpaceHull& hull_;
+  std::vector<SpacePlanes> planes_;                 ///< of the pair at hand
   const std::array<Powers<Bounded, Degree>, 3> x_;  ///< the motion from now on
 };
 
