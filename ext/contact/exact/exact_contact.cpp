@@ -78,6 +78,7 @@ class ExactPair {
 
   /// When do all conditions of the piece hold?
   TimeIntervals held(const ContactSet::Piece& piece) {
+    polynomials_.step();
     const ContactSet& set = polynomials_.set();
     const auto all = set.members(piece.all);
     const auto around = set.members(piece.around), beyond = set.members(piece.beyond);

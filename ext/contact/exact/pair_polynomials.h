@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "base/steps.h"
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 #include "numbers/algebraic_root.h"
@@ -31,8 +32,17 @@ class PiecePolynomials : public PolynomialSource {
   virtual std::size_t number_of(int primitive) = 0;
   LazyPolynomial& polynomial(std::size_t number) { return polynomials_[number]; }
 
+  /// From now on each piece that is looked at is some steps, which must outlive this.
+  void heed(Steps& steps) { steps_ = &steps; }
+  void step() {
+    for (int i = 0; steps_ && i < 256; ++i) (*steps_)();  // microseconds, where others take some nanoseconds
+  }
+
  protected:
   std::deque<LazyPolynomial> polynomials_;
+
+ private:
+  Steps* steps_ = nullptr;
 };
 
 class PairPolynomials final : public PiecePolynomials {

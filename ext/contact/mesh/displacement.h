@@ -2,8 +2,8 @@
 // once that is asked for.
 //
 //   Displacement d(setup, row_a, row_b, relative, Dyadic(12.5));
-//   SeenCorner corner(corner_of_b, 1, d);                   // from a; those of a are seen from b with sign
-//   -1 corner.near()[0].value, corner.exact()[0]
+//   SeenCorner corner(corner_of_b, 1, d);          // from a; sign -1 for those of a, seen from b
+//   corner.near()[0].value, corner.exact()[0]
 #pragma once
 
 #include <optional>

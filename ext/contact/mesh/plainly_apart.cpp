@@ -35,16 +35,17 @@ struct Corners {
 
 class Passing {
  public:
-  Passing(const Corners& a, const Corners& b, const std::array<Powers<Bounded, 1>, 3>& x,
+  Passing(const Corners& a, const Corners& b, const std::array<Powers<Bounded, 2>, 3>& x,
           const Bounded& radius, const Stay& asked)
       : a_(a), b_(b), radius_(radius.value + radius.error), begin_(asked.begin.low), end_(asked.end.high) {
-    double lost = 0;
+    double size = a.size() + b.size(), lost = 0;
     for (std::size_t j = 0; j < 3; ++j) {
-      place_[j] = x[j][0].value, speed_[j] = x[j][1].value;
-      lost += x[j][0].error + end_ * x[j][1].error;
+      place_[j] = x[j][0].value, speed_[j] = x[j][1].value + end_ * x[j][2].value;
+      swing_[j] = end_ * (end_ * x[j][2].value) / 4;
+      size += std::abs(place_[j]) + end_ * (std::abs(x[j][1].value) + end_ * std::abs(x[j][2].value));
+      lost += x[j][0].error + end_ * (x[j][1].error + end_ * x[j][2].error);
     }
     // Sums of three products are off by 2^-51 of their sizes.
-    const double size = a.size() + b.size() + sum_of_sizes(place_) + end_ * sum_of_sizes(speed_);
     slack_ = 0x1p-44 * (size + radius_) + 2 * lost;
   }
 
@@ -58,8 +59,9 @@ class Passing {
     const double slack = slack_ * sum_of_sizes(n) + 0x1p-1000;
     const double square = dot(n, n);
     const double more = radius_ * (square > 0x1p-900 ? std::sqrt(square) : sum_of_sizes(n)) + slack;
-    const double low = least_a - greatest_b - more, high = greatest_a - least_b + more;
-    const double at = dot(n, place_), speed = dot(n, speed_);
+    const double swing = dot(n, swing_), at = dot(n, place_), speed = dot(n, speed_);
+    const double low = least_a - greatest_b - more + std::min(swing, 0.0);
+    const double high = greatest_a - least_b + more + std::max(swing, 0.0);
     if (!(std::abs(speed) * end_ > slack)) return at < low - 4 * slack || at > high + 4 * slack;
     const double one = (low - at) / speed, other = (high - at) / speed;
     begin_ = std::max(begin_, std::min(one, other)), end_ = std::min(end_, std::max(one, other));
@@ -69,13 +71,13 @@ class Passing {
  private:
   const Corners &a_, &b_;
   const double radius_;
-  Triple place_, speed_;
+  Triple place_, speed_, swing_;  ///< the chord of d, and how far d is before it in between
   double begin_, end_, slack_;
 };
 
 }  // namespace
 
-bool are_plainly_apart(const SpacePiece& a, const SpacePiece& b, const std::array<Powers<Bounded, 1>, 3>& x,
+bool are_plainly_apart(const SpacePiece& a, const SpacePiece& b, const std::array<Powers<Bounded, 2>, 3>& x,
                        const Bounded& radius, const Stay& asked) {
   const Corners corners_a(a), corners_b(b);
   Passing passing(corners_a, corners_b, x, radius, asked);

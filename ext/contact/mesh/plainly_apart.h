@@ -5,7 +5,8 @@
 //
 // Whatever direction n is, the two touch only while n d lies between the least and the greatest of n (p - q)
 // over their corners. So the roundings of n do no harm, and those of the products are far less than the slack
-// that all of it is given. Cost: some hundred nanoseconds.
+// that all of it is given. Where d is bent its chord stands for it, and how far it can be beside that
+// (chord.h). Cost: some hundred nanoseconds.
 #pragma once
 
 #include "contact/mesh/space_condition.h"
@@ -14,7 +15,7 @@
 namespace foresee::contact {
 
 /// `x`: d by powers of the time from now on. Requires: two triangles.
-bool are_plainly_apart(const SpacePiece& a, const SpacePiece& b, const std::array<Powers<Bounded, 1>, 3>& x,
+bool are_plainly_apart(const SpacePiece& a, const SpacePiece& b, const std::array<Powers<Bounded, 2>, 3>& x,
                        const Bounded& radius, const Stay& asked);
 
 }  // namespace foresee::contact

@@ -1,5 +1,7 @@
 #include "contact/mesh/space_condition.h"
 
+#include "numbers/dyadic.h"
+
 namespace foresee::contact {
 namespace {
 
@@ -37,13 +39,18 @@ Components<Bounded> close_direction_of(const SpaceAxis& axis) {
 std::array<std::optional<double>, 3> steady_axes_of(const Setup& setup, const double* row_a,
                                                     const double* row_b) {
   std::array<std::optional<double>, 3> steady;
-  const bool one_age = value_or(row_a, setup.a.at.t, 0) == value_or(row_b, setup.b.at.t, 0);
+  const double t_a = value_or(row_a, setup.a.at.t, 0), t_b = value_or(row_b, setup.b.at.t, 0);
   for (int j = 0; j < 3; ++j) {
     const AxisMotion<double> a = axis_motion(setup.a, row_a, j), b = axis_motion(setup.b, row_b, j);
-    const bool alike = one_age && a.v == b.v && a.a == b.a;
-    const bool at_rest = a.v == 0 && b.v == 0 && a.a == 0 && b.a == 0;
-    const DoubleDouble d = difference(b.x, a.x);
-    if ((alike || at_rest) && d.low == 0) steady[static_cast<std::size_t>(j)] = d.high;
+    if (a.v != b.v || a.a != b.a || (t_a != t_b && a.a != 0)) continue;
+    if (t_a == t_b || a.v == 0) {
+      const DoubleDouble d = difference(b.x, a.x);
+      if (d.low == 0) steady[static_cast<std::size_t>(j)] = d.high;
+    } else {
+      const Dyadic d = Dyadic(b.x) - Dyadic(a.x) + Dyadic(a.v) * (Dyadic(t_a) - Dyadic(t_b));
+      const double near = rounded(d);
+      if (std::isfinite(near) && Dyadic(near) == d) steady[static_cast<std::size_t>(j)] = near;
+    }
   }
   return steady;
 }

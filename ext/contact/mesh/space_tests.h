@@ -58,9 +58,10 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   }
 
   bool pass_each_other(const SpacePiece& a, const SpacePiece& b) const {
-    if constexpr (Degree == 1)
-      return !a.is_box() && !b.is_box() && are_plainly_apart(a, b, x_, radius_, asked_);
-    return false;
+    if (a.is_box() || b.is_box()) return false;
+    std::array<Powers<Bounded, 2>, 3> x{};
+    for (std::size_t j = 0; j < 3; ++j) std::copy(x_[j].begin(), x_[j].end(), x[j].begin());
+    return are_plainly_apart(a, b, x, radius_, asked_);
   }
 
   void test_as_they_are(const SpacePiece& a, const SpacePiece& b) {

@@ -123,6 +123,7 @@ class UnionContact final : public Contact {
     const auto met = [&] {
       if (pairs.empty()) return false;
       Polynomials polynomials = polynomials_of(rows, staged, pairs);
+      polynomials.all().heed(*steps_);
       return exact_touches(polynomials.all(), asked);
     };
     bool touches = false;
@@ -137,8 +138,8 @@ class UnionContact final : public Contact {
   }
 
   /// The first contact that ends at `from` or later, exactly. `from` is before all contact (-infinity), or
-  /// within one, whose begin then is no matter. Of a contact that lasts until `met_by`, when they touch, the
-  /// end is infinite.
+  /// within one or shortly before its end: the begin is no matter then. Of a contact that lasts until
+  /// `met_by`, when they touch, the end is infinite.
   [[gnu::noinline]] std::optional<ContactTimes> exact_contact(const Rows& rows, Staged& staged, double from,
                                                               double met_by = Stay::inf) {
     const ExactMoments asked = exact_moments_of(setup_, rows.a, rows.b);
@@ -175,6 +176,7 @@ class UnionContact final : public Contact {
       return true;
     });
     Polynomials polynomials = polynomials_of(rows, staged, pairs);
+    polynomials.all().heed(*steps_);
     if constexpr (Kit::has_solids)
       return exact_times_of_solids(polynomials.all(), moments,
                                    [&staged](const Dyadic& moment) { return staged.is_within_at(moment); });

@@ -81,7 +81,8 @@ class UnionPair : public PairStays<Kit> {
     return latest_end();
   }
 
-  /// After that: the last moment that certainly belongs to this contact; -infinity where none is known.
+  /// After that: the last moment that certainly belongs to this contact, or one shortly before its end,
+  /// between which no other contact begins; -infinity where none is known.
   double last_certain_moment() const { return last_.low; }
 
  private:
@@ -116,7 +117,7 @@ class UnionPair : public PairStays<Kit> {
   /// until last_. Whether that is told.
   bool enter(double after) {
     double met_by = Stay::inf;
-    seen_.clear(), all_seen_ = false;
+    seen_.clear(), all_seen_ = last_is_moment_ = false;
     walk_.visit(
         Order::earlier_first,
         [&](const Period<double>& near) { return near.end > after && near.begin <= met_by; },

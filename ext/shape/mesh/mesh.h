@@ -1,8 +1,7 @@
 // What is a shape in space around the position of its object? Triangles between corners: a surface, or the
 // solid that a closed surface encloses.
 //
-//   Mesh roof(Mesh::Kind::surface, {{0, 0, 3}, {4, 0, 3}, {0, 5, 4}}, {{0, 1, 2}});     // TIN Z(((0 0 3,
-//   …)))
+//   Mesh roof(Mesh::Kind::surface, false, {{0, 0, 3}, {4, 0, 3}, {0, 5, 4}}, {{0, 1, 2}});
 //
 // Triangles may run either way round, touch and cross. A solid is what an odd number of its triangles lie
 // around: with its surface, which is closed as each of its edges is one of exactly two triangles. The

@@ -1,7 +1,8 @@
 // Which mesh are these triangles? Equal corners become one, and so what hangs together is known.
 //
-//   Mesh tent = welded(Mesh::Kind::surface, {{0, 0, 0}, {4, 0, 0}, {2, 5, 3},   {4, 0, 0}, {0, 0, 0}, {2, -5,
-//   3}}); tent.corners().size() == 4
+//   Mesh tent = welded(Mesh::Kind::surface, {{0, 0, 0}, {4, 0, 0}, {2, 5, 3},
+//                                            {4, 0, 0}, {0, 0, 0}, {2, -5, 3}});
+//   tent.corners().size() == 4
 //
 // Corners are numbered in the order in which triangles name them, so that equal triangles in the same order
 // are equal meshes. Cost: n log n, some 200 ns a triangle.
