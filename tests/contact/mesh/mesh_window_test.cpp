@@ -58,7 +58,7 @@ TEST(MeshWindow, IsTheBoxBetweenItsFaces) {
       ASSERT_EQ(found->t_end, expected->t_end) << what;
     }
   }
-  EXPECT_GT(contacts, 100);
+  EXPECT_GT(contacts, scaled_count(100));
 }
 
 TEST(MeshWindow, OfNoFacesIsMetAtOnce) {
