@@ -7,7 +7,7 @@
 namespace foresee::shape {
 namespace {
 
-constexpr std::size_t objects_per_check = 8192;
+constexpr std::size_t lives_per_check = 8192;
 
 }  // namespace
 
@@ -15,7 +15,7 @@ bool all_exist_at_begin(const Bodies& bodies, const Horizon& horizon, Interrupt&
   if (bodies.at.t == Offsets::absent) return horizon.now >= 0;
   bool late = false;
   for (std::size_t i = 0; i < bodies.count && !late; ++i) {
-    if (i % objects_per_check == 0) interrupt.check();
+    if (i % lives_per_check == 0) interrupt.check();
     const double t = bodies.row(i)[bodies.at.t];
     late = t > horizon.now && !(t - horizon.now > horizon.h);
   }
@@ -27,7 +27,7 @@ bool all_exist_throughout(const Bodies& bodies, const Horizon& horizon, Interrup
   if (at.t == Offsets::absent && at.until == Offsets::absent && horizon.now >= 0) return true;
   bool partly = false;
   for (std::size_t i = 0; i < bodies.count && !partly; ++i) {
-    if (i % objects_per_check == 0) interrupt.check();
+    if (i % lives_per_check == 0) interrupt.check();
     const double* row = bodies.row(i);
     const double t = value_or(row, at.t, 0);
     const bool late = t > horizon.now;

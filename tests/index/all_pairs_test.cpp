@@ -6,8 +6,6 @@
 namespace foresee::testing {
 namespace {
 
-NeverInterrupt never;
-
 TEST(AllPairs, HasEachPairWithinOnce) {
   for (std::size_t count : {0, 1, 2, 3, 150}) {
     const std::vector<Pair> pairs = drain(*make_all_pairs(count, never));

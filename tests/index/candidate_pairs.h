@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "index/candidates.h"
+#include "never.h"
 #include "scenes.h"
 
 namespace foresee::testing {

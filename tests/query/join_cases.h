@@ -13,6 +13,9 @@
 
 namespace foresee::testing {
 
+/// What most scenes made by hand hold.
+inline constexpr Layout discs{.axes = 2, .law = Law::uniform, .shape = Shape::ball};
+
 /// By dt that is above 0: pairs that touch already are left out.
 inline constexpr AskedTimes after_now{std::numeric_limits<double>::denorm_min()};
 

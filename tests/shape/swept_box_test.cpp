@@ -12,7 +12,7 @@ namespace foresee::shape {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
-constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Object {
   double t, x, v, a, half, until;
@@ -34,8 +34,8 @@ Box<1> sweep(const Object& object, const Horizon& horizon, double margin = 0) {
 bool holds(const Box<1>& box, const Object& object, const Rational& s, double margin) {
   const Rational place = Rational(object.x) + Rational(object.v) * s + Rational(object.a) * s * s / 2;
   const Rational size = Rational(object.half) + Rational(margin);
-  const bool low = box.lower[0] == -inf || Rational(box.lower[0]) <= place - size;
-  const bool high = box.upper[0] == inf || Rational(box.upper[0]) >= place + size;
+  const bool low = box.lower[0] == -infinity || Rational(box.lower[0]) <= place - size;
+  const bool high = box.upper[0] == infinity || Rational(box.upper[0]) >= place + size;
   return low && high;
 }
 
@@ -44,7 +44,7 @@ void expect_outward(const Object& object, const Horizon& horizon, double margin 
   const Box<1> box = sweep(object, horizon, margin);
   const Rational t(object.t), now(horizon.now);
   Rational begin = std::max(now, t) - t, end = now + Rational(horizon.h) - t;
-  if (object.until != inf) end = std::min(end, Rational(object.until) - t);
+  if (object.until != infinity) end = std::min(end, Rational(object.until) - t);
   if (begin > end) return;
   std::vector<Rational> moments{begin, end, (begin + end) / 2, (begin * 7 + end) / 8};
   if (object.a != 0) moments.push_back(-Rational(object.v) / Rational(object.a));
@@ -57,7 +57,7 @@ void expect_outward(const Object& object, const Horizon& horizon, double margin 
 }
 
 TEST(SweptBox, HoldsTheTurningPoint) {
-  const Box<1> box = sweep({0, 0, 4, -2, 1, inf}, {0, 4});  // out to 4 and back to 0
+  const Box<1> box = sweep({0, 0, 4, -2, 1, infinity}, {0, 4});  // out to 4 and back to 0
   EXPECT_GE(box.upper[0], 5);
   EXPECT_LT(box.upper[0], 5.0000001);
   EXPECT_LE(box.lower[0], -1);
@@ -65,13 +65,13 @@ TEST(SweptBox, HoldsTheTurningPoint) {
 }
 
 TEST(SweptBox, IsTightAtRest) {
-  const Box<1> box = sweep({0, 7, 0, 0, 2, inf}, {100, 50}, 1);
+  const Box<1> box = sweep({0, 7, 0, 0, 2, infinity}, {100, 50}, 1);
   EXPECT_NEAR(box.lower[0], 4, 1e-14);
   EXPECT_NEAR(box.upper[0], 10, 1e-14);
 }
 
 TEST(SweptBox, CoversOnlyTheObjectsLife) {
-  const Box<1> late = sweep({5, 0, 1, 0, 0, inf}, {0, 10});  // begins to exist at 5
+  const Box<1> late = sweep({5, 0, 1, 0, 0, infinity}, {0, 10});  // begins to exist at 5
   EXPECT_NEAR(late.upper[0], 5, 1e-12);
   EXPECT_NEAR(late.lower[0], 0, 1e-12);
   const Box<1> early = sweep({0, 0, 1, 0, 0, 3}, {1, 10});  // ends at 3
@@ -80,25 +80,26 @@ TEST(SweptBox, CoversOnlyTheObjectsLife) {
 }
 
 TEST(SweptBox, IsEmptyForWhatDoesNotExist) {
-  EXPECT_TRUE(sweep({10.5, 0, 1, 0, 0, inf}, {0, 10}).is_empty());
+  EXPECT_TRUE(sweep({10.5, 0, 1, 0, 0, infinity}, {0, 10}).is_empty());
   EXPECT_TRUE(sweep({-20, 0, 1, 0, 0, -1}, {0, 10}).is_empty());
-  EXPECT_FALSE(sweep({10, 0, 1, 0, 0, inf}, {0, 10}).is_empty());  // exists at the last moment
-  EXPECT_FALSE(sweep({-20, 0, 1, 0, 0, 0}, {0, 10}).is_empty());   // exists at the first moment
+  EXPECT_FALSE(sweep({10, 0, 1, 0, 0, infinity}, {0, 10}).is_empty());  // exists at the last moment
+  EXPECT_FALSE(sweep({-20, 0, 1, 0, 0, 0}, {0, 10}).is_empty());        // exists at the first moment
   const Box<1> wide{Vec<1>::Constant(-1e308), Vec<1>::Constant(1e308)};
   EXPECT_FALSE(wide.meets(Box<1>::empty()));
 }
 
 TEST(SweptBox, OverflowAndNanAreUnbounded) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  const Object wild[] = {{0, 0, 1e308, 0, 0, inf},         {0, 1e308, 1e308, 1e308, 0, inf},
-                         {0, 1.7e308, 0, 0, 1.7e308, inf}, {-1.7e308, 1, 1, 1, 0, inf},
-                         {0, nan, 1, 0, 0, inf},           {0, 1, nan, 0, 0, inf},
-                         {0, 1, 1, nan, 0, inf},           {0, 1, 1, 1, nan, inf},
-                         {nan, 1, 1, 1, 1, inf},           {0, 1.7e308, 1.7e308, 1.7e308, 0, inf}};
+  const Object wild[] = {{0, 0, 1e308, 0, 0, infinity},         {0, 1e308, 1e308, 1e308, 0, infinity},
+                         {0, 1.7e308, 0, 0, 1.7e308, infinity}, {-1.7e308, 1, 1, 1, 0, infinity},
+                         {0, nan, 1, 0, 0, infinity},           {0, 1, nan, 0, 0, infinity},
+                         {0, 1, 1, nan, 0, infinity},           {0, 1, 1, 1, nan, infinity},
+                         {nan, 1, 1, 1, 1, infinity},           {0, 1.7e308, 1.7e308, 1.7e308, 0, infinity}};
   for (const Object& object : wild) {
     const Box<1> box = sweep(object, {1e300, 1e9});
-    EXPECT_EQ(box.upper[0], inf);
-    EXPECT_TRUE(box.lower[0] == -inf || Rational(box.lower[0]) <= Rational(object.x) - Rational(object.half));
+    EXPECT_EQ(box.upper[0], infinity);
+    EXPECT_TRUE(box.lower[0] == -infinity ||
+                Rational(box.lower[0]) <= Rational(object.x) - Rational(object.half));
     EXPECT_FALSE(box.is_empty());
   }
 }
@@ -124,7 +125,7 @@ void fuzz(std::uint64_t seed, int low, int high, int rounds) {
   AnyDouble any{random, low, high};
   for (int i = 0; i < rounds / share; ++i) {
     const double t = any();
-    const double until = random() % 3 ? inf : t + std::abs(any());
+    const double until = random() % 3 ? infinity : t + std::abs(any());
     expect_outward({t, any(), any(), any(), std::abs(any()), until}, {any(), std::abs(any())},
                    std::abs(any()));
     if (::testing::Test::HasFatalFailure()) return;
@@ -153,7 +154,7 @@ TEST(SweptBox, IsOutwardFarFromTheOrigin) {
   for (int i = 0; i < 4000 / share; ++i) {
     const double now = 1.7e9 + unit(random);
     expect_outward({now - 60 * std::abs(unit(random)), 1e15 + unit(random) * 100, unit(random) * 1e3,
-                    unit(random), std::abs(unit(random)) * 1e-3, inf},
+                    unit(random), std::abs(unit(random)) * 1e-3, infinity},
                    {now, std::abs(unit(random)) * 600}, std::abs(unit(random)));
     if (HasFatalFailure()) return;
   }

@@ -23,7 +23,7 @@ std::vector<std::string> answers(Database& db) {
 }
 
 /// A table of some levels in pages that are as small as they come.
-void build(Database& db) {
+void build_small(Database& db) {
   db.exec(
       "PRAGMA page_size = 512;"
       "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, r);"
@@ -37,7 +37,7 @@ TEST(HostileBytes, EachChangedByteOfEachNodeIsAnErrorOrTheRightRows) {
   std::vector<std::pair<std::int64_t, int>> nodes;  // number, size
   {
     Database db(file.path());
-    build(db);
+    build_small(db);
     right = answers(db);
     sqlite3_stmt* statement = nullptr;
     sqlite3_prepare_v2(db.handle(), "SELECT nodeno, length(data) FROM ships_node", -1, &statement, nullptr);

@@ -1,29 +1,15 @@
 // Questions about tables with meshes: every method, thread count and door gives the same rows to the last
 // bit, and meshes that are boxes, balls or prisms are these.
-#include <charconv>
-#include <random>
 #include <sstream>
 
 #include "sanitized.h"
 #include "sqlite/database.h"
+#include "sqlite/drawn.h"
 
 namespace foresee::testing {
 namespace {
 
-using Random = std::mt19937_64;
 using Place = std::array<double, 3>;
-
-double drawn(Random& random, double least, double most) {
-  return std::uniform_real_distribution<double>(least, most)(random);
-}
-int drawn(Random& random, int least, int most) {
-  return std::uniform_int_distribution<int>(least, most)(random);
-}
-
-std::string shown_exactly(double number) {
-  char digits[40];
-  return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
-}
 
 std::string mesh_text(const std::string& word, const std::vector<Place>& corners,
                       const std::vector<std::array<std::size_t, 3>>& faces) {
@@ -68,7 +54,7 @@ std::string box(double hx, double hy, double hz) {
 }
 
 /// A tetrahedron, solid or not, or some triangles that cross; often beside the object's position.
-std::string debris(Random& random, double size) {
+std::string debris(Engine& random, double size) {
   std::vector<Place> corners;
   const double aside = drawn(random, 0, 1) * drawn(random, -2.0, 2.0) * size;
   for (int i = 0; i < 6; ++i)
@@ -81,7 +67,7 @@ std::string debris(Random& random, double size) {
 }
 
 /// t, x, y, z, vx, vy, vz, on quarters so that many touch exactly.
-std::string motion(Random& random, double land) {
+std::string motion(Engine& random, double land) {
   std::ostringstream row;
   row << drawn(random, -2, 2);
   for (const double most : {land, land, land / 4})
@@ -120,7 +106,7 @@ struct Field {
                    within + " AND method = '" + method + "'" + also + " ORDER BY a, b");
   }
 
-  Random random;
+  Engine random;
   int count;
   std::string within = drawn(random, 0, 1) == 0 ? "0" : "1.75";
   Database db;
@@ -175,7 +161,7 @@ TEST(MeshQuestions, WindowsAskTheTreeAsTheyAskAll) {
 
 TEST(MeshQuestions, ABoxIsTheMeshOfItsFaces) {
   for (int seed = 0; seed < mesh_scenes; ++seed) {
-    Random random(static_cast<std::uint64_t>(seed));
+    Engine random(static_cast<std::uint64_t>(seed));
     Database db;
     make(db, "boxes", "hx, hy, hz"), make(db, "meshes", "shape, heading"), make(db, "points", "r");
     db.exec("BEGIN");
@@ -222,7 +208,7 @@ TEST(MeshQuestions, ABoxIsTheMeshOfItsFaces) {
 
 TEST(MeshQuestions, WithoutAMeshARowIsABall) {
   for (int seed = 0; seed < mesh_scenes; ++seed) {
-    Random random(static_cast<std::uint64_t>(seed));
+    Engine random(static_cast<std::uint64_t>(seed));
     Database db;
     make(db, "balls", "r"), make(db, "meshes", "shape, r"), make(db, "points", "r"),
         make(db, "boxes", "hx, hy, hz");
@@ -255,7 +241,7 @@ TEST(MeshQuestions, WithoutAMeshARowIsABall) {
 
 TEST(MeshQuestions, APrismIsTheMeshOfItsFaces) {
   for (int seed = 0; seed < mesh_scenes; ++seed) {
-    Random random(static_cast<std::uint64_t>(seed));
+    Engine random(static_cast<std::uint64_t>(seed));
     Database db;
     make(db, "prisms", "shape, heading, hz"), make(db, "meshes", "shape, heading");
     db.exec("BEGIN");

@@ -1,30 +1,16 @@
 // Questions about tables with outlines: every method, thread count and door gives the same rows to the last
 // bit, and outlines that are boxes, discs or windows are these.
-#include <random>
 #include <sstream>
 
 #include "sanitized.h"
 #include "sqlite/database.h"
+#include "sqlite/drawn.h"
 
 namespace foresee::testing {
 namespace {
 
-using Random = std::mt19937_64;
-
-double drawn(Random& random, double least, double most) {
-  return std::uniform_real_distribution<double>(least, most)(random);
-}
-int drawn(Random& random, int least, int most) {
-  return std::uniform_int_distribution<int>(least, most)(random);
-}
-
-std::string shown_exactly(double number) {
-  char digits[40];
-  return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
-}
-
 /// A star around a place that need not be the object's: concave, and often beside its position.
-std::string star(Random& random, double size) {
+std::string star(Engine& random, double size) {
   const int corners = drawn(random, 3, 9);
   const double x = drawn(random, 0, 1) * drawn(random, -3.0, 3.0) * size, y = drawn(random, -1.0, 1.0) * size;
   std::string text = "POLYGON((", first;
@@ -70,7 +56,7 @@ struct Scene {
                    within + " AND method = '" + method + "'" + also + " ORDER BY a, b");
   }
 
-  Random random;
+  Engine random;
   int axes, count, size;
   std::string within = drawn(random, 0, 1) == 0 ? "0" : "1.75";
   Database db;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double u = 0x1p-53;
 constexpr double least = 0x1p-1000;  // more than underflow loses
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// Disjoint spans in order of time.
 template <std::size_t Most>
@@ -30,14 +30,14 @@ Solution between(double first, double last) {
 }
 
 Solution always() {
-  return between(-infinity, infinity);
+  return between(-inf, inf);
 }
 
 Solution outside(double first, double last) {
   if (!(first < last)) return always();
   Solution solution;
-  solution.add(-infinity, first);
-  solution.add(last, infinity);
+  solution.add(-inf, first);
+  solution.add(last, inf);
   return solution;
 }
 
@@ -46,7 +46,7 @@ Solution solve_linear(double v, double c) {
   if (v == 0) return c > 0 ? Solution{} : always();
   const double root = -c / v, error = 8 * u * std::abs(root) + least;
   if (!std::isfinite(error)) return always();
-  return v > 0 ? between(-infinity, root + error) : between(root - error, infinity);
+  return v > 0 ? between(-inf, root + error) : between(root - error, inf);
 }
 
 /// Where a t^2 / 2 + v t + c <= 0, or more. The discriminant v^2 - 2 a c is in doubt within 8 units of its
@@ -58,7 +58,7 @@ Solution solve(double a, double v, double c) {
   const double d = v * v - 2 * (a * c);  // 2 a alone may overflow
   const double doubt = 8 * u * (v * v + 2 * std::abs(a * c)) + least;
   if (d < -2 * doubt) return a > 0 ? Solution{} : always();
-  if (!(d > 2 * doubt && d < infinity)) return always();
+  if (!(d > 2 * doubt && d < inf)) return always();
   const double root = std::sqrt(d), sum = -(v + std::copysign(root, v));
   const double relative = 2 * ((doubt / root + 4 * u * root) / std::abs(sum) + 12 * u);
   double first = sum / a, last = 2 * c / sum;

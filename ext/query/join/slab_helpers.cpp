@@ -21,16 +21,16 @@ constexpr std::size_t bytes_at_once = 1 << 12;  // where it is waited for
 constexpr std::size_t bytes_ahead = 3 * bytes_enough;  // of a part
 constexpr std::chrono::milliseconds between_checks{1};
 
-struct Part {
-  std::deque<SlabBatch> batches;
-  std::size_t bytes = 0;  // of those
-  std::exception_ptr failure;
-  bool done = false;
-};
-
 }  // namespace
 
 struct SlabHelpers::Shared {
+  struct Part {
+    std::deque<SlabBatch> batches;
+    std::size_t bytes = 0;  // of those
+    std::exception_ptr failure;
+    bool done = false;
+  };
+
   Shared(const JoinQuestion& asked, const TimeSlab& part_of_time, bool sorted, const Contact::Reach& reach,
          Interrupt& of_caller)
       : question(asked),

@@ -8,7 +8,7 @@ namespace {
 constexpr char no_column = 'A' - 1;
 
 /// The second letter; 0 for other constraints.
-char letter_of(int op) {
+char limit_letter(int op) {
   if (op == SQLITE_INDEX_CONSTRAINT_LIMIT) return 'n';
   return op == SQLITE_INDEX_CONSTRAINT_OFFSET ? 'o' : 0;
 }
@@ -26,9 +26,9 @@ bool is_heeded(const TableFunction& function, const sqlite3_index_info& info, in
 
 void take_row_limit(const TableFunction& function, sqlite3_index_info& info, std::string& arguments) {
   for (int i = 0; i < info.nConstraint; ++i)
-    if (!letter_of(info.aConstraint[i].op) && !is_heeded(function, info, i)) return;
+    if (!limit_letter(info.aConstraint[i].op) && !is_heeded(function, info, i)) return;
   for (int i = 0; i < info.nConstraint; ++i) {
-    const char letter = letter_of(info.aConstraint[i].op);
+    const char letter = limit_letter(info.aConstraint[i].op);
     if (!letter || !info.aConstraint[i].usable) continue;
     arguments += {no_column, letter};
     info.aConstraintUsage[i].argvIndex = static_cast<int>(arguments.size() / 2);

@@ -15,7 +15,7 @@ bool in_schema(const VisibleTable& table, const std::optional<std::string>& sche
 }
 
 std::string quoted(const std::string& name) {
-  return "'" + without_nul(name) + "'";
+  return std::string("'") + without_nul(name) + "'";
 }
 
 /// Whether its name by itself means another table.

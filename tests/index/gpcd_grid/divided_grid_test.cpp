@@ -12,8 +12,6 @@
 namespace foresee::testing {
 namespace {
 
-NeverInterrupt never;
-
 /// The parts' candidates, part after part, from threads that take every third part.
 std::vector<Pair> from_three_threads(DividedCandidates& grid) {
   std::vector<std::vector<Pair>> parts(grid.parts());

@@ -12,8 +12,6 @@
 namespace foresee::testing {
 namespace {
 
-NeverInterrupt never;
-
 struct Side {
   Layout layout;
   std::vector<double> rows;

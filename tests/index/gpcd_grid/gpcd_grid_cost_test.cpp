@@ -7,8 +7,6 @@
 namespace foresee::testing {
 namespace {
 
-NeverInterrupt never;
-
 template <int D>
 std::vector<Box<D>> boxes_of(SceneKind kind, std::size_t count) {
   const Layout layout{D, Law::accelerated, Shape::box, false, false};

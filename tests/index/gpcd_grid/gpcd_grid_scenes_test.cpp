@@ -10,8 +10,6 @@
 namespace foresee::testing {
 namespace {
 
-NeverInterrupt never;
-
 template <int D>
 std::vector<Box<D>> boxes_of(const RandomScene& scene, double h) {
   return swept_boxes<D>(scene.bodies(), {scene.now, h}, Vec<D>::Constant(scene.within / 2), never);

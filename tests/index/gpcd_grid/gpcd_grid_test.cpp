@@ -6,7 +6,6 @@
 namespace foresee::testing {
 namespace {
 
-NeverInterrupt never;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 template <int D>

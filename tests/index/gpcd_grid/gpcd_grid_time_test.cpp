@@ -12,8 +12,6 @@
 namespace foresee::testing {
 namespace {
 
-NeverInterrupt never;
-
 /// A scene of any layout whose numbers a test has changed.
 struct Moving {
   Layout layout;

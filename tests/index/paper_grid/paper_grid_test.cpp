@@ -14,12 +14,11 @@ using testing::all_scene_kinds;
 using testing::drain;
 using testing::in_order;
 using testing::name_of;
+using testing::never;
 using testing::random_scene;
 using testing::StopAt;
 using testing::varied_layouts;
 using testing::within_order;
-
-NeverInterrupt never;
 
 template <int D>
 std::vector<Box<D>> boxes_of(const testing::RandomScene& scene) {

@@ -12,11 +12,10 @@ namespace {
 using testing::all_layouts;
 using testing::all_scene_kinds;
 using testing::name_of;
+using testing::never;
 using testing::random_scene;
 using testing::RandomScene;
 using testing::varied_layouts;
-
-NeverInterrupt never;
 
 /// Two boxes of equal half extents: x, y, vx, vy, ax, ay each.
 struct TwoBoxes {

@@ -9,14 +9,13 @@ namespace foresee::index {
 namespace {
 
 using testing::all_scene_kinds;
+using testing::boats;
 using testing::name_of;
 using testing::Random;
 using testing::random_scene;
 using testing::RandomScene;
 using testing::TreeModel;
 using testing::varied_layouts;
-
-constexpr Layout boats{.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true};
 
 TEST(Merge, KeepsTheTreeSoundInEveryLayout) {
   for (const Layout& layout : varied_layouts()) {

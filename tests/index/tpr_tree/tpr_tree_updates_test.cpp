@@ -9,12 +9,11 @@
 namespace foresee::index {
 namespace {
 
+using testing::boats;
 using testing::Random;
 using testing::random_scene;
 using testing::RandomScene;
 using testing::TreeModel;
-
-constexpr Layout boats{.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true};
 
 /// Counts the nodes that the tree announces a change of.
 class CountingPages final : public Pages {

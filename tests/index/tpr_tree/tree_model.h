@@ -13,6 +13,9 @@
 
 namespace foresee::testing {
 
+/// What most trees of these tests hold.
+inline constexpr Layout boats{.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true};
+
 struct TreeModel {
   TreeModel(const Layout& layout, double horizon, std::size_t capacity = 6)
       : pages(layout, capacity, capacity), tree(make_tpr_tree(pages, horizon)) {}

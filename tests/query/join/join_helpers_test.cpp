@@ -9,6 +9,7 @@
 namespace foresee::query {
 namespace {
 
+using testing::discs;
 using testing::numbers_of;
 using testing::random_scene;
 using testing::rows_in_order;
@@ -21,8 +22,6 @@ JoinQuestion question_of(SceneKind kind, const Layout& layout, std::size_t count
   const auto scene = random_scene({.layout = layout, .kind = kind, .count = count, .seed = 21});
   return {.a = scene_of(scene), .now = scene.now, .h = scene.h, .within = scene.within};
 }
-
-const Layout discs{.axes = 2, .law = Law::uniform, .shape = Shape::ball};
 
 std::vector<double> numbers_in_order(const JoinQuestion& question) {
   std::vector<JoinRow> all = rows_in_order(question);

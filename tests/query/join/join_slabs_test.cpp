@@ -13,6 +13,7 @@ namespace {
 using testing::after_now;
 using testing::all_layouts;
 using testing::all_scene_kinds;
+using testing::discs;
 using testing::name_of;
 using testing::numbers_of;
 using testing::question_about;
@@ -24,7 +25,6 @@ using testing::scene_of;
 using testing::SceneKind;
 
 constexpr double inf = std::numeric_limits<double>::infinity();
-const Layout discs{.axes = 2, .law = Law::uniform, .shape = Shape::ball};
 
 bool are_in_order(const std::vector<JoinRow>& rows, JoinOrder order) {
   return std::is_sorted(rows.begin(), rows.end(), [order](const JoinRow& l, const JoinRow& r) {

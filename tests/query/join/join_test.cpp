@@ -8,12 +8,11 @@ namespace foresee::query {
 namespace {
 
 using testing::after_now;
+using testing::discs;
 using testing::IdPairs;
 using testing::pairs_of;
 using testing::rows_of;
 using testing::scene_of;
-
-const Layout discs{.axes = 2, .law = Law::uniform, .shape = Shape::ball};
 
 /// Three discs on the x-axis: 1 and 2 meet head on from 3 to 4, 3 stands far off.
 std::shared_ptr<const Scene> head_on() {

@@ -65,10 +65,6 @@ TEST(SortedHits, KeepSomeTimesAsManyAsAreReadAndGiveTheOthersIfAsked) {
   }
 }
 
-std::vector<double> numbers_in_order(const JoinQuestion& question) {
-  return numbers_of(rows_in_order(question));
-}
-
 /// Discs that all begin at the same moment, most of them in contact then.
 TEST(SortedHits, OfAJoinAreTheSameRowsInTheSameOrderHoweverFewAreLikely) {
   constexpr std::size_t count = sanitized ? 150 : 250;
@@ -84,10 +80,10 @@ TEST(SortedHits, OfAJoinAreTheSameRowsInTheSameOrderHoweverFewAreLikely) {
   for (JoinMethod method : {JoinMethod::grid, JoinMethod::scan})
     for (JoinOrder order : {JoinOrder::by_t, JoinOrder::by_dt, JoinOrder::by_t_and_ids}) {
       question.method = method, question.order = order, question.likely_rows = all_rows;
-      const auto right = numbers_in_order(question);
+      const auto right = numbers_of(rows_in_order(question));
       EXPECT_GT(right.size(), 9 * count * count / 4);
       question.likely_rows = 1;
-      EXPECT_TRUE(numbers_in_order(question) == right);
+      EXPECT_TRUE(numbers_of(rows_in_order(question)) == right);
     }
 }
 

@@ -5,7 +5,7 @@
 namespace foresee::testing {
 namespace {
 
-constexpr const char* create =
+constexpr const char* create_drones =
     "CREATE VIRTUAL TABLE drones USING moving_objects(id, t, x, y, z, shape, heading, r);";
 
 /// A tetrahedron of this size.
@@ -19,36 +19,36 @@ std::string solid(int size) {
          face(x, y, z) + ")";
 }
 
-std::string insert(int id, int size, int heading = 0) {
+std::string insert_drone(int id, int size, int heading = 0) {
   return "INSERT INTO drones(id, t, x, y, z, shape, heading) VALUES(" + std::to_string(id) +
          ", 0, 0, 0, 0, '" + solid(size) + "', " + std::to_string(heading) + ");";
 }
 
-std::string stored(Database& db) {
+std::string stored_solids(Database& db) {
   return db.rows("SELECT count(*) FROM drones_shape");
 }
 
 TEST(MeshStorage, EqualContentIsStoredOnce) {
   Database db;
-  db.exec(create);
-  for (int id = 1; id <= 100; ++id) db.exec(insert(id, id % 3 + 1, id));
-  EXPECT_EQ(stored(db), "3");
+  db.exec(create_drones);
+  for (int id = 1; id <= 100; ++id) db.exec(insert_drone(id, id % 3 + 1, id));
+  EXPECT_EQ(stored_solids(db), "3");
   // The same triangles as a surface are another mesh.
   db.exec("INSERT INTO drones(id, t, x, y, z, shape) VALUES(999, 0, 0, 0, 0, 'TIN Z" + solid(1).substr(19) +
           "')");
-  EXPECT_EQ(stored(db), "4");
+  EXPECT_EQ(stored_solids(db), "4");
   db.exec("UPDATE drones SET heading = id % 360");
-  EXPECT_EQ(stored(db), "4");
+  EXPECT_EQ(stored_solids(db), "4");
   db.exec("INSERT INTO drones(drones) VALUES('integrity-check')");
 }
 
 TEST(MeshStorage, WhatIsTakenBackIsStoredAnewWhenItComesAgain) {
   Database db;
-  db.exec(create);
-  db.exec("BEGIN;" + insert(1, 1) + "ROLLBACK;" + insert(1, 1));
-  EXPECT_EQ(stored(db), "1");
-  db.exec("BEGIN;" + insert(2, 2) + "SAVEPOINT a;" + insert(3, 3) + "ROLLBACK TO a;" + insert(4, 4) +
-          insert(3, 3) + "RELEASE a; COMMIT");
+  db.exec(create_drones);
+  db.exec("BEGIN;" + insert_drone(1, 1) + "ROLLBACK;" + insert_drone(1, 1));
+  EXPECT_EQ(stored_solids(db), "1");
+  db.exec("BEGIN;" + insert_drone(2, 2) + "SAVEPOINT a;" + insert_drone(3, 3) + "ROLLBACK TO a;" +
+          insert_drone(4, 4) + insert_drone(3, 3) + "RELEASE a; COMMIT");
   EXPECT_EQ(db.rows("SELECT id, shape FROM drones ORDER BY id"),
             "1|" + solid(1) + "\n2|" + solid(2) + "\n3|" + solid(3) + "\n4|" + solid(4));
   db.exec("INSERT INTO drones(drones) VALUES('integrity-check')");
@@ -57,11 +57,11 @@ TEST(MeshStorage, WhatIsTakenBackIsStoredAnewWhenItComesAgain) {
 TEST(MeshStorage, OptimizeAndRebuildDropWhatNoRowHas) {
   for (const char* command : {"optimize", "rebuild"}) {
     Database db;
-    db.exec(create + insert(1, 1) + insert(2, 2) + insert(3, 3));
+    db.exec(create_drones + insert_drone(1, 1) + insert_drone(2, 2) + insert_drone(3, 3));
     db.exec("UPDATE drones SET shape = NULL WHERE id = 2; DELETE FROM drones WHERE id = 3");
     db.exec("INSERT INTO drones(drones) VALUES('" + std::string(command) + "')");
-    EXPECT_EQ(stored(db), "1");
-    db.exec(insert(3, 3) + insert(4, 1));
+    EXPECT_EQ(stored_solids(db), "1");
+    db.exec(insert_drone(3, 3) + insert_drone(4, 1));
     EXPECT_EQ(db.rows("SELECT shape FROM drones ORDER BY id"),
               solid(1) + "\nNULL\n" + solid(3) + "\n" + solid(1));
     db.exec("INSERT INTO drones(drones) VALUES('integrity-check')");
@@ -72,7 +72,7 @@ TEST(MeshStorage, IsTheSameInTheNextConnection) {
   const TemporaryFile file;
   {
     Database db(file.path());
-    db.exec(create + insert(1, 1, 30) + insert(2, 2));
+    db.exec(create_drones + insert_drone(1, 1, 30) + insert_drone(2, 2));
     db.exec("ALTER TABLE drones RENAME TO fleet");
   }
   Database db(file.path());
@@ -99,7 +99,7 @@ TEST(MeshStorage, DamageIsSaidAndChangesNothing) {
     const TemporaryFile file;
     {
       Database db(file.path());
-      db.exec(create + insert(1, 1) + insert(2, 2));
+      db.exec(create_drones + insert_drone(1, 1) + insert_drone(2, 2));
       db.exec(damage);
     }
     Database db(file.path());
@@ -120,7 +120,7 @@ TEST(MeshStorage, BoundsAreThoseOfTheTurnedMesh) {
   const TemporaryFile file;
   {
     Database db(file.path());
-    db.exec(create + insert(1, 1, 30) + insert(2, 2));
+    db.exec(create_drones + insert_drone(1, 1, 30) + insert_drone(2, 2));
     db.exec(
         "CREATE TABLE t AS SELECT hash, data FROM drones_shape WHERE number = 2;"
         "DELETE FROM drones_shape WHERE number = 2;"

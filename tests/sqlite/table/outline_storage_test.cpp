@@ -4,7 +4,7 @@
 namespace foresee::testing {
 namespace {
 
-constexpr const char* create =
+constexpr const char* create_hulls =
     "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, shape, heading, r);";
 
 std::string square(int size) {
@@ -12,34 +12,34 @@ std::string square(int size) {
   return "POLYGON((0 0, " + s + " 0, " + s + " " + s + ", 0 " + s + ", 0 0))";
 }
 
-std::string insert(int id, int size) {
+std::string insert_hull(int id, int size) {
   return "INSERT INTO ships(id, t, x, y, shape) VALUES(" + std::to_string(id) + ", 0, 0, 0, '" +
          square(size) + "');";
 }
 
-std::string stored(Database& db) {
+std::string stored_outlines(Database& db) {
   return db.rows("SELECT count(*) FROM ships_shape");
 }
 
 TEST(OutlineStorage, EqualContentIsStoredOnce) {
   Database db;
-  db.exec(create);
-  for (int id = 1; id <= 100; ++id) db.exec(insert(id, id % 3 + 1));
-  EXPECT_EQ(stored(db), "3");
+  db.exec(create_hulls);
+  for (int id = 1; id <= 100; ++id) db.exec(insert_hull(id, id % 3 + 1));
+  EXPECT_EQ(stored_outlines(db), "3");
   db.exec("INSERT INTO ships(id, t, x, y, shape) VALUES(999, 0, 0, 0, ' polygon((0 0,1 0,1 1,0 1.0,0 0))')");
-  EXPECT_EQ(stored(db), "3");
+  EXPECT_EQ(stored_outlines(db), "3");
   db.exec("UPDATE ships SET heading = id % 360");
-  EXPECT_EQ(stored(db), "3");
+  EXPECT_EQ(stored_outlines(db), "3");
   db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
 }
 
 TEST(OutlineStorage, WhatIsTakenBackIsStoredAnewWhenItComesAgain) {
   Database db;
-  db.exec(create);
-  db.exec("BEGIN;" + insert(1, 1) + "ROLLBACK;" + insert(1, 1));
-  EXPECT_EQ(stored(db), "1");
-  db.exec("BEGIN;" + insert(2, 2) + "SAVEPOINT a;" + insert(3, 3) + "ROLLBACK TO a;" + insert(4, 4) +
-          insert(3, 3) + "RELEASE a; COMMIT");
+  db.exec(create_hulls);
+  db.exec("BEGIN;" + insert_hull(1, 1) + "ROLLBACK;" + insert_hull(1, 1));
+  EXPECT_EQ(stored_outlines(db), "1");
+  db.exec("BEGIN;" + insert_hull(2, 2) + "SAVEPOINT a;" + insert_hull(3, 3) + "ROLLBACK TO a;" +
+          insert_hull(4, 4) + insert_hull(3, 3) + "RELEASE a; COMMIT");
   EXPECT_EQ(db.rows("SELECT id, shape FROM ships ORDER BY id"),
             "1|" + square(1) + "\n2|" + square(2) + "\n3|" + square(3) + "\n4|" + square(4));
   db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
@@ -47,13 +47,13 @@ TEST(OutlineStorage, WhatIsTakenBackIsStoredAnewWhenItComesAgain) {
 
 TEST(OutlineStorage, AStatementThatFailsLeavesNone) {
   Database db;
-  db.exec(create + insert(1, 1));
+  db.exec(create_hulls + insert_hull(1, 1));
   db.exec("CREATE TABLE feed(id, shape)");
   db.exec("INSERT INTO feed VALUES(5, '" + square(5) + "'), (6, '" + square(6) + "'), (1, '" + square(7) +
           "')");
   const std::string all = " INTO ships(id, t, x, y, shape) SELECT id, 0, 0, 0, shape FROM feed";
   EXPECT_EQ(db.error_of("INSERT" + all), "UNIQUE constraint failed: ships.id");
-  EXPECT_EQ(stored(db), "1");
+  EXPECT_EQ(stored_outlines(db), "1");
   // The texts were read before: they must not be believed stored.
   db.exec("INSERT OR IGNORE" + all);
   EXPECT_EQ(db.rows("SELECT id, shape FROM ships ORDER BY id"),
@@ -66,12 +66,12 @@ TEST(OutlineStorage, AStatementThatFailsLeavesNone) {
 TEST(OutlineStorage, OptimizeAndRebuildDropWhatNoRowHas) {
   for (const char* command : {"optimize", "rebuild"}) {
     Database db;
-    db.exec(create + insert(1, 1) + insert(2, 2) + insert(3, 3));
+    db.exec(create_hulls + insert_hull(1, 1) + insert_hull(2, 2) + insert_hull(3, 3));
     db.exec("UPDATE ships SET shape = NULL WHERE id = 2; DELETE FROM ships WHERE id = 3");
-    EXPECT_EQ(stored(db), "3");
+    EXPECT_EQ(stored_outlines(db), "3");
     db.exec("INSERT INTO ships(ships) VALUES('" + std::string(command) + "')");
-    EXPECT_EQ(stored(db), "1");
-    db.exec(insert(3, 3) + insert(4, 1));
+    EXPECT_EQ(stored_outlines(db), "1");
+    db.exec(insert_hull(3, 3) + insert_hull(4, 1));
     EXPECT_EQ(db.rows("SELECT shape FROM ships ORDER BY id"),
               square(1) + "\nNULL\n" + square(3) + "\n" + square(1));
     db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
@@ -80,8 +80,8 @@ TEST(OutlineStorage, OptimizeAndRebuildDropWhatNoRowHas) {
 
 TEST(OutlineStorage, AQuestionUnderWayKeepsItsOutlines) {
   Database db;
-  db.exec(create);
-  for (int id = 1; id <= 300; ++id) db.exec(insert(id, id));
+  db.exec(create_hulls);
+  for (int id = 1; id <= 300; ++id) db.exec(insert_hull(id, id));
   sqlite3_stmt* window = nullptr;
   ASSERT_EQ(
       sqlite3_prepare_v2(db.handle(), "SELECT id FROM predictive_window(0, 'ships')", -1, &window, nullptr),
@@ -96,8 +96,8 @@ TEST(OutlineStorage, AQuestionUnderWayKeepsItsOutlines) {
 
 TEST(OutlineStorage, AQuestionUnderWayOutlivesARollback) {
   Database db;
-  db.exec(std::string(create) + "BEGIN; SAVEPOINT q");
-  for (int id = 1; id <= 1200; ++id) db.exec(insert(id, id));
+  db.exec(std::string(create_hulls) + "BEGIN; SAVEPOINT q");
+  for (int id = 1; id <= 1200; ++id) db.exec(insert_hull(id, id));
   sqlite3_stmt* window = nullptr;
   ASSERT_EQ(
       sqlite3_prepare_v2(db.handle(), "SELECT id FROM predictive_window(0, 'ships')", -1, &window, nullptr),
@@ -113,15 +113,15 @@ TEST(OutlineStorage, AQuestionUnderWayOutlivesARollback) {
 TEST(OutlineStorage, TwoConnectionsGiveNumbersInTurn) {
   const TemporaryFile file;
   Database a(file.path()), b(file.path());
-  a.exec("PRAGMA journal_mode = WAL;" + std::string(create) + insert(1, 1));
+  a.exec("PRAGMA journal_mode = WAL;" + std::string(create_hulls) + insert_hull(1, 1));
   EXPECT_EQ(b.rows("SELECT shape FROM ships"), square(1));
-  a.exec("BEGIN;" + insert(2, 2) + "ROLLBACK");
-  b.exec(insert(3, 3));  // under the number that a took back
+  a.exec("BEGIN;" + insert_hull(2, 2) + "ROLLBACK");
+  b.exec(insert_hull(3, 3));  // under the number that a took back
   EXPECT_EQ(a.rows("SELECT shape FROM ships ORDER BY id"), square(1) + "\n" + square(3));
-  a.exec(insert(2, 2));
+  a.exec(insert_hull(2, 2));
   EXPECT_EQ(b.rows("SELECT shape FROM ships ORDER BY id"), square(1) + "\n" + square(2) + "\n" + square(3));
-  b.exec("DELETE FROM ships WHERE id = 1; INSERT INTO ships(ships) VALUES('optimize');" + insert(4, 4));
-  a.exec(insert(5, 1));
+  b.exec("DELETE FROM ships WHERE id = 1; INSERT INTO ships(ships) VALUES('optimize');" + insert_hull(4, 4));
+  a.exec(insert_hull(5, 1));
   EXPECT_EQ(a.rows("SELECT shape FROM ships ORDER BY id"),
             square(2) + "\n" + square(3) + "\n" + square(4) + "\n" + square(1));
   a.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
@@ -131,12 +131,12 @@ TEST(OutlineStorage, TwoConnectionsGiveNumbersInTurn) {
 TEST(OutlineStorage, ANumberThatWasTakenBackMayBeAnothers) {
   const TemporaryFile file;
   Database a(file.path()), b(file.path());
-  a.exec("PRAGMA journal_mode = WAL;" + std::string(create));
-  a.exec("BEGIN;" + insert(2, 2) + "ROLLBACK");
-  b.exec(insert(3, 3));
+  a.exec("PRAGMA journal_mode = WAL;" + std::string(create_hulls));
+  a.exec("BEGIN;" + insert_hull(2, 2) + "ROLLBACK");
+  b.exec(insert_hull(3, 3));
   EXPECT_EQ(a.rows("SELECT id, shape FROM ships"), "3|" + square(3));
-  a.exec("BEGIN;" + insert(4, 4) + "ROLLBACK");
-  b.exec(insert(5, 5));
+  a.exec("BEGIN;" + insert_hull(4, 4) + "ROLLBACK");
+  b.exec(insert_hull(5, 5));
   a.exec("UPDATE ships SET heading = 90");
   a.exec("INSERT INTO ships(ships) VALUES('integrity-check')");
   EXPECT_EQ(a.rows("SELECT id FROM predictive_window(0, 'ships', 4, 5, -5, -4)"), "5");
@@ -146,10 +146,10 @@ TEST(OutlineStorage, GoesWhereTheTableGoes) {
   const TemporaryFile file;
   {
     Database db(file.path());
-    db.exec(create + insert(1, 1));
+    db.exec(create_hulls + insert_hull(1, 1));
     db.exec("ALTER TABLE ships RENAME TO fleet");
     db.exec("INSERT INTO fleet(id, t, x, y, shape) VALUES(2, 0, 0, 0, '" + square(2) + "')");
-    db.exec(create + insert(1, 3) + "VACUUM");  // the old name is free
+    db.exec(create_hulls + insert_hull(1, 3) + "VACUUM");  // the old name is free
     EXPECT_EQ(db.rows("SELECT shape FROM fleet ORDER BY id"), square(1) + "\n" + square(2));
     db.exec("DROP TABLE ships");
     EXPECT_EQ(db.rows("SELECT count(*) FROM sqlite_schema WHERE name LIKE 'ships%'"), "0");
@@ -162,7 +162,7 @@ TEST(OutlineStorage, GoesWhereTheTableGoes) {
 
 TEST(OutlineStorage, IsRefusedByNameWhereItIsNotKnown) {
   Database db;
-  db.exec(create);
+  db.exec(create_hulls);
   EXPECT_EQ(db.rows("SELECT value FROM ships_meta WHERE key = 'features'"), "blocks,shapes");
   db.exec("CREATE VIRTUAL TABLE plain USING moving_objects(id, x, y, r)");
   EXPECT_EQ(db.rows("SELECT value FROM plain_meta WHERE key = 'features'"), "blocks");
@@ -183,7 +183,7 @@ TEST(OutlineStorage, DamageIsSaidAndChangesNothing) {
     const TemporaryFile file;
     {
       Database db(file.path());
-      db.exec(create + insert(1, 1) + insert(2, 2));
+      db.exec(create_hulls + insert_hull(1, 1) + insert_hull(2, 2));
       db.exec(damage);
     }
     Database db(file.path());
@@ -202,10 +202,10 @@ TEST(OutlineStorage, DamageIsSaidAndChangesNothing) {
 
 TEST(OutlineStorage, NumbersBeyondWhatADoubleHoldsAreDamage) {
   Database db;
-  db.exec(create + insert(1, 1));
+  db.exec(create_hulls + insert_hull(1, 1));
   for (const char* number : {"9223372036854775807", "9007199254740992", "-5", "0"}) {
     db.exec("UPDATE ships_shape SET number = " + std::string(number));
-    EXPECT_NE(db.error_of(insert(2, 2)).find("ships"), std::string::npos);
+    EXPECT_NE(db.error_of(insert_hull(2, 2)).find("ships"), std::string::npos);
     EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "1");
   }
 }

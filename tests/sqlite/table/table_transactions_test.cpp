@@ -4,15 +4,15 @@
 namespace foresee::testing {
 namespace {
 
-constexpr const char* create = "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, vx, +name TEXT)";
-constexpr const char* fill =
+constexpr const char* create_named = "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, vx, +name TEXT)";
+constexpr const char* fill_named =
     "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 300)"
     "INSERT INTO ships SELECT i, i, 0, 'ship ' || i FROM n";
 
 struct TableTransactions : ::testing::Test {
   TableTransactions() {
-    db.exec(create);
-    db.exec(fill);
+    db.exec(create_named);
+    db.exec(fill_named);
   }
 
   std::string sums() { return db.rows("SELECT count(*), sum(x), count(name) FROM ships"); }
@@ -137,7 +137,7 @@ TEST_F(TableTransactions, RenameInsideATransaction) {
 TEST(TableConnections, AWalReaderSeesCommitsAtItsNextStatement) {
   TemporaryFile file;
   Database writer(file.path());
-  writer.exec(std::string("PRAGMA journal_mode = WAL; ") + create + ";" + fill);
+  writer.exec(std::string("PRAGMA journal_mode = WAL; ") + create_named + ";" + fill_named);
   Database reader(file.path());
   const std::string sum = "SELECT sum(x) FROM ships";
   EXPECT_EQ(reader.rows(sum), "45150.0");
@@ -160,7 +160,7 @@ TEST(TableConnections, AWalReaderSeesCommitsAtItsNextStatement) {
 TEST(TableConnections, ARollbackJournalWorksAsWell) {
   TemporaryFile file;
   Database a(file.path());
-  a.exec(std::string(create) + ";" + fill);
+  a.exec(std::string(create_named) + ";" + fill_named);
   Database b(file.path());
   b.exec("UPDATE ships SET x = 1");
   EXPECT_EQ(a.rows("SELECT sum(x) FROM ships"), "300.0");
@@ -174,7 +174,7 @@ TEST(TableConnections, ARollbackJournalWorksAsWell) {
 TEST(TableConnections, AnotherConnectionDropsOrRenames) {
   TemporaryFile file;
   Database a(file.path());
-  a.exec(std::string(create) + ";" + fill);
+  a.exec(std::string(create_named) + ";" + fill_named);
   Database b(file.path());
   EXPECT_EQ(b.rows("SELECT count(*) FROM ships"), "300");
   a.exec("ALTER TABLE ships RENAME TO fleet");
@@ -190,7 +190,7 @@ TEST(TableConnections, ReopeningTheFileChangesNothing) {
   TemporaryFile file;
   {
     Database db(file.path());
-    db.exec(std::string(create) + ";" + fill);
+    db.exec(std::string(create_named) + ";" + fill_named);
     db.exec("UPDATE ships SET vx = -0.0 WHERE id = 5");
   }
   Database db(file.path());

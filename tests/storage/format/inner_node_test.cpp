@@ -3,18 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <string>
+
+#include "storage/format/node_cases.h"
 
 namespace foresee::storage {
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity();
-constexpr std::int64_t number = 3;
-
-NodeFormat format_of(const Layout& layout) {
-  return NodeFormat(layout, NodeFormat::node_size_for(layout, 4096));
-}
+using namespace node_cases;
 
 /// The numbers of an entry that stand for one bound, as index/pages.h orders them.
 std::size_t place(const NodeFormat& format, std::size_t entry, std::size_t bound, std::size_t axis) {

@@ -3,20 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <map>
 #include <random>
 #include <string>
 
+#include "storage/format/node_cases.h"
+
 namespace foresee::storage {
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity();
-constexpr std::int64_t number = 9;
-
-NodeFormat format_of(const Layout& layout) {
-  return NodeFormat(layout, NodeFormat::node_size_for(layout, 4096));
-}
+using namespace node_cases;
 
 const Layout everything{.axes = 2, .law = Law::forced, .shape = Shape::box, .has_t = true, .has_until = true};
 // t, x, y, vx, vy, fx, fy, m, hx, hy, until

@@ -1,0 +1,10 @@
+// Nobody who asks a computation to stop: what a test passes where it interrupts nothing.
+#pragma once
+
+#include "base/error.h"
+
+namespace foresee::testing {
+
+inline base::NeverInterrupt never;
+
+}  // namespace foresee::testing
