@@ -30,8 +30,8 @@ build() {
   shift 3
   # Only headers of SQLite are looked for: the core does not use it, and another CPU's library is not needed.
   cmake -S . -B $out/"$name" -G Ninja -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_COMPILER="$compiler" \
-    -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DFORESEE_TESTS=OFF -DSQLite3_INCLUDE_DIR=/usr/include \
-    -DSQLite3_LIBRARY=unused "$@" >$out/"$name".log 2>&1 &&
+    -DCMAKE_CXX_FLAGS="$flags" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DFORESEE_BY_FOLDER=OFF -DFORESEE_TESTS=OFF \
+    -DSQLite3_INCLUDE_DIR=/usr/include -DSQLite3_LIBRARY=unused "$@" >$out/"$name".log 2>&1 &&
     cmake --build $out/"$name" --target portability_rows >>$out/"$name".log 2>&1 || {
     echo "$name does not build:"
     tail -n 20 $out/"$name".log
