@@ -11,7 +11,8 @@
 -- again makes it anew.
 --
 -- The plane touches the Earth (a sphere of R = 6371008.8 m) at a centre: a stereographic projection, x to the east,
--- y to the north. It keeps angles everywhere; at 150 km from the centre lengths are 0.014 % too long. A ship is taken to
+-- y to the north. It keeps angles everywhere; at 150 km from the centre lengths are 0.014 % too long, and the Earth, which
+-- is no sphere, is off by up to 0.6 % (geo_to_plane of docs/geography.md knows the ellipsoid). A ship is taken to
 -- follow its great circle, so its velocity is the projected one at the moment of the report.
 
 -- The parameters. What the table holds already stays: to choose another moment or place, change it and read the file

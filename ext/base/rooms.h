@@ -1,6 +1,7 @@
 // Whose names does a room know without saying whose? Those of the rooms to its right.
 //
-//   sqlite -> query -> index -> contact -> shape -> motion -> numbers -> base,     storage -> index
+//   sqlite -> query -> index -> contact -> shape -> motion -> numbers -> base,     storage -> index,
+//   sqlite -> geography -> base
 //
 //   namespace foresee::contact {
 //   double rounded_square_root(const Dyadic& square);        // numbers::Dyadic
@@ -22,6 +23,9 @@
 namespace foresee {
 
 namespace base {}
+namespace geography {
+using namespace base;
+}
 namespace numbers {
 using namespace base;
 }
@@ -46,6 +50,7 @@ using namespace index;
 namespace sqlite {
 using namespace query;
 using namespace storage;
+using namespace geography;
 }  // namespace sqlite
 
 }  // namespace foresee

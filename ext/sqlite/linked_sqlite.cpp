@@ -39,6 +39,7 @@ constexpr sqlite3_api_routines linked = [] {
   api.randomness = sqlite3_randomness;
   api.reset = sqlite3_reset;
   api.result_double = sqlite3_result_double;
+  api.result_error = sqlite3_result_error;
   api.result_error_nomem = sqlite3_result_error_nomem;
   api.result_int64 = sqlite3_result_int64;
   api.result_null = sqlite3_result_null;

@@ -17,7 +17,8 @@ from pathlib import Path
 ORDER = ["query", "index", "contact", "shape", "motion", "numbers", "base"]
 MAY_INCLUDE = {room: set(ORDER[i + 1:]) for i, room in enumerate(ORDER)}
 MAY_INCLUDE["storage"] = {"shape", "motion", "base"}
-MAY_INCLUDE["sqlite"] = {"storage", *ORDER}
+MAY_INCLUDE["geography"] = {"base"}
+MAY_INCLUDE["sqlite"] = {"storage", "geography", *ORDER}
 # What the index asks of a place to keep pages, which storage supplies; and the tree that it makes of them.
 PAGE_INTERFACE = {"index/pages.h", "index/tpr_tree/tpr_tree.h"}
 SEES_SQLITE = {"storage", "sqlite"}

@@ -15,6 +15,10 @@ void FunctionCall::reject(int input, const char* kind) const {
   throw Error(std::string(function_.inputs[place]) + " must be " + kind + ", not " + shown(inputs_[place]));
 }
 
+const char* FunctionCall::name_of(int input) const {
+  return function_.inputs[static_cast<std::size_t>(input)];
+}
+
 std::optional<double> FunctionCall::number(int input) const {
   sqlite3_value* value = inputs_[static_cast<std::size_t>(input)];
   if (!value) return std::nullopt;

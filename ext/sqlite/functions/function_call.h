@@ -57,6 +57,8 @@ class FunctionCall {
   std::optional<std::string> text(int input,
                                   const char* kind = "a name in quotes, or NULL to leave it out") const;
 
+  const char* name_of(int input) const;
+
   bool reads(int output) const { return (outputs_read_ >> output & 1) != 0; }
 
   /// The integer that the query wants `output` to be, if it does.

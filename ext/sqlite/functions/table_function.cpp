@@ -55,7 +55,8 @@ int function_connect(sqlite3* db, void* aux, int, const char* const*, sqlite3_vt
     const auto* registration = static_cast<const Registration*>(aux);
     const TableFunction& function = registration->function;
     const std::string columns = "CREATE TABLE x(" + joined(function.outputs, "") + ", " +
-                                joined(function.inputs, " HIDDEN") + ", PRIMARY KEY(" + function.key + ", " +
+                                joined(function.inputs, " HIDDEN") + ", PRIMARY KEY(" +
+                                (function.key ? std::string(function.key) + ", " : "") +
                                 joined(function.inputs, "") + ")) WITHOUT ROWID";
     const int rc = sqlite3_declare_vtab(db, columns.c_str());
     if (rc != SQLITE_OK) return rc;

@@ -40,8 +40,9 @@ struct TableFunction {
   const char* name;
   std::vector<const char*> outputs;  ///< name and type
   std::vector<const char*> inputs;   ///< names
-  const char* key;                   ///< the outputs that tell the rows of one call apart
-  std::uint32_t hinted;              ///< bit set: constraints on these outputs may make the call cheaper
+  const char*
+      key;  ///< the outputs that tell the rows of one call apart, never NULL; null: a call has one row
+  std::uint32_t hinted;  ///< bit set: constraints on these outputs may make the call cheaper
   CallEstimate (*estimate)(const CallSizes& sizes);  ///< of a whole call
   std::unique_ptr<FunctionRows> (*start)(const FunctionCall& call);
   std::uint32_t probed = 0;  ///< of those: one value of them makes the call much cheaper

@@ -1,10 +1,14 @@
-// The table-valued functions, one file each.
+// The table-valued functions, a file each, or two that are each other's inverse.
 #pragma once
 
 #include "sqlite/functions/table_function.h"
 
 namespace foresee::sqlite {
 
+const TableFunction& geo_to_plane();  // geo_plane.cpp
+const TableFunction& plane_to_geo();
+const TableFunction& geo_to_globe();  // geo_globe.cpp
+const TableFunction& globe_to_geo();
 const TableFunction& predictive_join();      // predictive_join.cpp
 const TableFunction& predictive_explain();   // predictive_explain.cpp
 const TableFunction& predictive_nearest();   // predictive_nearest.cpp

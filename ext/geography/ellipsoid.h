@@ -1,0 +1,44 @@
+// The shape of the Earth, and directions on it in degrees.
+#pragma once
+
+#include <cmath>
+
+#include "base/rooms.h"
+
+namespace foresee::geography {
+
+// WGS84 (NIMA TR8350.2, table 3.1).
+inline constexpr double semi_major = 6378137;
+inline constexpr double flattening = 1 / 298.257223563;
+inline constexpr double semi_minor = semi_major * (1 - flattening);
+inline constexpr double eccentricity_squared = flattening * (2 - flattening);
+
+/// Sine and cosine of an angle in degrees, exact at multiples of 90.
+struct Direction {
+  double sine, cosine;
+};
+
+inline Direction direction_of(double degrees) {
+  int quarters = 0;
+  const double rest = std::remquo(degrees, 90, &quarters) * (3.14159265358979323846 / 180);
+  const double s = std::sin(rest), c = std::cos(rest);
+  switch (quarters & 3) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
+
+/// The angle in degrees, clockwise from north, of a vector to the east and north: in [0, 360).
+inline double course_of(double east, double north) {
+  const double degrees = std::atan2(east, north) * (180 / 3.14159265358979323846);
+  const double course = degrees < 0 ? degrees + 360 : degrees;
+  return course < 360 ? course : 0;
+}
+
+}  // namespace foresee::geography

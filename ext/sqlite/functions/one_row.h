@@ -1,0 +1,28 @@
+// The single row of a call that computes numbers from numbers.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "sqlite/functions/table_function.h"
+
+namespace foresee::sqlite {
+
+class OneRow final : public FunctionRows {
+ public:
+  /// Outputs beyond the last number are NULL, as those are that hold none.
+  explicit OneRow(std::vector<std::optional<double>> numbers) : numbers_(std::move(numbers)) {}
+
+  bool next() override { return std::exchange(left_, false); }
+  void output(sqlite3_context* context, int output) const override {
+    const auto place = static_cast<std::size_t>(output);
+    if (place < numbers_.size() && numbers_[place]) sqlite3_result_double(context, *numbers_[place]);
+  }
+
+ private:
+  std::vector<std::optional<double>> numbers_;
+  bool left_ = true;
+};
+
+}  // namespace foresee::sqlite

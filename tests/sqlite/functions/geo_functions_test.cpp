@@ -1,0 +1,108 @@
+// Latitude and longitude in SQL: what is NULL, what is refused, and that a report comes back as it went in.
+#include "sqlite/database.h"
+
+namespace foresee::testing {
+namespace {
+
+struct GeoFunctions : ::testing::Test {
+  Database db;
+};
+
+TEST_F(GeoFunctions, PutReportsOnAPlane) {
+  EXPECT_EQ(db.rows("SELECT x, y, vx, vy FROM geo_to_plane(30, -90.5, 10, 90, 30, -90.5)"),
+            "0.0|0.0|10.0|0.0");
+  // GeodSolve: 44475.695532 m at 59.9994962296 degrees.
+  EXPECT_EQ(db.rows("SELECT round(x, 3), round(y, 3), round(vx, 6), round(vy, 6) "
+                    "FROM geo_to_plane(30.2, -90.1, 10, 30, 30, -90.5)"),
+            "38516.887|22238.186|4.969627|8.677742");
+}
+
+TEST_F(GeoFunctions, LeadBackToTheReport) {
+  EXPECT_EQ(db.rows("SELECT round(g.lat, 9), round(g.lon, 9), round(g.speed, 9), round(g.course, 7) "
+                    "FROM geo_to_plane(30.2, -90.1, 10, 30, 30, -90.5) p, "
+                    "plane_to_geo(p.x, p.y, p.vx, p.vy, 30, -90.5) g"),
+            "30.2|-90.1|10.0|30.0");
+  EXPECT_EQ(
+      db.rows("SELECT round(g.lat, 9), round(g.lon, 9), round(g.height, 6), round(g.speed, 9), "
+              "round(g.course, 7), round(g.climb, 7) FROM geo_to_globe(47.3, 179.9, 9000, 240, 355, -3) p, "
+              "globe_to_geo(p.x, p.y, p.z, p.vx, p.vy, p.vz) g"),
+      "47.3|179.9|9000.0|240.0|355.0|-3.0");
+}
+
+TEST_F(GeoFunctions, MeasureDistances) {
+  EXPECT_EQ(db.rows("SELECT round(geo_distance(40.6, -73.8, 51.6, -0.5), 6)"), "5551759.400319");
+  EXPECT_EQ(db.rows("SELECT geo_distance(1, 2, 3, NULL) IS NULL, geo_distance(1, 179, 1, -181)"), "1|0.0");
+  EXPECT_EQ(
+      db.error_of("SELECT geo_distance(1, 2, 91, 4)"),
+      "lat2 is 91: latitudes lie between -90 and 90; write NULL where there is none, as nullif(lat2, 91) "
+      "does for AIS");
+  EXPECT_EQ(db.error_of("SELECT geo_distance(1, 'east', 3, 4)"),
+            "geo_distance: lon1 must be a number of degrees, not 'east'");
+}
+
+TEST_F(GeoFunctions, APlaceThatIsNullGivesOneRowOfNulls) {
+  for (const char* call : {"geo_to_plane(NULL, 2, 3, 4, 5, 6)", "geo_to_plane(1, NULL, 3, 4, 5, 6)",
+                           "plane_to_geo(NULL, 2, 3, 4, 5, 6)", "geo_to_globe(NULL, 2, 3, 4, 5, 6)",
+                           "globe_to_geo(1, 2, NULL, 4, 5, 6)"})
+    EXPECT_EQ(db.rows(std::string("SELECT count(*), count(c1), count(c2), count(c3) FROM (SELECT ") +
+                      (std::string(call).starts_with("geo_to") ? "x AS c1, y AS c2, vx AS c3"
+                                                               : "lat AS c1, lon AS c2, speed AS c3") +
+                      " FROM " + call + ")"),
+              "1|0|0|0")
+        << call;
+}
+
+TEST_F(GeoFunctions, ASpeedOrCourseThatIsNullGivesAPlaceWithoutVelocity) {
+  for (const char* rest : {"NULL, 4", "3, NULL", "NULL, NULL"}) {
+    EXPECT_EQ(
+        db.rows(std::string("SELECT x IS NULL, y IS NULL, vx IS NULL, vy IS NULL FROM geo_to_plane(1, 2, ") +
+                rest + ", 5, 6)"),
+        "0|0|1|1");
+    EXPECT_EQ(db.rows(std::string("SELECT x IS NULL, vx IS NULL, az IS NULL FROM geo_to_globe(1, 2, 0, ") +
+                      rest + ", 0)"),
+              "0|1|1");
+  }
+  EXPECT_EQ(db.rows("SELECT lat IS NULL, speed IS NULL FROM plane_to_geo(10, 20, NULL, 4, 5, 6)"), "0|1");
+  EXPECT_EQ(db.rows("SELECT speed, course IS NULL FROM plane_to_geo(10, 20, 0, 0, 5, 6)"), "0.0|1");
+}
+
+TEST_F(GeoFunctions, OfHeightsAndClimbsThatAreNullAreAtSeaLevel) {
+  EXPECT_EQ(db.rows("SELECT x, vz FROM geo_to_globe(0, 0, NULL, 1, 0, NULL)"), "6378137.0|1.0");
+}
+
+TEST_F(GeoFunctions, SayWhatIsWrong) {
+  EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane(91, 181, 3, 4, 5, 6)"),
+            "geo_to_plane: lat is 91: latitudes lie between -90 and 90; write NULL where there is none, as "
+            "nullif(lat, 91) does for AIS");
+  EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane(1, 2, 3, 4, NULL, 6)"),
+            "geo_to_plane: lat0 is missing or NULL: write geo_to_plane(lat, lon, speed, course, lat0, lon0)");
+  EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane(1, 2, 3, 4, 5)"),
+            "geo_to_plane: lon0 is missing or NULL: write geo_to_plane(lat, lon, speed, course, lat0, lon0)");
+  EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane('30 N', 2, 3, 4, 5, 6)"),
+            "geo_to_plane: lat must be a number, not '30 N'");
+  EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane(1, 2, 9e999, 4, 5, 6)"),
+            "geo_to_plane: speed is infinite");
+  EXPECT_EQ(db.error_of("SELECT * FROM plane_to_geo(3e7, 0, 0, 0, 5, 6)"),
+            "plane_to_geo: x, y are 3e+07 m from the origin: the farthest place is at 20003931 m");
+  EXPECT_EQ(
+      db.error_of("SELECT * FROM globe_to_geo(1, 2, 3, 4, 5, 6)"),
+      "globe_to_geo: x, y, z are 3.7416573867739413 m from the centre of the Earth: heights are meant from "
+      "100 km on");
+}
+
+TEST_F(GeoFunctions, JoinToReportsOfWhichSomeHaveNoPosition) {
+  db.exec(
+      "CREATE TABLE reports(id INTEGER PRIMARY KEY, lat REAL, lon REAL, speed REAL, course REAL);"
+      "INSERT INTO reports VALUES(1, 54, 8, 5, 90), (2, NULL, NULL, 5, 90), (3, 54.1, 8.1, NULL, 0);"
+      "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y, vx, vy);"
+      "INSERT INTO ships SELECT id, x, y, vx, vy FROM reports r, "
+      "geo_to_plane(r.lat, r.lon, r.speed, r.course, 54, 8) WHERE x IS NOT NULL");
+  EXPECT_EQ(db.rows("SELECT id, round(x), round(y), vx, vy FROM ships"),
+            "1|0.0|0.0|5.0|0.0\n3|6542.0|11135.0|0.0|0.0");
+  EXPECT_EQ(
+      db.rows("SELECT count(*) FROM reports r, geo_to_plane(r.lat, r.lon, 1, 2, 54, 8) p WHERE p.x < 10"),
+      "1");
+}
+
+}  // namespace
+}  // namespace foresee::testing
