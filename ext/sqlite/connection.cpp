@@ -93,6 +93,19 @@ std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, bool
   return scene;
 }
 
+std::shared_ptr<Scene> Connection::load_object(const OpenTable& table, std::int64_t id) {
+  auto scene = std::make_shared<Scene>();
+  scene->name = table.table;
+  scene->layout = table.store->declaration().layout;
+  const FloatEnvironment environment;  // accelerations are computed on loading
+  if (const auto record = table.store->read(id)) {
+    scene->ids = {id};
+    scene->rows.resize(static_cast<std::size_t>(row_offsets(scene->layout).size));
+    row_from_record(scene->layout, record->data(), scene->rows.data());
+  }
+  return scene;
+}
+
 void Connection::drop_scenes_used_long_ago() noexcept {
   std::size_t held = 0;
   for (const auto& [store, cached] : scenes_) held += memory_of(*cached.scene);

@@ -74,6 +74,10 @@ class Connection {
   /// is at hand, else all rows are read and decoded.
   std::shared_ptr<const Scene> load_scene(const OpenTable& table, bool with_levels = false);
 
+  /// A scene of the object of this id alone, or of none, as it is now; without its outline or mesh. Cost: a
+  /// look-up.
+  static std::shared_ptr<Scene> load_object(const OpenTable& table, std::int64_t id);
+
   /// PRAGMA threads: how many a computation may use beside the caller's; 0 unless somebody asks for more.
   std::size_t helper_threads() const {
     return static_cast<std::size_t>(std::max(0, sqlite3_limit(db_, SQLITE_LIMIT_WORKER_THREADS, -1)));

@@ -12,6 +12,7 @@ namespace {
 
 // In the planner's unit.
 constexpr double decoded_object = 6;  // read, unpacked and handed on
+constexpr double looked_up_object = 80;
 constexpr double joined_object = 12, joined_row = 2;
 constexpr double search = 500, found_object = 50, nearest_object = 300;
 constexpr double probe = 100, probed_level = 50;  // of one object, by the binary logarithm of all
@@ -57,6 +58,10 @@ class WrittenInputs {
 
 CallEstimate estimate_positions(const CallSizes& sizes) {
   return {decoded_object * sizes.objects, sizes.objects};
+}
+
+CallEstimate estimate_object(const CallSizes&, bool /*of its one id*/) {
+  return {looked_up_object, 1};
 }
 
 CallEstimate estimate_window(const CallSizes& sizes) {

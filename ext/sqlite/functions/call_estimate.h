@@ -30,6 +30,8 @@ struct CallEstimate {
 
 /// Every object and its pairs.
 CallEstimate estimate_positions(const CallSizes& sizes);
+/// The object of one id, looked up.
+CallEstimate estimate_object(const CallSizes& sizes, bool by_first);
 /// A few nodes of the tree, and some objects.
 CallEstimate estimate_window(const CallSizes& sizes);
 CallEstimate estimate_nearest(const CallSizes& sizes);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "base/integer_of.h"
+#include "sqlite/date_text.h"
 #include "sqlite/functions/table_function.h"
 #include "storage/rows/text.h"
 
@@ -12,7 +13,9 @@ namespace foresee::sqlite {
 
 void FunctionCall::reject(int input, const char* kind) const {
   const auto place = static_cast<std::size_t>(input);
-  throw Error(std::string(function_.inputs[place]) + " must be " + kind + ", not " + shown(inputs_[place]));
+  const auto seconds = as_unixepoch(inputs_[place]);
+  throw Error(std::string(function_.inputs[place]) + " must be " + kind + ", not " + shown(inputs_[place]) +
+              (seconds ? ": write " + *seconds : ""));
 }
 
 const char* FunctionCall::name_of(int input) const {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/float_environment.h"
 #include "query/join/probe.h"
 #include "sqlite/names/open_table.h"
 #include "storage/rows/text.h"
@@ -54,13 +53,7 @@ std::shared_ptr<Scene> empty_scene(const OpenTable& table) {
 
 /// A scene of one object, or of none if nothing has this id.
 std::shared_ptr<const Scene> scene_of(const OpenTable& table, std::int64_t id, Interrupt& interrupt) {
-  const FloatEnvironment environment;  // accelerations are computed on loading
-  auto scene = empty_scene(table);
-  if (const auto record = table.store->read(id)) {
-    scene->ids = {id};
-    scene->rows.resize(static_cast<std::size_t>(row_offsets(scene->layout).size));
-    row_from_record(scene->layout, record->data(), scene->rows.data());
-  }
+  auto scene = Connection::load_object(table, id);
   scene->take_forms(table.store->forms(), interrupt);
   return scene;
 }

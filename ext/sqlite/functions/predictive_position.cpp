@@ -39,7 +39,13 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const double at = call.required_number(in_at);
   Connection& connection = call.connection();
   const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
-  return std::make_unique<PositionRows>(connection.load_scene(table), at, connection.interrupt());
+  const auto id = call.only(out_id);
+  std::shared_ptr<const Scene> scene;
+  if (id)
+    scene = Connection::load_object(table, *id);
+  else
+    scene = connection.load_scene(table);
+  return std::make_unique<PositionRows>(std::move(scene), at, connection.interrupt());
 }
 
 }  // namespace
@@ -50,9 +56,11 @@ const TableFunction& predictive_position() {
       .outputs = {"id INTEGER", "x REAL", "y REAL", "z REAL", "vx REAL", "vy REAL", "vz REAL"},
       .inputs = {"at", "tbl", "schema"},
       .key = "id",
-      .hinted = 0,
+      .hinted = 1u << out_id,
       .estimate = estimate_positions,
-      .start = start};
+      .start = start,
+      .probed = 1u << out_id,
+      .estimate_probe = estimate_object};
   return function;
 }
 

@@ -33,8 +33,11 @@ void require_id(const Argument& argument) {
 const Word& motion_word(const Argument& argument) {
   if (const Word* word = find_word(argument.name)) return *word;
   std::string why = "no such column";
-  const std::string_view near = nearest_word(argument.name);
-  if (!near.empty()) why += "; did you mean " + std::string(near) + "?";
+  const std::string_view advice = advice_for(argument.name), near = nearest_word(argument.name);
+  if (!advice.empty())
+    why += "; " + std::string(advice);
+  else if (!near.empty())
+    why += "; did you mean " + std::string(near) + "?";
   refuse(argument,
          why + "; known are " + known_words() + "; a column of your own is written +" + argument.name);
 }

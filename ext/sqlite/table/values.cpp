@@ -7,6 +7,7 @@
 #include "base/integer_of.h"
 #include "base/shown.h"
 #include "sqlite/callback.h"
+#include "sqlite/date_text.h"
 #include "storage/rows/text.h"
 
 namespace foresee::sqlite {
@@ -79,8 +80,13 @@ double Values::stored(const Column& column, std::int64_t id, sqlite3_value* valu
       refuse(column.name, id, shown(value), rule_for_null(quantity));
     return 0;
   }
-  if (type != SQLITE_INTEGER && type != SQLITE_FLOAT)
-    refuse(column.name, id, shown(value), "not a number; write a finite number");
+  if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) {
+    const bool moment = quantity == Quantity::reference_time || quantity == Quantity::until;
+    const auto seconds = moment ? as_unixepoch(value) : std::nullopt;
+    refuse(column.name, id, shown(value),
+           seconds ? "a date, where seconds are stored; write " + *seconds
+                   : "not a number; write a finite number");
+  }
   const double number = sqlite3_value_double(value);
   if (type == SQLITE_INTEGER && integer_of(number) != sqlite3_value_int64(value))
     refuse(column.name, id, shown(value),

@@ -24,6 +24,37 @@ constexpr std::array words = {
     Word{"until", Quantity::until, 0},
 };
 
+constexpr std::string_view metric_place =
+    "positions are metres, x and y: geo_to_plane(lat, lon, speed, course, lat0, lon0) makes them of degrees";
+constexpr std::string_view metric_velocity =
+    "velocities are vx and vy: geo_to_plane(lat, lon, speed, course, lat0, lon0) makes them of speed and "
+    "course";
+
+/// What others call it.
+struct ForeignWord {
+  std::string_view name, advice;
+};
+constexpr ForeignWord foreign_words[] = {
+    {"lat", metric_place},
+    {"latitude", metric_place},
+    {"lon", metric_place},
+    {"lng", metric_place},
+    {"long", metric_place},
+    {"longitude", metric_place},
+    {"sog", metric_velocity},
+    {"cog", metric_velocity},
+    {"speed", metric_velocity},
+    {"course", metric_velocity},
+    {"radius", "did you mean r?"},
+    {"time", "did you mean t?"},
+    {"timestamp", "did you mean t?"},
+    {"width", "did you mean hx, half of it?"},
+    {"length", "did you mean hy, half of it?"},
+    {"height", "did you mean hz, half of it, or z?"},
+    {"mmsi", "did you mean id?"},
+    {"mass", "did you mean m?"},
+};
+
 /// Letters inserted, left out or exchanged on the way from a to b (Levenshtein).
 std::size_t edits_between(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -59,6 +90,12 @@ std::string known_words() {
   std::string list = "id";
   for (const Word& word : words) list += ", " + std::string(word.name);
   return list;
+}
+
+std::string_view advice_for(std::string_view name) {
+  for (const ForeignWord& word : foreign_words)
+    if (same_name(word.name, name)) return word.advice;
+  return "";
 }
 
 std::string_view nearest_word(std::string_view name) {

@@ -42,6 +42,10 @@ std::string_view word_for(Quantity quantity, int axis);
 /// "id" and all words, as messages list them: "id, t, x, …".
 std::string known_words();
 
+/// What reports call a thing that is another word here, or has to be converted: what to write for "lat",
+/// "sog", "radius" and the like; "" for other names.
+std::string_view advice_for(std::string_view name);
+
 /// The known word (or "id") that differs from `name` by one letter or two, or "" if none is that near.
 std::string_view nearest_word(std::string_view name);
 

@@ -40,6 +40,33 @@ TEST_F(PositionTest, LeavesOutWhatDoesNotExistThen) {
   EXPECT_EQ(db.rows("SELECT id FROM predictive_position(-1, 'lives')"), "");
 }
 
+TEST_F(PositionTest, OfOneIdIsLookedUp) {
+  db.exec(
+      "INSERT INTO ships SELECT value, 0, value, 2, 1, 0, 0, 'many' FROM (WITH n(value) AS "
+      "(VALUES(100) UNION ALL SELECT value + 1 FROM n WHERE value < 20000) SELECT value FROM n)");
+  const auto steps = [&](const std::string& sql) {
+    sqlite3_stmt* statement = nullptr;
+    EXPECT_EQ(sqlite3_prepare_v2(db.handle(), sql.c_str(), -1, &statement, nullptr), SQLITE_OK);
+    while (sqlite3_step(statement) == SQLITE_ROW) {
+    }
+    const int count = sqlite3_stmt_status(statement, SQLITE_STMTSTATUS_VM_STEP, 0);
+    sqlite3_finalize(statement);
+    return count;
+  };
+  for (const char* which : {"id = 777", "id IN (3, 777, 778)", "id = 3 OR id = 777", "id = 777.0",
+                            "id = '777'", "id = NULL", "id = -5", "id = 777.5"}) {
+    const std::string question = "predictive_position(7, 'ships') WHERE ";
+    EXPECT_EQ(
+        db.rows("SELECT * FROM " + question + which + " ORDER BY id"),
+        db.rows("SELECT * FROM (SELECT * FROM predictive_position(7, 'ships') LIMIT -1 OFFSET 0) WHERE " +
+                std::string(which) + " ORDER BY id"))
+        << which;
+    if (std::string(which) != "id = 777.5") {
+      EXPECT_LT(steps("SELECT * FROM " + question + which), 200) << which;
+    }
+  }
+}
+
 TEST_F(PositionTest, FeedsItsOwnTableAndEnds) {
   db.exec("INSERT INTO ships SELECT id + 10, 5, x, y, vx, vy, 0, 'copy' FROM predictive_position(5)");
   EXPECT_EQ(db.rows("SELECT count(*), sum(x) FROM ships WHERE id > 10"), "3|10.0");

@@ -177,6 +177,26 @@ TEST(DeclareErrors, UnknownNamesSuggestTheNearest) {
   });
 }
 
+TEST(DeclareErrors, WordsOfReportsLeadToOurs) {
+  const std::string known = error_of({"id", "w"}).substr(std::string("ships: \"w\": no such column").size());
+  const std::string others = known.substr(0, known.size() - 1);
+  const std::string call = "geo_to_plane(lat, lon, speed, course, lat0, lon0) makes them of ";
+  for (const std::string name : {"lat", "Lon", "latitude", "longitude", "lng"})
+    EXPECT_EQ(error_of({"id", "t", name}), "ships: \"" + name +
+                                               "\": no such column; positions are metres, x and y: " + call +
+                                               "degrees" + others + name);
+  for (const std::string name : {"sog", "COG", "speed", "course"})
+    EXPECT_EQ(error_of({"id", "x", name}), "ships: \"" + name +
+                                               "\": no such column; velocities are vx and vy: " + call +
+                                               "speed and course" + others + name);
+  expect_errors({
+      {{"id", "x", "radius"}, "\"radius\": no such column; did you mean r?" + others + "radius"},
+      {{"id", "time", "x"}, "\"time\": no such column; did you mean t?" + others + "time"},
+      {{"id", "x", "mmsi"}, "\"mmsi\": no such column; did you mean id?" + others + "mmsi"},
+      {{"id", "x", "width"}, "\"width\": no such column; did you mean hx, half of it?" + others + "width"},
+  });
+}
+
 TEST(DeclareErrors, DuplicatesAndOrder) {
   expect_errors({
       {{"id", "x", "X"}, "\"X\": a column named X is declared already; choose another name"},

@@ -103,6 +103,21 @@ TEST_F(TableValues, WhatIsNoNumberIsRefused) {
             "ships.x of row 7 is '" + std::string(39, 'a') + "...': not a number; write a finite number");
 }
 
+TEST_F(TableValues, ADateIsNoMoment) {
+  EXPECT_EQ(ship("t", "'2026-11-21 12:00:00'"),
+            "ships.t of row 7 is '2026-11-21 12:00:00': a date, where seconds are stored; write "
+            "unixepoch('2026-11-21 12:00:00')");
+  EXPECT_EQ(ship("until", "'2026-11-21'"),
+            "ships.until of row 7 is '2026-11-21': a date, where seconds are stored; write "
+            "unixepoch('2026-11-21')");
+  EXPECT_EQ(ship("x", "'2026-11-21'"),
+            "ships.x of row 7 is '2026-11-21': not a number; write a finite number");
+  EXPECT_EQ(ship("t", "'2026-1-21'"), "ships.t of row 7 is '2026-1-21': not a number; write a finite number");
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_position('2026-11-21T12:00Z', 'ships')"),
+            "predictive_position: at must be a number, not '2026-11-21T12:00Z': write "
+            "unixepoch('2026-11-21T12:00Z')");
+}
+
 TEST_F(TableValues, InfinitiesAreRefused) {
   for (const char* column : {"t", "x", "vx", "r"})
     EXPECT_EQ(ship(column, "1e999"),
