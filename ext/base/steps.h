@@ -19,6 +19,13 @@ class Steps {
   void operator()() {
     if (++steps_ % between == 0) interrupt_.check();
   }
+  /// What takes as long as so many steps, and is none.
+  void costly(unsigned steps) {
+    costly_ += steps;
+    if (costly_ < between) return;
+    costly_ = 0;
+    interrupt_.check();
+  }
   std::uint64_t taken() const { return steps_; }
 
  private:
@@ -26,6 +33,7 @@ class Steps {
 
   Interrupt& interrupt_;
   std::uint64_t steps_ = 0;
+  unsigned costly_ = 0;  ///< since it was asked last about these
 };
 
 }  // namespace foresee::base

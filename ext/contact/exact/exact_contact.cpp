@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <limits>
 #include <optional>
 
 #include "contact/certain/crossing.h"
@@ -19,6 +20,20 @@ class ExactPair {
     const auto pieces = polynomials_.set().pieces();
     return std::any_of(pieces.begin(), pieces.end(),
                        [this](const ContactSet::Piece& piece) { return !held(piece).empty(); });
+  }
+
+  NeededPieces needed(std::size_t most) {
+    const std::vector<Held> chain = chain_of(all_held());
+    NeededPieces needed{{}, std::numeric_limits<double>::infinity()};
+    std::size_t count = chain.size();
+    if (count > most) {
+      const double until = double_below(chain[most].interval.first->at);
+      if (moments_.begin < Dyadic(until)) needed.until = until, count = most;
+    }
+    for (std::size_t i = 0; i < count; ++i) needed.pieces.push_back(chain[i].piece);
+    std::sort(needed.pieces.begin(), needed.pieces.end());
+    needed.pieces.erase(std::unique(needed.pieces.begin(), needed.pieces.end()), needed.pieces.end());
+    return needed;
   }
 
   std::optional<ContactTimes> times(const TouchesBetween& between) {
@@ -42,6 +57,51 @@ class ExactPair {
   }
 
  private:
+  /// When a piece holds, or once more.
+  struct Held {
+    TimeInterval interval;
+    std::uint32_t piece;
+  };
+
+  /// In order of their begins, and of those that begin together the longest first.
+  std::vector<Held> all_held() {
+    std::vector<Held> all;
+    std::uint32_t number = 0;
+    for (const ContactSet::Piece& piece : polynomials_.set().pieces()) {
+      for (const TimeInterval& interval : held(piece)) all.push_back({interval, number});
+      ++number;
+    }
+    std::sort(all.begin(), all.end(), [this](const Held& a, const Held& b) {
+      const int order = compared(*a.interval.first, *b.interval.first);
+      return order != 0 ? order < 0 : compared(*a.interval.last, *b.interval.last) > 0;
+    });
+    return all;
+  }
+
+  /// The fewest with the same moments: of those that begin while the ones before last, the one that lasts
+  /// longest is next.
+  std::vector<Held> chain_of(const std::vector<Held>& all) {
+    std::vector<Held> chain;
+    for (std::size_t i = 0; i < all.size();) {
+      for (const Held* next = &all[i++]; next;) {
+        chain.push_back(*next);
+        AlgebraicRoot &end = *next->interval.last, *latest = &end;
+        next = nullptr;
+        for (; i < all.size() && compared(*all[i].interval.first, end) <= 0; ++i)
+          if (compared(*all[i].interval.last, *latest) > 0) next = &all[i], latest = all[i].interval.last;
+      }
+    }
+    return chain;
+  }
+
+  int compared(AlgebraicRoot& a, AlgebraicRoot& b) {
+    polynomials_.step();
+    return compare(a, b);
+  }
+  static double double_below(const Midrad128& at) {
+    return std::nextafter(at.low().rounded(), -std::numeric_limits<double>::infinity());
+  }
+
   Instant instant(AlgebraicRoot& moment) const {
     const Moments& m = moments_.rounded;
     if (&moment == &begin_) return {m.dt_begin, m.t_begin};
@@ -139,7 +199,7 @@ class ExactPair {
 
   /// Brings the intervals that hang together with the first to the front, and counts them. In rough order of
   /// their begins each is asked once, or nearly.
-  static std::size_t joined_to_first(std::vector<TimeInterval>& intervals) {
+  std::size_t joined_to_first(std::vector<TimeInterval>& intervals) {
     std::sort(intervals.begin() + 1, intervals.end(), [](const TimeInterval& a, const TimeInterval& b) {
       return a.first->at.rounded() < b.first->at.rounded();
     });
@@ -157,9 +217,9 @@ class ExactPair {
     return joined;
   }
 
-  static bool joins(const TimeInterval& interval, const std::vector<AlgebraicRoot*>& latest) {
+  bool joins(const TimeInterval& interval, const std::vector<AlgebraicRoot*>& latest) {
     return std::any_of(latest.begin(), latest.end(),
-                       [&](AlgebraicRoot* last) { return compare(*interval.first, *last) <= 0; });
+                       [&](AlgebraicRoot* last) { return compared(*interval.first, *last) <= 0; });
   }
 
   /// Of the ends reached, `latest` has those that 128 bits do not tell to be earlier than another.
@@ -204,6 +264,10 @@ ExactMoments exact_moments_of(const Setup& setup, const double* row_a, const dou
   moments.begin = Dyadic(m.t_begin) - moments.now;
   moments.end = m.ends_with_horizon ? Dyadic(setup.horizon.h) : Dyadic(m.t_end) - moments.now;
   return moments;
+}
+
+NeededPieces needed_pieces(PiecePolynomials& polynomials, const ExactMoments& moments, std::size_t most) {
+  return ExactPair(polynomials, moments).needed(most);
 }
 
 bool exact_touches(PiecePolynomials& polynomials, const ExactMoments& moments) {

@@ -28,6 +28,15 @@ bool exact_touches(PiecePolynomials& polynomials, const ExactMoments& moments);
 /// Begin and end of the first contact, if there is one.
 std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactMoments& moments);
 
+/// Some pieces of a set that hold, until a moment, whenever any of them all does.
+struct NeededPieces {
+  std::vector<std::uint32_t> pieces;  ///< by their numbers
+  double until;  ///< measured from now; later than all that is asked about where they are enough for that
+};
+
+/// The fewest that are enough; no more than `most` of them, but until then, where those begin one by one.
+NeededPieces needed_pieces(PiecePolynomials& polynomials, const ExactMoments& moments, std::size_t most);
+
 /// Whether two touch at a moment at which no piece holds.
 using TouchesBetween = std::function<bool(const Dyadic& moment)>;
 

@@ -12,7 +12,10 @@ SpacePolynomials::SpacePolynomials(const Setup& setup, const double* row_a, cons
       row_a_(row_a),
       row_b_(row_b),
       rough_motion_(motion_powers<Midrad128>(setup, row_a, row_b)) {
-  for (const PiecePair& pair : pairs) add(a.piece(pair.a), b.piece(pair.b), grown);
+  for (const PiecePair& pair : pairs) {
+    add(a.piece(pair.a), b.piece(pair.b), grown);
+    ends_.push_back(static_cast<std::uint32_t>(set_.pieces().size()));
+  }
   number_of_.assign(conditions_.size(), -1);
 }
 

@@ -17,6 +17,8 @@ class SpacePolynomials final : public PiecePolynomials {
                    const SpacePieces& b, std::span<const PiecePair> pairs, bool grown);
 
   PiecePolynomials& all() { return *this; }
+  /// Of each pair: how many pieces it and those before it have in the set.
+  std::span<const std::uint32_t> ends() const { return ends_; }
   const ContactSet& set() const override { return set_; }
   std::size_t number_of(int primitive) override;
   Polynomial exact_polynomial(int primitive) const override;
@@ -31,6 +33,7 @@ class SpacePolynomials final : public PiecePolynomials {
   const double *row_a_, *row_b_;
   std::vector<SpaceCondition> conditions_;
   ContactSet set_;
+  std::vector<std::uint32_t> ends_;
   std::vector<int> number_of_;  ///< of each condition's polynomial; -1: not made
   const std::array<Powers<Midrad128, 2>, 3> rough_motion_;
   mutable std::optional<std::array<Powers<Dyadic, 2>, 3>> exact_motion_;  ///< once it is needed

@@ -81,11 +81,15 @@ class Critical {
 
 }  // namespace
 
-ContactSet critical_pieces(const Setup& setup, const ObjectPieces& a, const ObjectPieces& b,
-                           std::span<const PiecePair> pairs, bool grown) {
+CriticalPieces critical_pieces(const Setup& setup, const ObjectPieces& a, const ObjectPieces& b,
+                               std::span<const PiecePair> pairs, bool grown) {
   Critical critical(setup, grown);
-  for (const PiecePair& pair : pairs) critical.add(a.piece(pair.a), b.piece(pair.b));
-  return std::move(critical.set);
+  std::vector<std::uint32_t> ends;
+  for (const PiecePair& pair : pairs) {
+    critical.add(a.piece(pair.a), b.piece(pair.b));
+    ends.push_back(static_cast<std::uint32_t>(critical.set.pieces().size()));
+  }
+  return {std::move(critical.set), std::move(ends)};
 }
 
 }  // namespace foresee::contact

@@ -13,8 +13,13 @@
 
 namespace foresee::contact {
 
+struct CriticalPieces {
+  ContactSet set;
+  std::vector<std::uint32_t> ends;  ///< of each pair: how many pieces it and those before it have in the set
+};
+
 /// `grown`: how near counts as touching is more than 0, for these objects.
-ContactSet critical_pieces(const Setup& setup, const ObjectPieces& a, const ObjectPieces& b,
-                           std::span<const PiecePair> pairs, bool grown);
+CriticalPieces critical_pieces(const Setup& setup, const ObjectPieces& a, const ObjectPieces& b,
+                               std::span<const PiecePair> pairs, bool grown);
 
 }  // namespace foresee::contact

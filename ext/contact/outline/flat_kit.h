@@ -35,12 +35,13 @@ struct FlatKit {
    public:
     Polynomials(const Setup& setup, const double* row_a, const double* row_b, const Pieces& a,
                 const Pieces& b, std::span<const PiecePair> pairs, bool grown)
-        : set_(critical_pieces(setup, a, b, pairs, grown)), all_(set_, setup, row_a, row_b) {}
+        : critical_(critical_pieces(setup, a, b, pairs, grown)), all_(critical_.set, setup, row_a, row_b) {}
 
     PiecePolynomials& all() { return all_; }
+    std::span<const std::uint32_t> ends() const { return critical_.ends; }
 
    private:
-    const ContactSet set_;
+    const CriticalPieces critical_;
     PairPolynomials all_;
   };
 

@@ -72,7 +72,8 @@ class PairStays {
     }
     return until;
   }
-  /// Gives `take` each pair of pieces that may touch within the period, as long as it returns true.
+  /// Gives `take` each pair of pieces that may touch within the period, as long as it returns true. It may
+  /// shorten the period.
   template <class Take>
   void possible_pairs(const Period<double>& period, Take&& take) {
     bool more = true;

@@ -25,7 +25,7 @@ template <int D, class Pieces>
 class TreeWalk {
  public:
   /// `asked`: the moments asked about. `sizes`: how near counts as touching, and of prisms how far along z.
-  /// Each pair of nodes is a step.
+  /// Each pair of nodes is a step, each of pieces takes as long as some.
   template <class Sizes>
   TreeWalk(const Pieces& a, const Pieces& b, const CertainMotion<D>& relative, const Period<double>& asked,
            const Sizes& sizes, Steps& steps)
@@ -57,7 +57,10 @@ class TreeWalk {
     steps_();
     const Period<double>& near = nodes.near;
     if (!(near.begin <= near.end) || !wanted(near)) return;
-    if (a_.is_leaf(nodes.a) && b_.is_leaf(nodes.b)) return visit(a_.item(nodes.a), b_.item(nodes.b), near);
+    if (a_.is_leaf(nodes.a) && b_.is_leaf(nodes.b)) {
+      steps_.costly(64);  // where exact signs are needed
+      return visit(a_.item(nodes.a), b_.item(nodes.b), near);
+    }
     Nodes one = nodes, other = nodes;
     if (splits_a(nodes.a, nodes.b))
       one.a = Pieces::left(nodes.a), other.a = Pieces::right(nodes.a);

@@ -2,9 +2,10 @@
 //
 //   return std::make_unique<UnionContact<FlatKit<2, 1>>>(setup, tables);
 //
-// Trees of boxes, pieces in doubles with error bounds and the crossing in DoubleDouble are those of
-// union_pair.h. What these leave open is asked of exact numbers: the pieces that may touch around a moment,
-// and between them, of solids, whether one lies within the other (docs/exactness.md).
+// Trees of boxes, pieces in doubles with error bounds and the
+// crossing in DoubleDouble are those of union_pair.h. What these leave open is asked of exact numbers: the
+// pieces that may touch around a moment, and between them, of solids, whether one lies within the other
+// (docs/exactness.md).
 #pragma once
 
 #include <algorithm>
@@ -115,9 +116,10 @@ class UnionContact final : public Contact {
     return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10);
   }
 
-  /// Some pieces at a time.
+  /// As many pairs of pieces the exact stage takes at a time, so that they fit into some megabytes.
+  static std::size_t at_a_time(const Staged& staged) { return staged.is_grown() ? 32 : 256; }
+
   [[gnu::noinline]] bool exactly_touches(const Rows& rows, Staged& staged) {
-    constexpr std::size_t at_a_time = 1024;
     const ExactMoments asked = exact_moments_of(setup_, rows.a, rows.b);
     std::vector<PiecePair> pairs;
     const auto met = [&] {
@@ -129,7 +131,7 @@ class UnionContact final : public Contact {
     bool touches = false;
     staged.possible_pairs({-Stay::inf, Stay::inf}, [&](const PiecePair& pair) {
       pairs.push_back(pair);
-      if (pairs.size() < at_a_time) return true;
+      if (pairs.size() < at_a_time(staged)) return true;
       touches = met();
       pairs.clear();
       return !touches;
@@ -148,15 +150,19 @@ class UnionContact final : public Contact {
       from = staged.first_possible(from);
     else
       found.emplace();
+    double until = -Stay::inf, told_until = until;  // what may touch from `from` on, and what was told of it
     while (from < Stay::inf && !(asked.end < Dyadic(from))) {
-      const double until = met_by < Stay::inf ? met_by : staged.possible_until(from);
-      const auto times = exact_times_between(rows, staged, asked, from, until);
+      if (told_until == until) until = met_by < Stay::inf ? met_by : staged.possible_until(from);
+      told_until = until;
+      const auto times = exact_times_between(rows, staged, asked, from, told_until);
+      const bool is_all = told_until == until;
       if (times) {
         if (!found) found = times;
         found->t_end = times->t_end, found->dt_end = times->dt_end;
-        if (times->dt_end < Stay::inf || met_by < Stay::inf) return found;
+        if (times->dt_end < Stay::inf || (met_by < Stay::inf && is_all)) return found;
       }
-      from = staged.first_possible(until);
+      from = is_all ? staged.first_possible(until) : told_until;
+      if (!is_all) continue;
       if (times && !is_within_between(staged, asked, until, from)) return ended_at(*found, asked, until);
     }
     if (found) found->t_end = asked.rounded.t_end, found->dt_end = asked.rounded.dt_end;
@@ -164,23 +170,48 @@ class UnionContact final : public Contact {
   }
 
   /// Of the pieces that may touch then; the end is infinite of what lasts until `until`, when more is asked
-  /// about.
+  /// about. Where too many are needed, `until` becomes earlier.
   std::optional<ContactTimes> exact_times_between(const Rows& rows, Staged& staged, const ExactMoments& asked,
-                                                  double from, double until) {
+                                                  double from, double& until) {
     ExactMoments moments = asked;
     begin_at(moments, from);
     end_at(moments, until);
     std::vector<PiecePair> pairs;
-    staged.possible_pairs({from, until}, [&pairs](const PiecePair& pair) {
+    Period<double> period{from, until};
+    std::size_t too_many = at_a_time(staged);
+    staged.possible_pairs(period, [&](const PiecePair& pair) {
       pairs.push_back(pair);
+      if (pairs.size() < too_many) return true;
+      period.end = std::min(period.end, keep_needed(rows, staged, moments, pairs, too_many / 2));
+      end_at(moments, period.end);
+      too_many = std::max(too_many, 2 * pairs.size());  // that begin within one ulp
       return true;
     });
+    until = period.end;
     Polynomials polynomials = polynomials_of(rows, staged, pairs);
     polynomials.all().heed(*steps_);
     if constexpr (Kit::has_solids)
       return exact_times_of_solids(polynomials.all(), moments,
                                    [&staged](const Dyadic& moment) { return staged.is_within_at(moment); });
     return exact_times(polynomials.all(), moments);
+  }
+
+  /// Leaves of the pairs those with which the others are not needed, until the moment that it returns: no
+  /// more than `most`, unless more begin within one ulp.
+  double keep_needed(const Rows& rows, const Staged& staged, const ExactMoments& moments,
+                     std::vector<PiecePair>& pairs, std::size_t most) {
+    Polynomials polynomials = polynomials_of(rows, staged, pairs);
+    polynomials.all().heed(*steps_);
+    const NeededPieces needed = needed_pieces(polynomials.all(), moments, most);
+    const std::span<const std::uint32_t> ends = polynomials.ends();
+    std::size_t kept = 0;
+    for (std::size_t i = 0, piece = 0; i < pairs.size(); ++i) {
+      const std::size_t before = piece;
+      while (piece < needed.pieces.size() && needed.pieces[piece] < ends[i]) ++piece;
+      if (piece > before) pairs[kept++] = pairs[i];
+    }
+    pairs.resize(kept);
+    return needed.until;
   }
 
   /// Nothing before `from` is asked about: the pieces may touch again, but others before.

@@ -66,12 +66,19 @@ MeshObject ball_object(double r, bool is_in_table_of_meshes) {
 }
 
 std::optional<ContactTimes> mesh_contact(const MeshScene& scene) {
+  NeverInterrupt never;
+  return mesh_contact(scene, never);
+}
+
+std::optional<ContactTimes> mesh_contact(const MeshScene& scene, Interrupt& interrupt) {
   const std::vector<double> row_a = row_of(scene.a), row_b = row_of(scene.b);
   Bodies a(scene.a.row.layout, row_a.data(), 1), b(scene.b.row.layout, row_b.data(), 1);
   const OneMesh mesh_a(scene.a.mesh), mesh_b(scene.b.mesh);
   if (a.layout.shape == Shape::mesh) a.meshes = &mesh_a;
   if (b.layout.shape == Shape::mesh) b.meshes = &mesh_b;
-  return answer_of(*make_contact(a, b, scene.question, "a", "b"));
+  const auto contact = make_contact(a, b, scene.question, "a", "b");
+  contact->heed(interrupt);
+  return answer_of(*contact);
 }
 
 std::optional<ContactTimes> mesh_in_window(const WindowFaces& faces, const MeshObject& object,

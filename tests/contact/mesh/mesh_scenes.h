@@ -44,6 +44,8 @@ struct MeshScene {
 
 /// The answer of the contact room; decide() and both ways of asking for times must agree.
 std::optional<ContactTimes> mesh_contact(const MeshScene& scene);
+/// The same, heeding an interrupt.
+std::optional<ContactTimes> mesh_contact(const MeshScene& scene, Interrupt& interrupt);
 
 /// Of a window and an object.
 std::optional<ContactTimes> mesh_in_window(const WindowFaces& faces, const MeshObject& object,

@@ -17,8 +17,8 @@ TEST(CriticalPieces, HaveStripsAndDiscsOnlyWhereTheyAreGrown) {
   ObjectPieces a, b;
   a.take_box(1, 1), b.take_point();
   const PiecePair pair{0, 0};
-  EXPECT_EQ(critical_pieces(setup, a, b, {&pair, 1}, false).pieces().size(), 1u);
-  EXPECT_EQ(critical_pieces(setup, a, b, {&pair, 1}, true).pieces().size(), 9u);
+  EXPECT_EQ(critical_pieces(setup, a, b, {&pair, 1}, false).set.pieces().size(), 1u);
+  EXPECT_EQ(critical_pieces(setup, a, b, {&pair, 1}, true).set.pieces().size(), 9u);
 }
 
 }  // namespace
