@@ -79,7 +79,9 @@ struct Fleet final : MeshRows {
     }
   }
 
-  const TriangleTree* triangles(std::size_t row) const override { return &trees[row]; }
+  const TriangleTree* triangles(std::size_t row, OwnPieces<TriangleTree>&) const override {
+    return &trees[row];
+  }
   Bodies bodies() const { return {{.axes = 3, .law = Law::uniform}, rows.data(), rows.size() / 6}; }
 
   std::vector<double> rows;

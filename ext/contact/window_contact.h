@@ -41,7 +41,9 @@ class MovingWindow {
  private:
   /// The one row of a zone.
   struct Zone final : OutlineRows {
-    const ConvexPieces* pieces(std::size_t) const override { return &outline->pieces(); }
+    const ConvexPieces* pieces(std::size_t, OwnPieces<ConvexPieces>&) const override {
+      return &outline->pieces();
+    }
     std::shared_ptr<const CutOutline> outline;
   };
 

@@ -9,7 +9,9 @@ namespace foresee::shape {
 
 template <class KindOfForm>
 void TurnedForms<KindOfForm>::assign(const Bodies& bodies, FormSource& source, Interrupt& interrupt) {
-  clear();
+  turned_.reset();
+  kept_.clear(), kept_bytes_ = 0;
+  known_.clear();
   bodies_ = bodies;
   forms_.assign(bodies.count, nullptr);
   if (bodies.at.heading != Offsets::absent) turned_ = std::make_unique<Turned[]>(bodies.count);
@@ -25,31 +27,51 @@ void TurnedForms<KindOfForm>::assign(const Bodies& bodies, FormSource& source, I
 }
 
 template <class KindOfForm>
-void TurnedForms<KindOfForm>::clear() noexcept {
-  for (std::size_t i = 0; turned_ && i < forms_.size(); ++i) delete turned_[i].load();
-  turned_.reset();
-  turned_corners_ = 0;
-  known_.clear();
+const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::pieces(std::size_t row,
+                                                                   OwnPieces<Pieces>& own) const {
+  const KindOfForm* const form = forms_[row];
+  const Lie lie{form, heading(row)};
+  if (!form || lie.heading == 0) return form ? &form->pieces() : nullptr;
+  if (const Pieces* const known = turned_[row].load(std::memory_order_acquire)) return known;
+  const Pieces* pieces = kept(lie);
+  if (!pieces) pieces = made_for(row, lie, own);
+  if (pieces != own.pieces.get()) turned_[row].store(pieces, std::memory_order_release);
+  return pieces;
 }
 
 template <class KindOfForm>
-const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::pieces(std::size_t row) const {
-  const KindOfForm* const form = forms_[row];
-  if (!form || heading(row) == 0) return form ? &form->pieces() : nullptr;
-  if (const Pieces* const known = turned_[row].load(std::memory_order_acquire)) return known;
-  auto made = std::make_unique<const Pieces>(form->pieces_as_it_lies(heading(row)));
-  const Pieces* first = nullptr;
-  // Another thread may have been quicker: then both use its pieces.
-  if (!turned_[row].compare_exchange_strong(first, made.get(), std::memory_order_acq_rel)) return first;
-  turned_corners_ += form->corners();
-  return made.release();
+const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::kept(const Lie& lie) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = kept_.find(lie);
+  return found == kept_.end() ? nullptr : found->second.get();
+}
+
+template <class KindOfForm>
+const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::made_for(std::size_t row, const Lie& lie,
+                                                                     OwnPieces<Pieces>& own) const {
+  if (own.are_of(lie.form, lie.heading)) return own.pieces.get();
+  auto made = std::make_unique<const Pieces>(lie.form->pieces_as_it_lies(lie.heading));
+  if (const Pieces* const shared = keep(lie, made)) return shared;
+  own = {known_.at(*integer_of(bodies_.row(row)[bodies_.at.outline])), lie.heading, std::move(made)};
+  return own.pieces.get();
+}
+
+template <class KindOfForm>
+const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::keep(const Lie& lie,
+                                                                 std::unique_ptr<const Pieces>& made) const {
+  const std::lock_guard lock(mutex_);
+  const std::size_t more = made->memory() + sizeof(typename decltype(kept_)::value_type);
+  const auto found = kept_.find(lie);
+  if (found != kept_.end()) return found->second.get();  // another thread was quicker
+  if (kept_bytes_ + more > budget_) return nullptr;
+  kept_bytes_ += more;
+  return kept_.emplace(lie, std::move(made)).first->second.get();
 }
 
 template <class KindOfForm>
 std::size_t TurnedForms<KindOfForm>::memory() const {
-  constexpr std::size_t bytes_per_corner = 64;  // of pieces: corners, and boxes of the tree
-  return forms_.size() * sizeof(forms_[0]) + (turned_ ? forms_.size() * sizeof(turned_[0]) : 0) +
-         turned_corners_ * bytes_per_corner;
+  const std::lock_guard lock(mutex_);
+  return forms_.size() * sizeof(forms_[0]) + (turned_ ? forms_.size() * sizeof(turned_[0]) : 0) + kept_bytes_;
 }
 
 template class TurnedForms<CutOutline>;

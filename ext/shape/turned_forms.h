@@ -3,20 +3,25 @@
 //
 //   TurnedForms<CutOutline> forms;
 //   forms.assign(ships, source, interrupt);               // looks every number up
-//   if (const ConvexPieces* hull = forms.pieces(row)) …   // turned by the row's heading
+//   OwnPieces<ConvexPieces> own;
+//   if (const ConvexPieces* hull = forms.pieces(row, own)) …   // turned by the row's heading
 //
-// Rows of one form share its pieces, unless they are turned: then a row's pieces are made when it is first
-// asked for, and kept. Several threads may ask. Cost: a look-up a row; later, once, to turn and to make.
+// Rows of one form and one heading share its pieces. Those of a heading are made when a row of it is first
+// asked for, and kept as long as all that are kept take no more than a budget; beyond that each who asks
+// makes its own, which it forgets when it asks for others. Several threads may ask. Cost: a look-up a row;
+// later to turn and to make, once as a rule.
 #pragma once
 
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <unordered_map>
 #include <vector>
 
 #include "base/error.h"
 #include "shape/bodies.h"
 #include "shape/form.h"
+#include "shape/own_pieces.h"
 
 namespace foresee::shape {
 
@@ -25,8 +30,10 @@ class TurnedForms {
  public:
   using Pieces = typename KindOfForm::Pieces;
 
-  TurnedForms() = default;
-  ~TurnedForms() { clear(); }
+  /// So many bytes: all headings of a hundred thousand hulls, or forty of the largest mesh.
+  static constexpr std::size_t usual_budget = std::size_t{256} << 20;
+
+  explicit TurnedForms(std::size_t budget = usual_budget) : budget_(budget) {}
   TurnedForms(const TurnedForms&) = delete;
   TurnedForms& operator=(const TurnedForms&) = delete;
 
@@ -34,9 +41,9 @@ class TurnedForms {
   /// as long as this and do not change.
   void assign(const Bodies& bodies, FormSource& source, Interrupt& interrupt);
 
-  /// Which live as long as this; null: the row has no form. Throws Error where the form, turned, is none: no
-  /// row that was accepted has such a heading.
-  const Pieces* pieces(std::size_t row) const;
+  /// Which live as long as this, or are in `own`; null: the row has no form. Throws Error where the form,
+  /// turned, is none: no row that was accepted has such a heading.
+  const Pieces* pieces(std::size_t row, OwnPieces<Pieces>& own) const;
 
   /// Bytes, some of them an estimate: it grows as rows are asked for.
   std::size_t memory() const;
@@ -44,14 +51,33 @@ class TurnedForms {
  private:
   using Turned = std::atomic<const Pieces*>;
 
-  void clear() noexcept;
+  /// What is shared.
+  struct Lie {
+    const KindOfForm* form;
+    double heading;
+
+    friend bool operator==(const Lie&, const Lie&) = default;
+  };
+  struct HashOfLie {
+    std::size_t operator()(const Lie& lie) const {
+      return std::hash<const void*>()(lie.form) ^ 0x9e3779b97f4a7c15U * std::hash<double>()(lie.heading);
+    }
+  };
+
+  const Pieces* kept(const Lie& lie) const;
+  /// Null: there is no room.
+  const Pieces* keep(const Lie& lie, std::unique_ptr<const Pieces>& made) const;
+  const Pieces* made_for(std::size_t row, const Lie& lie, OwnPieces<Pieces>& own) const;
   double heading(std::size_t row) const { return value_or(bodies_.row(row), bodies_.at.heading, 0); }
 
   Bodies bodies_;
   std::unordered_map<std::int64_t, std::shared_ptr<const KindOfForm>> known_;
   std::vector<const KindOfForm*> forms_;      ///< one a row; null: none
-  mutable std::unique_ptr<Turned[]> turned_;  ///< … and its pieces; null: not made
-  mutable std::atomic<std::size_t> turned_corners_ = 0;
+  mutable std::unique_ptr<Turned[]> turned_;  ///< … and its pieces among those kept; null: not known
+  std::size_t budget_;
+  mutable std::mutex mutex_;  ///< of what follows
+  mutable std::unordered_map<Lie, std::unique_ptr<const Pieces>, HashOfLie> kept_;
+  mutable std::size_t kept_bytes_ = 0;
 };
 
 }  // namespace foresee::shape

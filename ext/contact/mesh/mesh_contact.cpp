@@ -13,7 +13,7 @@ Vec<3> place_at(const double* numbers) {
 
 /// What the row of a table looks like.
 void take_row(SpacePieces& pieces, const Bodies& bodies, const MeshRows* meshes, std::size_t i) {
-  const TriangleTree* const known = meshes ? meshes->triangles(i) : nullptr;
+  const TriangleTree* const known = meshes ? meshes->triangles(i, pieces.own()) : nullptr;
   if (known) return pieces.take(*known);
   const double* const row = bodies.row(i);
   const Offsets& at = bodies.at;

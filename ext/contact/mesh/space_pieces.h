@@ -2,13 +2,14 @@
 // its mesh, or the one box that its half extents make; a point is a box of no size.
 //
 //   SpacePieces pieces;
-//   pieces.take(meshes.triangles(row));                // or take_box(box), take_point()
+//   pieces.take(meshes.triangles(row, pieces.own()));  // or take_box(box), take_point()
 //   if (pieces.is_leaf(node)) test(pieces.piece(pieces.item(node)));
 #pragma once
 
 #include <array>
 
 #include "shape/mesh/triangle_tree.h"
+#include "shape/own_pieces.h"
 
 namespace foresee::contact {
 
@@ -62,6 +63,8 @@ class SpacePieces {
   static constexpr Node root = BoxTree<3>::root;
 
   void take(const TriangleTree& triangles) { triangles_ = &triangles; }
+  /// For triangles that nobody else keeps.
+  OwnPieces<TriangleTree>& own() { return own_; }
   void take_box(const Box<3>& box);
   void take_point() { take_box({Vec<3>::Zero(), Vec<3>::Zero()}); }
 
@@ -88,6 +91,7 @@ class SpacePieces {
   const TriangleTree* triangles_ = nullptr;  ///< none: the box
   std::array<SpaceCorner, 8> corners_;
   Box<3> box_;
+  OwnPieces<TriangleTree> own_;
 };
 
 }  // namespace foresee::contact

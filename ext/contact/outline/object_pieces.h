@@ -2,7 +2,7 @@
 // outline, or the one that its half extents make; a point is a box of no size.
 //
 //   ObjectPieces pieces;
-//   pieces.take(outlines.pieces(row));                 // or take_box(8, 90), take_box(box), take_point()
+//   pieces.take(outlines.pieces(row, pieces.own()));  // or take_box(8, 90), take_box(box), take_point()
 //   if (pieces.is_leaf(node)) test(pieces.piece(pieces.item(node)));
 #pragma once
 
@@ -10,6 +10,7 @@
 
 #include "contact/outline/convex_sum.h"
 #include "shape/outline/convex_pieces.h"
+#include "shape/own_pieces.h"
 
 namespace foresee::contact {
 
@@ -21,6 +22,8 @@ class ObjectPieces {
   static constexpr Node root = BoxTree<2>::root;
 
   void take(const ConvexPieces& pieces) { pieces_ = &pieces; }
+  /// For pieces that nobody else keeps.
+  OwnPieces<ConvexPieces>& own() { return own_; }
   void take_box(const Box<2>& box);
   void take_box(double hx, double hy) { take_box({Vec<2>(-hx, -hy), Vec<2>(hx, hy)}); }
   void take_point() {
@@ -42,6 +45,7 @@ class ObjectPieces {
   std::array<Corner, 4> corners_;
   Box<2> box_;
   bool is_point_ = false;
+  OwnPieces<ConvexPieces> own_;
 };
 
 }  // namespace foresee::contact

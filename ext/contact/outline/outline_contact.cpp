@@ -11,7 +11,7 @@ namespace {
 
 /// What the row of a table looks like.
 void take_row(ObjectPieces& pieces, const Bodies& bodies, const OutlineRows* outlines, std::size_t i) {
-  const ConvexPieces* const known = outlines ? outlines->pieces(i) : nullptr;
+  const ConvexPieces* const known = outlines ? outlines->pieces(i, pieces.own()) : nullptr;
   if (known) return pieces.take(*known);
   const double* const row = bodies.row(i);
   const Offsets& at = bodies.at;

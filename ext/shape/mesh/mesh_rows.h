@@ -2,6 +2,7 @@
 #pragma once
 
 #include "shape/mesh/triangle_tree.h"
+#include "shape/own_pieces.h"
 
 namespace foresee::shape {
 
@@ -9,9 +10,9 @@ namespace foresee::shape {
 class MeshRows {
  public:
   virtual ~MeshRows() = default;
-  /// The triangles of this row's mesh as it lies, which live as long as this; null: it has none, and is the
-  /// point or ball that its radius says.
-  virtual const TriangleTree* triangles(std::size_t row) const = 0;
+  /// The triangles of this row's mesh as it lies, which live as long as this, or are in `own`; null: it has
+  /// none, and is the point or ball that its radius says.
+  virtual const TriangleTree* triangles(std::size_t row, OwnPieces<TriangleTree>& own) const = 0;
 };
 
 }  // namespace foresee::shape

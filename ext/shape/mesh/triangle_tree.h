@@ -37,6 +37,8 @@ class TriangleTree {
   /// A corner of each part.
   std::size_t parts() const { return links_ ? links_->part_corners.size() : 0; }
   const SpaceCorner& part_corner(std::size_t part) const { return corners_[links_->part_corners[part]]; }
+  /// Bytes, without what all headings share.
+  std::size_t memory() const { return sizeof *this + corners_.size() * sizeof(SpaceCorner) + tree_.memory(); }
 
  private:
   /// The same for all headings of a mesh.

@@ -1,9 +1,11 @@
 // What do the meshes of many rows look like, as they lie?
 //
 //   const TurnedMeshes meshes(drones, source, interrupt);               // looks every number up
-//   if (const TriangleTree* hull = meshes.triangles(row)) …             // turned by the row's heading
+//   OwnPieces<TriangleTree> own;
+//   if (const TriangleTree* hull = meshes.triangles(row, own)) …             // turned by the row's heading
 //
-// Cost (turned_forms.h): a look-up a row; later a microsecond a turned row and some 200 ns a corner, once.
+// Cost (turned_forms.h): a look-up a row; later a microsecond a heading and some 200 ns a corner, once as a
+// rule.
 #pragma once
 
 #include "shape/mesh/cut_mesh.h"
@@ -15,6 +17,7 @@ namespace foresee::shape {
 class TurnedMeshes final : public MeshRows {
  public:
   TurnedMeshes() = default;
+  explicit TurnedMeshes(std::size_t budget) : forms_(budget) {}
   TurnedMeshes(const Bodies& bodies, FormSource& source, Interrupt& interrupt) {
     assign(bodies, source, interrupt);
   }
@@ -22,7 +25,9 @@ class TurnedMeshes final : public MeshRows {
   void assign(const Bodies& bodies, FormSource& source, Interrupt& interrupt) {
     forms_.assign(bodies, source, interrupt);
   }
-  const TriangleTree* triangles(std::size_t row) const override { return forms_.pieces(row); }
+  const TriangleTree* triangles(std::size_t row, OwnPieces<TriangleTree>& own) const override {
+    return forms_.pieces(row, own);
+  }
   std::size_t memory() const { return forms_.memory(); }
 
  private:

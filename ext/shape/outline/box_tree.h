@@ -33,6 +33,7 @@ class BoxTree {
   /// Of boxes in an order as tree_order() gives it. Requires: at least one, none empty.
   explicit BoxTree(std::span<const Box<D>> boxes);
 
+  std::size_t memory() const { return nodes_.size() * sizeof(Box<D>); }
   std::size_t items() const { return (nodes_.size() + 1) / 2; }
   const Box<D>& box(Node node) const { return nodes_[node]; }
   bool is_leaf(Node node) const { return node >= first_leaf(); }

@@ -55,6 +55,8 @@ class ConvexPieces {
   /// Item p of the tree is piece p.
   const BoxTree<2>& tree() const { return tree_; }
   const std::shared_ptr<const Cut>& cut() const { return cut_; }
+  /// Bytes, without the cut.
+  std::size_t memory() const { return sizeof *this + corners_.size() * sizeof(Corner) + tree_.memory(); }
 
  private:
   std::size_t begin(std::size_t piece) const { return piece == 0 ? 0 : cut_->ends[piece - 1]; }

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "shape/outline/convex_pieces.h"
+#include "shape/own_pieces.h"
 
 namespace foresee::shape {
 
@@ -11,9 +12,9 @@ namespace foresee::shape {
 class OutlineRows {
  public:
   virtual ~OutlineRows() = default;
-  /// The pieces of this row's outline as it lies, which live as long as this; null: it has none, and is the
-  /// point, disc or cylinder that its sizes say.
-  virtual const ConvexPieces* pieces(std::size_t row) const = 0;
+  /// The pieces of this row's outline as it lies, which live as long as this, or are in `own`; null: it has
+  /// none, and is the point, disc or cylinder that its sizes say.
+  virtual const ConvexPieces* pieces(std::size_t row, OwnPieces<ConvexPieces>& own) const = 0;
 };
 
 }  // namespace foresee::shape

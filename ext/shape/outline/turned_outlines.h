@@ -1,10 +1,11 @@
 // What do the outlines of many rows look like, as they lie?
 //
 //   const TurnedOutlines outlines(ships, source, interrupt);      // looks every number up
-//   if (const ConvexPieces* hull = outlines.pieces(row)) …        // turned by the row's heading
+//   OwnPieces<ConvexPieces> own;
+//   if (const ConvexPieces* hull = outlines.pieces(row, own)) …        // turned by the row's heading
 //
-// Cost (turned_forms.h): a look-up a row; later a microsecond a turned row, some 50 ns a corner and 200 where
-// it is not convex, once.
+// Cost (turned_forms.h): a look-up a row; later a microsecond a heading, some 50 ns a corner and 200 where it
+// is not convex, once as a rule.
 #pragma once
 
 #include "shape/outline/cut_outline.h"
@@ -16,6 +17,7 @@ namespace foresee::shape {
 class TurnedOutlines final : public OutlineRows {
  public:
   TurnedOutlines() = default;
+  explicit TurnedOutlines(std::size_t budget) : forms_(budget) {}
   TurnedOutlines(const Bodies& bodies, FormSource& source, Interrupt& interrupt) {
     assign(bodies, source, interrupt);
   }
@@ -23,7 +25,9 @@ class TurnedOutlines final : public OutlineRows {
   void assign(const Bodies& bodies, FormSource& source, Interrupt& interrupt) {
     forms_.assign(bodies, source, interrupt);
   }
-  const ConvexPieces* pieces(std::size_t row) const override { return forms_.pieces(row); }
+  const ConvexPieces* pieces(std::size_t row, OwnPieces<ConvexPieces>& own) const override {
+    return forms_.pieces(row, own);
+  }
   std::size_t memory() const { return forms_.memory(); }
 
  private:

@@ -6,7 +6,7 @@
 
 namespace foresee::storage {
 
-std::string FormCheck::object_fault(const double* record) const {
+std::string FormCheck::object_fault(const double* record) {
   const auto number = static_cast<std::int64_t>(record[format_.at.outline]);
   if (number == 0) return "";
   const std::string named = name(number);
@@ -15,7 +15,7 @@ std::string FormCheck::object_fault(const double* record) const {
   if (!found->second) return "";  // damaged, as was said
   Extents<3> around = Extents<3>::none();
   try {
-    around = found->second->extents(value_or(record, format_.at.heading, 0));
+    around = known_.of(number, *found->second, value_or(record, format_.at.heading, 0));
   } catch (const Error& error) {
     return "has a heading that " + named + " cannot have: " + error.what();
   }

@@ -5,13 +5,13 @@
 //   check.read(say);                          // every stored form: a fault of each that is damaged
 //   check.object(42, record, say);            // what is wrong with one object
 //
-// Cost: all forms in memory; a form is turned anew for each object.
+// Cost: all forms in memory; a form is turned once for all objects of one heading, as a rule.
 #pragma once
 
 #include <map>
 #include <memory>
 
-#include "shape/form.h"
+#include "shape/known_extents.h"
 #include "storage/format/node_format.h"
 #include "storage/rows/shape_rows.h"
 
@@ -31,7 +31,7 @@ class FormCheck {
 
   /// Requires: `record` is one that a leaf without fault has.
   template <class Say>
-  void object(std::int64_t id, const double* record, Say say) const {
+  void object(std::int64_t id, const double* record, Say say) {
     const std::string fault = object_fault(record);
     if (!fault.empty()) say("object " + std::to_string(id) + " " + fault);
   }
@@ -41,11 +41,12 @@ class FormCheck {
   std::string name(std::int64_t number) const {
     return name_of_form(format_.layout.shape) + (' ' + std::to_string(number));
   }
-  std::string object_fault(const double* record) const;
+  std::string object_fault(const double* record);
 
   ShapeRows& rows_;
   const NodeFormat& format_;
   std::map<std::int64_t, std::shared_ptr<const Form>> forms_;  // null: damaged
+  KnownExtents known_;
 };
 
 }  // namespace foresee::storage

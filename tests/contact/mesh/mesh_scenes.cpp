@@ -16,7 +16,7 @@ class OneMesh final : public shape::MeshRows {
   explicit OneMesh(const Mesh& mesh) {
     if (!mesh.triangles().empty()) tree_ = TriangleTree(mesh);
   }
-  const TriangleTree* triangles(std::size_t /*row*/) const override {
+  const TriangleTree* triangles(std::size_t /*row*/, shape::OwnPieces<TriangleTree>& /*own*/) const override {
     return tree_.count() > 0 ? &tree_ : nullptr;
   }
 

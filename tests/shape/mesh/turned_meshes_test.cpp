@@ -33,16 +33,17 @@ TEST(TurnedMeshes, AreSharedUnlessTheyAreTurned) {
   const auto rows = rows_of({{1, 0}, {0, 30}, {1, 90}, {2, 0}, {1, 0}});
   Rack rack;
   NeverInterrupt never;
+  OwnPieces<TriangleTree> own;
   const TurnedMeshes meshes(Bodies(drones, rows.data(), 5), rack, never);
   EXPECT_EQ(rack.asked, 2);
-  EXPECT_EQ(meshes.triangles(1), nullptr);
-  EXPECT_EQ(meshes.triangles(0), meshes.triangles(4));
-  EXPECT_NE(meshes.triangles(0), meshes.triangles(2));
-  EXPECT_EQ(meshes.triangles(2), meshes.triangles(2));
-  EXPECT_EQ(meshes.triangles(2)->tree().box(0).lower[1], -1);  // clockwise from the y axis
-  EXPECT_TRUE(meshes.triangles(2)->is_solid());
-  EXPECT_EQ(meshes.triangles(3)->count(), 1u);
-  EXPECT_FALSE(meshes.triangles(3)->is_solid());
+  EXPECT_EQ(meshes.triangles(1, own), nullptr);
+  EXPECT_EQ(meshes.triangles(0, own), meshes.triangles(4, own));
+  EXPECT_NE(meshes.triangles(0, own), meshes.triangles(2, own));
+  EXPECT_EQ(meshes.triangles(2, own), meshes.triangles(2, own));
+  EXPECT_EQ(meshes.triangles(2, own)->tree().box(0).lower[1], -1);  // clockwise from the y axis
+  EXPECT_TRUE(meshes.triangles(2, own)->is_solid());
+  EXPECT_EQ(meshes.triangles(3, own)->count(), 1u);
+  EXPECT_FALSE(meshes.triangles(3, own)->is_solid());
 }
 
 TEST(TurnedMeshes, ManyThreadsGetTheSameTriangles) {
@@ -56,10 +57,28 @@ TEST(TurnedMeshes, ManyThreadsGetTheSameTriangles) {
   std::vector<std::thread> threads;
   for (auto& mine : seen)
     threads.emplace_back([&] {
-      for (std::size_t i = 0; i < 64; ++i) mine.push_back(meshes.triangles(i));
+      OwnPieces<TriangleTree> own;
+      for (std::size_t i = 0; i < 64; ++i) mine.push_back(meshes.triangles(i, own));
     });
   for (std::thread& thread : threads) thread.join();
   for (const auto& mine : seen) EXPECT_EQ(mine, seen[0]);
+}
+
+TEST(TurnedMeshes, OfMoreHeadingsThanThereIsRoomForAreMadeAgain) {
+  constexpr std::size_t budget = 4096;
+  std::vector<double> rows;
+  for (int i = 0; i < 200; ++i)
+    for (const double value : rows_of({{1, 1 + i}})) rows.push_back(value);
+  Rack rack;
+  NeverInterrupt never;
+  OwnPieces<TriangleTree> own;
+  TurnedMeshes meshes(budget);
+  meshes.assign(Bodies(drones, rows.data(), 200), rack, never);
+  const std::size_t before = meshes.memory();
+  for (std::size_t i = 0; i < 200; ++i)
+    EXPECT_EQ(meshes.triangles(i, own)->count(), meshes.triangles(0, own)->count());
+  EXPECT_LE(meshes.memory(), before + budget);
+  EXPECT_EQ(meshes.triangles(199, own), own.pieces.get());
 }
 
 // A row of a mesh that lies at (3, 4, 5) to (4, 6, 8) of its position, grown by 2.

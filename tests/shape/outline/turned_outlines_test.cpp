@@ -39,25 +39,67 @@ TEST(TurnedOutlines, AreSharedUnlessTheyAreTurned) {
   const auto rows = rows_of({row(1, 0), row(0, 30), row(1, 90), row(2, 0), row(1, 0)});
   Shelf shelf;
   NeverInterrupt never;
+  OwnPieces<ConvexPieces> own;
   const TurnedOutlines outlines(Bodies(ships, rows.data(), 5), shelf, never);
   EXPECT_EQ(shelf.asked, 2);
-  EXPECT_EQ(outlines.pieces(1), nullptr);
-  EXPECT_EQ(outlines.pieces(0), outlines.pieces(4));
-  EXPECT_NE(outlines.pieces(0), outlines.pieces(2));
-  EXPECT_EQ(outlines.pieces(2), outlines.pieces(2));
-  EXPECT_EQ(outlines.pieces(2)->bounds(0).lower[1], -4);  // clockwise from the y axis
-  EXPECT_EQ(outlines.pieces(3)->count(), 2u);
+  EXPECT_EQ(outlines.pieces(1, own), nullptr);
+  EXPECT_EQ(outlines.pieces(0, own), outlines.pieces(4, own));
+  EXPECT_NE(outlines.pieces(0, own), outlines.pieces(2, own));
+  EXPECT_EQ(outlines.pieces(2, own), outlines.pieces(2, own));
+  EXPECT_EQ(outlines.pieces(2, own)->bounds(0).lower[1], -4);  // clockwise from the y axis
+  EXPECT_EQ(outlines.pieces(3, own)->count(), 2u);
+}
+
+TEST(TurnedOutlines, OfOneHeadingAreShared) {
+  const auto rows = rows_of({row(1, 90), row(2, 90), row(1, 90), row(1, 91)});
+  Shelf shelf;
+  NeverInterrupt never;
+  OwnPieces<ConvexPieces> own;
+  const TurnedOutlines outlines(Bodies(ships, rows.data(), 4), shelf, never);
+  EXPECT_EQ(outlines.pieces(0, own), outlines.pieces(2, own));
+  EXPECT_NE(outlines.pieces(0, own), outlines.pieces(1, own));
+  EXPECT_NE(outlines.pieces(0, own), outlines.pieces(3, own));
+  EXPECT_EQ(own.pieces, nullptr);
+}
+
+TEST(TurnedOutlines, OfMoreHeadingsThanThereIsRoomForAreMadeAgainAndAreTheSame) {
+  constexpr std::size_t count = 300, budget = 4096;
+  std::vector<double> rows;
+  for (std::size_t i = 0; i < count; ++i)
+    for (const double number : row(1 + i % 2, 1.0 + static_cast<double>(i))) rows.push_back(number);
+  Shelf shelf;
+  NeverInterrupt never;
+  OwnPieces<ConvexPieces> own, unused;
+  TurnedOutlines few(budget), all;
+  for (TurnedOutlines* outlines : {&few, &all})
+    outlines->assign(Bodies(ships, rows.data(), count), shelf, never);
+  const std::size_t before = few.memory();
+  std::size_t made_again = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const ConvexPieces& one = *few.pieces(i, own);
+    const ConvexPieces& other = *all.pieces(i, unused);
+    ASSERT_EQ(one.count(), other.count());
+    for (std::size_t p = 0; p < one.count(); ++p)
+      ASSERT_TRUE(std::equal(one.corners(p).begin(), one.corners(p).end(), other.corners(p).begin()));
+    made_again += &one == own.pieces.get();
+    EXPECT_EQ(few.pieces(i, own), &one) << "asked again it is there still";
+  }
+  EXPECT_LE(few.memory(), before + budget);
+  EXPECT_GT(all.memory(), before + 4 * budget);
+  EXPECT_GT(made_again, count / 2);
+  EXPECT_EQ(unused.pieces, nullptr);
 }
 
 TEST(TurnedOutlines, SayWhatMemoryTheyTake) {
   const auto rows = rows_of({row(1, 0), row(1, 90), row(2, 90)});
   Shelf shelf;
   NeverInterrupt never;
+  OwnPieces<ConvexPieces> own;
   const TurnedOutlines outlines(Bodies(ships, rows.data(), 3), shelf, never);
   const std::size_t before = outlines.memory();
-  outlines.pieces(0);
+  outlines.pieces(0, own);
   EXPECT_EQ(outlines.memory(), before);
-  outlines.pieces(2);
+  outlines.pieces(2, own);
   EXPECT_GE(outlines.memory(), before + 4 * sizeof(Corner));
 }
 
@@ -73,7 +115,8 @@ TEST(TurnedOutlines, ManyThreadsGetTheSamePieces) {
   std::vector<std::thread> threads;
   for (auto& mine : seen)
     threads.emplace_back([&] {
-      for (int i = 0; i < count; ++i) mine.push_back(outlines.pieces(static_cast<std::size_t>(i)));
+      OwnPieces<ConvexPieces> own;
+      for (int i = 0; i < count; ++i) mine.push_back(outlines.pieces(static_cast<std::size_t>(i), own));
     });
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(seen[0], seen[1]);
@@ -84,12 +127,13 @@ TEST(TurnedOutlines, AreMadeAnewForOtherRows) {
   auto rows = row(1, 90);
   Shelf shelf;
   NeverInterrupt never;
+  OwnPieces<ConvexPieces> own;
   TurnedOutlines outlines;
   outlines.assign(Bodies(ships, rows.data(), 1), shelf, never);
-  EXPECT_EQ(outlines.pieces(0)->bounds(0).lower[1], -4);
+  EXPECT_EQ(outlines.pieces(0, own)->bounds(0).lower[1], -4);
   rows = row(1, -90);
   outlines.assign(Bodies(ships, rows.data(), 1), shelf, never);
-  EXPECT_EQ(outlines.pieces(0)->bounds(0).upper[1], 4);
+  EXPECT_EQ(outlines.pieces(0, own)->bounds(0).upper[1], 4);
   rows = row(3, 0);
   EXPECT_THROW(outlines.assign(Bodies(ships, rows.data(), 1), shelf, never), Error);
 }

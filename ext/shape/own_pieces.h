@@ -1,0 +1,23 @@
+// The pieces of one turned form that nobody else keeps: for whoever asks about row after row
+// (turned_forms.h).
+//
+//   OwnPieces<ConvexPieces> own;
+//   const ConvexPieces* hull = rows.pieces(7, own);       // perhaps in `own`, until it is used again
+#pragma once
+
+#include <memory>
+
+namespace foresee::shape {
+
+template <class Pieces>
+struct OwnPieces {
+  std::shared_ptr<const void> form = nullptr;  ///< kept, so that no other has its address
+  double heading = 0;
+  std::unique_ptr<const Pieces> pieces = nullptr;
+
+  bool are_of(const void* other, double turned_by) const {
+    return pieces && form.get() == other && heading == turned_by;
+  }
+};
+
+}  // namespace foresee::shape
