@@ -7,8 +7,9 @@
 //
 // For make_contact() to choose, by the declarations, where a side has outlines: once a statement, so that a
 // table without never comes here and pays nothing. Setup and bodies are those of any contact, with what else
-// a row says (r, hz) in its place. The stages of a pair: trees of boxes, pieces in doubles with error bounds,
-// the crossing in DoubleDouble, exact numbers for the pieces that are left (docs/exactness.md).
+// a row says (r, hz) in its place. The stages of a pair: plain doubles, trees of boxes, pieces in doubles
+// with error bounds, the crossing in DoubleDouble, exact numbers for the pieces that are left
+// (docs/exactness.md).
 #pragma once
 
 #include <memory>

@@ -5,6 +5,7 @@
 #include "contact/mesh/space_tests.h"
 #include "contact/mesh/within.h"
 #include "contact/mesh_contact.h"
+#include "contact/pieces/plain_answer.h"
 
 namespace foresee::contact {
 
@@ -25,6 +26,11 @@ struct SpaceKit {
   template <class T>
   static SpaceSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
     return {radius_of<T>(setup, row_a, row_b), steady_axes_of(setup, row_a, row_b)};
+  }
+  /// None: triangles are many, and asked one by one (plainly_apart.h).
+  static PlainAnswer plain_answer(const Setup&, const double*, const double*, const Pieces&, const Pieces&,
+                                  const Moments&, bool) {
+    return {};
   }
   static constexpr bool is_cut(const SpaceCondition&) { return false; }
   /// What the rows of a pair look like.

@@ -5,6 +5,7 @@
 #include "contact/exact/pair_polynomials.h"
 #include "contact/outline/critical_pieces.h"
 #include "contact/outline/piece_tests.h"
+#include "contact/outline/plainly_near.h"
 #include "contact/outline_contact.h"
 
 namespace foresee::contact {
@@ -49,6 +50,10 @@ struct FlatKit {
   static PairSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
     return contact::sizes_of<T>(setup, row_a, row_b);
   }
+  /// Of prisms only that their outlines are apart.
+  static PlainAnswer plain_answer(const Setup& setup, const double* row_a, const double* row_b,
+                                  const Pieces& a, const Pieces& b, const Moments& moments,
+                                  bool times_wanted);
   /// What leaves a piece there is in its neighbour. (Around a corner R ends beside the cut that begins there,
   /// not beyond it.)
   static bool is_cut(const Condition& condition) {

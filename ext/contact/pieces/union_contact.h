@@ -2,7 +2,7 @@
 //
 //   return std::make_unique<UnionContact<FlatKit<2, 1>>>(setup, tables);
 //
-// Trees of boxes, pieces in doubles with error bounds and the
+// What plain doubles tell at once comes first. Trees of boxes, pieces in doubles with error bounds and the
 // crossing in DoubleDouble are those of union_pair.h. What these leave open is asked of exact numbers: the
 // pieces that may touch around a moment, and between them, of solids, whether one lies within the other
 // (docs/exactness.md).
@@ -15,12 +15,13 @@
 #include "contact/closest_approach.h"
 #include "contact/contact.h"
 #include "contact/exact/exact_contact.h"
+#include "contact/pieces/plain_answer.h"
 #include "contact/pieces/union_pair.h"
 
 namespace foresee::contact {
 
 /// `Kit`: as for UnionPair, with the type Tables of what the rows of both tables look like, take(), which
-/// gives the pieces of a pair, and the type Polynomials of some pairs of pieces.
+/// gives the pieces of a pair, plain_answer(), and the type Polynomials of some pairs of pieces.
 template <class Kit>
 class UnionContact final : public Contact {
  public:
@@ -72,6 +73,8 @@ class UnionContact final : public Contact {
     const Moments moments = moments_of(setup_, rows.a, rows.b);
     if (moments.none) return false;
     take_pieces(pair);
+    const PlainAnswer plain = Kit::plain_answer(setup_, rows.a, rows.b, a_, b_, moments, false);
+    if (plain.touches != Verdict::uncertain) return plain.touches == Verdict::yes;
     Staged staged(setup_, rows.a, rows.b, a_, b_, moments, false, space_, *steps_);
     const Verdict touches = staged.touches();
     if (touches != Verdict::uncertain) return touches == Verdict::yes;
@@ -83,6 +86,12 @@ class UnionContact final : public Contact {
     const Moments moments = moments_of(setup_, rows.a, rows.b);
     if (moments.none) return {};
     take_pieces(pair);
+    const PlainAnswer plain = Kit::plain_answer(setup_, rows.a, rows.b, a_, b_, moments, true);
+    if (plain.touches == Verdict::no) return {};
+    if (plain.all_along)
+      return ContactTimes{moments.t_begin, moments.t_end, moments.dt_begin, moments.dt_end};
+    if (plain.at_begin && wanted != TimesWanted::both)
+      return ContactTimes{moments.t_begin, moments.t_begin, moments.dt_begin, moments.dt_begin};
     Staged staged(setup_, rows.a, rows.b, a_, b_, moments, true, space_, *steps_);
     Instant begin;
     const Verdict touches = staged.first_contact(begin);

@@ -1,0 +1,138 @@
+#include "contact/outline/plainly_near.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace foresee::contact {
+namespace {
+
+/// Squares of less vanish, or nearly.
+constexpr double least = 0x1p-490;
+
+double dot(const Corner& a, const Corner& b) {
+  return a.x * b.x + a.y * b.y;
+}
+Corner gap(const Corner& a, const Corner& b) {
+  return {a.x - b.x, a.y - b.y};
+}
+double size_of(const Corner& c) {
+  return std::abs(c.x) + std::abs(c.y);
+}
+
+/// The corner farthest along n.
+Corner extreme(std::span<const Corner> corners, const Corner& n) {
+  Corner best = corners[0];
+  double most = dot(best, n);
+  for (const Corner& corner : corners.subspan(1)) {
+    const double here = dot(corner, n);
+    if (here > most) most = here, best = corner;
+  }
+  return best;
+}
+
+/// A + (-B), seen from a stretch of d's way.
+class Seen {
+ public:
+  Seen(const ConvexPiece& a, const ConvexPiece& b, const Corner& from, const Corner& to)
+      : a_(a.corners), b_(b.corners), way_{from, to} {
+    for (const auto& corners : {a_, b_, std::span<const Corner>(way_)}) {
+      double most = 0;
+      for (const Corner& corner : corners) most = std::max(most, size_of(corner));
+      size_ += most;
+    }
+  }
+
+  /// Roundings of whatever is computed of it are far less.
+  double slack() const { return 0x1p-45 * size_ + least; }
+
+  Verdict is_near(const Bounded& radius, double slack) {
+    const double surely = radius.value - radius.error - slack, possibly = radius.value + radius.error + slack;
+    corners_[0] = gap(gap(a_[0], b_[0]), way_[0]), count_ = 1;
+    Corner nearest = corners_[0];
+    for (double last = HUGE_VAL;;) {
+      const double square = dot(nearest, nearest), distance = std::sqrt(square);
+      if (distance <= surely) return Verdict::yes;
+      if (!(distance > least && square < last)) return Verdict::uncertain;
+      const Corner against{-nearest.x, -nearest.y};
+      const Corner next = gap(gap(extreme(a_, against), extreme(b_, nearest)), extreme(way_, nearest));
+      if (dot(next, nearest) / distance > possibly) return Verdict::no;
+      if (count_ == 2 && is_around(next)) return depth(next) > slack ? Verdict::yes : Verdict::uncertain;
+      last = square * (1 - 0x1p-20);
+      nearest = nearest_with(next);
+    }
+  }
+
+ private:
+  /// Whether the triangle of the two corners and this one has the origin in it.
+  bool is_around(const Corner& next) const {
+    const double one = side(corners_[0], corners_[1]), other = side(corners_[1], next),
+                 third = side(next, corners_[0]);
+    return (one > 0 && other > 0 && third > 0) || (one < 0 && other < 0 && third < 0);
+  }
+  /// How far the origin is from the sides of that triangle.
+  double depth(const Corner& next) const {
+    const auto from = [](const Corner& a, const Corner& b) {
+      return std::abs(side(a, b)) / std::max(size_of(gap(b, a)), least);
+    };
+    return std::min({from(corners_[0], corners_[1]), from(corners_[1], next), from(next, corners_[0])});
+  }
+  static double side(const Corner& a, const Corner& b) { return a.x * b.y - a.y * b.x; }
+
+  /// Of the triangle or line, the point nearest to the origin; the corners that it is between are kept.
+  Corner nearest_with(const Corner& next) {
+    std::size_t kept = 0;
+    Corner best = nearest_between(corners_[0], next);
+    if (count_ == 2) {
+      const Corner other = nearest_between(corners_[1], next);
+      if (dot(other, other) < dot(best, best)) best = other, kept = 1;
+    }
+    corners_ = {corners_[kept], next}, count_ = 2;
+    return best;
+  }
+  static Corner nearest_between(const Corner& a, const Corner& b) {
+    const Corner run = gap(b, a);
+    const double length = dot(run, run), part = length > 0 ? std::clamp(-dot(a, run) / length, 0.0, 1.0) : 0;
+    return {a.x + part * run.x, a.y + part * run.y};
+  }
+
+  const std::span<const Corner> a_, b_;
+  const std::array<Corner, 2> way_;
+  double size_ = 0;
+  std::array<Corner, 2> corners_;  ///< of the set, that the nearest point is between
+  int count_ = 0;
+};
+
+Verdict is_near(const ConvexPiece& a, const ConvexPiece& b, const Corner& from, const Corner& to,
+                const Bounded& radius, double slack) {
+  Seen seen(a, b, from, to);
+  return seen.is_near(radius, slack + seen.slack());
+}
+
+}  // namespace
+
+PlainAnswer plainly_near(const PlainWay& way, const ObjectPieces& a, const ObjectPieces& b,
+                         const Bounded& radius, bool times_wanted) {
+  constexpr std::size_t few = 8;
+  PlainAnswer all{.touches = Verdict::no};
+  if (a.count() * b.count() > few) return {};
+  for (std::size_t i = 0; i < a.count(); ++i)
+    for (std::size_t j = 0; j < b.count(); ++j) {
+      const ConvexPiece one = a.piece(i), other = b.piece(j);
+      const Verdict near = is_near(one, other, way.begin, way.end, radius, way.slack + way.bend);
+      if (near == Verdict::no) continue;
+      if (all.touches != Verdict::yes) all.touches = near;
+      if (!times_wanted && near == Verdict::yes) return all;
+      if (!times_wanted || is_near(one, other, way.begin, way.begin, radius, way.slack) != Verdict::yes)
+        continue;
+      all.touches = Verdict::yes, all.at_begin = true;
+      // A convex set has all of a line that has both ends in it.
+      const auto holds_at = [&](const Corner& d) {
+        return is_near(one, other, d, d, radius, way.slack + way.bend) == Verdict::yes;
+      };
+      if (holds_at(way.end) && (way.bend == 0 || holds_at(way.begin))) all.all_along = true;
+      if (all.all_along) return all;
+    }
+  return all;
+}
+
+}  // namespace foresee::contact
