@@ -6,8 +6,8 @@
 namespace foresee::contact {
 namespace {
 
-/// Squares of less vanish, or nearly.
-constexpr double least = 0x1p-490;
+/// Squares of less vanish, or nearly; of more they overflow.
+constexpr double least = 0x1p-490, most_size = 0x1p500;
 
 double dot(const Corner& a, const Corner& b) {
   return a.x * b.x + a.y * b.y;
@@ -46,6 +46,7 @@ class Seen {
   double slack() const { return 0x1p-45 * size_ + least; }
 
   Verdict is_near(const Bounded& radius, double slack) {
+    if (!(size_ < most_size)) return Verdict::uncertain;
     const double surely = radius.value - radius.error - slack, possibly = radius.value + radius.error + slack;
     corners_[0] = gap(gap(a_[0], b_[0]), way_[0]), count_ = 1;
     Corner nearest = corners_[0];
@@ -63,16 +64,18 @@ class Seen {
   }
 
  private:
-  /// Whether the triangle of the two corners and this one has the origin in it.
+  /// Whether the triangle of the two corners and this one has the origin in it, by signs that may be
+  /// roundings.
   bool is_around(const Corner& next) const {
     const double one = side(corners_[0], corners_[1]), other = side(corners_[1], next),
                  third = side(next, corners_[0]);
     return (one > 0 && other > 0 && third > 0) || (one < 0 && other < 0 && third < 0);
   }
-  /// How far the origin is from the sides of that triangle.
+  /// How far the origin surely is from the sides of that triangle; below 0 where a sign is not certain.
   double depth(const Corner& next) const {
     const auto from = [](const Corner& a, const Corner& b) {
-      return std::abs(side(a, b)) / std::max(size_of(gap(b, a)), least);
+      const double rounding = 0x1p-50 * (size_of(a) * size_of(b)) + least * least;
+      return (std::abs(side(a, b)) - rounding) / std::max(size_of(gap(b, a)), least);
     };
     return std::min({from(corners_[0], corners_[1]), from(corners_[1], next), from(next, corners_[0])});
   }
