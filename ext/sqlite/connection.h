@@ -18,6 +18,7 @@
 #include "index/gpcd_grid/work_space.h"
 #include "query/scene.h"
 #include "sqlite/names/table_lookups.h"
+#include "sqlite/watch_upkeep.h"
 #include "storage/rows/statement_interrupt.h"
 #include "storage/table/store.h"
 
@@ -57,6 +58,12 @@ class Connection {
   };
   /// Null if no table has this number. Valid until the table leaves.
   const OpenTable* find(std::int64_t number) const;
+  /// Null if no table of this name is connected.
+  const OpenTable* find(const std::string& schema, const std::string& table) const;
+
+  /// Null until it is registered.
+  WatchUpkeep* watches() const { return watches_.get(); }
+  void keep_watches(std::unique_ptr<WatchUpkeep> upkeep) { watches_ = std::move(upkeep); }
 
   /// How many objects the table of this name has, as far as memory knows: nothing is read, nothing connected.
   /// Of several that may be meant the largest, of all where no name is given; where no such table is
@@ -106,6 +113,7 @@ class Connection {
   std::map<const Store*, CachedScene> scenes_;
   std::size_t scene_memory_;
   std::uint64_t last_use_ = 0;
+  std::unique_ptr<WatchUpkeep> watches_;
   std::shared_ptr<GridSpace> space_ = std::make_shared<GridSpace>();
 };
 

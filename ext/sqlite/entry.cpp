@@ -28,6 +28,7 @@ extern "C" __attribute__((visibility("default"))) int sqlite3_foresee_init(sqlit
     const auto connection = std::make_shared<Connection>(db);
     int rc = register_scalars(db);
     if (rc == SQLITE_OK) rc = register_moving_objects(db, connection);
+    if (rc == SQLITE_OK) rc = register_predictive_watch(db, connection);
     if (rc == SQLITE_OK) rc = register_table_functions(db, connection);
     return rc;
   });

@@ -11,6 +11,8 @@ namespace foresee::sqlite {
 int register_scalars(sqlite3* db);  // scalars.cpp
 int register_moving_objects(sqlite3* db,
                             const std::shared_ptr<Connection>& connection);  // moving_objects.cpp
+int register_predictive_watch(sqlite3* db,
+                              const std::shared_ptr<Connection>& connection);  // predictive_watch.cpp
 int register_table_functions(sqlite3* db,
                              const std::shared_ptr<Connection>& connection);  // table_functions.cpp
 

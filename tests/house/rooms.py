@@ -27,9 +27,9 @@ INSIDE = {
     "contact": ["mesh", "outline", "pieces", "boxes", "exact", "certain", "set"],
     "index": ["paper_grid", "gpcd_grid", "tpr_tree"],
     "shape": ["mesh", "outline"],
-    "query": ["join", "window", "nearest", "position"],
-    "storage": ["table", "nodes", "rows", "format"],
-    "sqlite": ["functions", "names", "table"],
+    "query": ["watch", "join", "window", "nearest", "position"],
+    "storage": ["watch", "table", "nodes", "rows", "format"],
+    "sqlite": ["watch", "functions", "names", "table"],
 }
 # Folders of tests/ that are of no one room, and files that tests read.
 TESTS_OF_NO_ROOM = {"house", "fuzz", "portability", "storage/files"}

@@ -129,6 +129,11 @@ std::string described(const FunctionPlan& plan, int output_count) {
 
 constexpr int order_length_at = 16, order_at = 20;  // in idxNum
 
+/// The bits of the outputs of which a call is told whether they are read: the first sixteen.
+std::uint32_t outputs_told(const TableFunction& function) {
+  return (1u << std::min(output_count(function), order_length_at)) - 1;
+}
+
 /// If ORDER BY is one of the function's orders, or the beginning of one, rows come in that order and SQLite
 /// does not sort: gives its bits of idxNum. Else 0, and SQLite sorts.
 int take_order(const TableFunction& function, sqlite3_index_info& info) {
@@ -160,7 +165,7 @@ int plan_call(const TableFunction& function, const Connection& connection, Plans
   }
   const int order = take_order(function, info);
   if (order != 0) take_row_limit(function, info, plan.arguments);
-  info.idxNum = static_cast<int>(info.colUsed & ((1u << output_count(function)) - 1)) | order;
+  info.idxNum = static_cast<int>(info.colUsed & outputs_told(function)) | order;
   estimate(function, connection, before, plan, info);
   info.idxStr = sqlite3_mprintf("%s", described(plan, output_count(function)).c_str());
   if (!info.idxStr) return SQLITE_NOMEM;
@@ -174,7 +179,7 @@ PlannedArgument planned_argument(const char* plan, std::size_t argument) {
 }
 
 std::uint32_t planned_outputs(const TableFunction& function, int plan) {
-  return static_cast<std::uint32_t>(plan) & ((1u << output_count(function)) - 1);
+  return static_cast<std::uint32_t>(plan) & outputs_told(function);
 }
 
 std::span<const int> planned_order(const TableFunction& function, int plan) {

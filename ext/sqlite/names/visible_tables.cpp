@@ -11,12 +11,15 @@ void add_tables(sqlite3* db, const std::string& schema, std::vector<VisibleTable
   Statement select(
       db, "SELECT name, sql FROM " + quoted_name(schema) + ".sqlite_master WHERE type IN ('table', 'view')");
   Statement::Run run(select);
-  while (run.step()) tables.push_back({schema, run.text(0), uses_moving_objects(run.text(1))});
+  while (run.step()) {
+    const std::string sql = run.text(1);
+    tables.push_back({schema, run.text(0), uses_moving_objects(sql), uses_module(sql, "predictive_watch")});
+  }
 }
 
 }  // namespace
 
-bool uses_moving_objects(const std::string& sql) {
+bool uses_module(const std::string& sql, std::string_view module) {
   SqlTokens tokens(sql);
   const auto next_is = [&](std::string_view name) {
     const auto token = tokens.next();
@@ -24,7 +27,7 @@ bool uses_moving_objects(const std::string& sql) {
   };
   if (!next_is("create") || !next_is("virtual") || !next_is("table")) return false;
   tokens.next();  // the table's name
-  return next_is("using") && next_is("moving_objects");
+  return next_is("using") && next_is(module);
 }
 
 std::vector<VisibleTable> visible_tables(sqlite3* db) {

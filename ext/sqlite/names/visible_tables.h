@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/rooms.h"
@@ -15,12 +16,16 @@ namespace foresee::sqlite {
 struct VisibleTable {
   std::string schema, name;
   bool holds_moving_objects;
+  bool is_watch;  ///< CREATE VIRTUAL TABLE … USING predictive_watch
 };
 
 /// All tables and views.
 std::vector<VisibleTable> visible_tables(sqlite3* db);
 
-/// Is this the text of a CREATE VIRTUAL TABLE … USING moving_objects, as sqlite_master keeps it?
-bool uses_moving_objects(const std::string& sql);
+/// Is this the text of a CREATE VIRTUAL TABLE … USING this module, as sqlite_master keeps it?
+bool uses_module(const std::string& sql, std::string_view module);
+inline bool uses_moving_objects(const std::string& sql) {
+  return uses_module(sql, "moving_objects");
+}
 
 }  // namespace foresee::sqlite

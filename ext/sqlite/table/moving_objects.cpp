@@ -76,7 +76,12 @@ int table_disconnect(sqlite3_vtab* base) noexcept {
 }
 
 int table_destroy(sqlite3_vtab* base) noexcept {
-  const int rc = guarded(&base->zErrMsg, [&] { table_of(base).drop(); });
+  const int rc = guarded(&base->zErrMsg, [&] {
+    MovingObjectsTable& table = table_of(base);
+    if (WatchUpkeep* watches = table.connection->watches(); watches && table.has_store())
+      watches->require_unwatched(*table.connection, table.number);
+    table.drop();
+  });
   return rc == SQLITE_OK ? table_disconnect(base) : rc;
 }
 
@@ -134,6 +139,17 @@ int store_step(sqlite3_vtab* base, int level) noexcept {
   return guarded(&base->zErrMsg, [&] { (table.store().*step)(level); });
 }
 
+/// What has changed becomes rows; then the watches of the table take it over.
+int table_sync(sqlite3_vtab* base) noexcept {
+  MovingObjectsTable& table = table_of(base);
+  if (!table.has_store()) return SQLITE_OK;
+  return guarded(&base->zErrMsg, [&] {
+    table.store().sync();
+    if (WatchUpkeep* watches = table.connection->watches())
+      watches->settle_table(*table.connection, table.number);
+  });
+}
+
 void abort_scans(MovingObjectsTable& table) noexcept {
   for (TableCursor* cursor : table.cursors()) cursor->abort_leaves();
 }
@@ -150,8 +166,12 @@ int table_rollback_to(sqlite3_vtab* base, int level) noexcept {
 
 int table_rename(sqlite3_vtab* base, const char* new_name) noexcept {
   return guarded(&base->zErrMsg, [&] {
-    for (TableCursor* cursor : table_of(base).cursors()) cursor->keep_ids();
-    table_of(base).rename(new_name);
+    MovingObjectsTable& table = table_of(base);
+    for (TableCursor* cursor : table.cursors()) cursor->keep_ids();
+    const std::string old_name = table.name;
+    table.rename(new_name);
+    if (WatchUpkeep* watches = table.connection->watches())
+      watches->rename_table(*table.connection, table.number, old_name);
   });
 }
 
@@ -187,7 +207,7 @@ constexpr ModuleWithIntegrity moving_objects_module = {{
                                                            .xRowid = cursor_rowid,
                                                            .xUpdate = table_update,
                                                            .xBegin = store_step<&Store::begin>,
-                                                           .xSync = store_step<&Store::sync>,
+                                                           .xSync = table_sync,
                                                            .xCommit = store_step<&Store::commit>,
                                                            .xRollback = table_rollback,
                                                            .xFindFunction = nullptr,

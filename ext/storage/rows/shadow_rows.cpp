@@ -37,6 +37,8 @@ ShadowRows::ShadowRows(const ShadowTables& tables, const Declaration& declaratio
   all_nodes_ = sql("SELECT nodeno, data FROM {node} ORDER BY nodeno");
   write_node_ = sql("INSERT OR REPLACE INTO {node} VALUES(?, ?)");
   erase_node_ = sql("DELETE FROM {node} WHERE nodeno = ?");
+  watches_ = sql("SELECT substr(key, 7) FROM {meta} WHERE key >= 'watch:' AND key < 'watch;' ORDER BY key");
+  erase_watch_ = sql("DELETE FROM {meta} WHERE key = 'watch:' || ?1");
   node_numbers_ = sql("SELECT nodeno FROM {node} ORDER BY nodeno");
   if (auxiliaries == 0) return;
   insert_auxiliaries_ = sql(insert_auxiliaries_sql(auxiliaries));
@@ -126,6 +128,18 @@ void ShadowRows::result_auxiliary(sqlite3_context* context, std::int64_t id, int
     sqlite3_result_value(context, run.value(0));
   else
     sqlite3_result_null(context);
+}
+
+std::vector<std::string> ShadowRows::read_watches() {
+  std::vector<std::string> names;
+  for (Statement::Run run(watches_); run.step();) names.push_back(run.text(0));
+  return names;
+}
+
+void ShadowRows::erase_watch(const std::string& name) {
+  Statement::Run run(erase_watch_);
+  run.bind(1, name);
+  run.step();
 }
 
 void ShadowRows::match_auxiliaries_to_map() {

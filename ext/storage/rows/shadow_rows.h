@@ -85,6 +85,10 @@ class ShadowRows {
   /// How many objects there are; nothing if that is missing or cannot be a number of objects.
   std::optional<std::int64_t> read_objects() { return read_object_count(meta_); }
   void write_objects(std::int64_t objects) { meta_.write("objects", objects); }
+  /// Each watch has a key of its own, `watch:` and its name.
+  std::vector<std::string> read_watches();
+  void write_watch(const std::string& name) { meta_.write("watch:" + name, std::int64_t{1}); }
+  void erase_watch(const std::string& name);
 
  private:
   std::size_t variables() const;
@@ -95,6 +99,7 @@ class ShadowRows {
   Statement largest_node_, node_by_number_, nodes_after_, all_nodes_, write_node_, erase_node_, node_numbers_;
   Statement insert_auxiliaries_, update_auxiliaries_, erase_auxiliaries_, auxiliary_ids_, insert_missing_;
   std::vector<Statement> auxiliary_;
+  Statement watches_, erase_watch_;
   MapRows map_;
   MetaRows meta_;
 };

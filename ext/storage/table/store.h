@@ -122,6 +122,19 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
                                                 std::span<const double> after)>& each);
   std::size_t changes_memory() const { return object_changes_.memory(); }
 
+  // --- who watches this table (sqlite/watch/)
+  /// Names of the watches that are to be told of each commit, as this connection sees them now. Cost: a
+  /// look-up, and a scan of them where another connection has written.
+  const std::vector<std::string>& watches();
+  /// One more, or one less. Writes a stamp, so that every connection that can write the table learns of it.
+  void add_watch(const std::string& name);
+  void remove_watch(const std::string& name);
+  /// The stamp of what is stored; nothing while changes wait in memory. Equal stamps: equal contents.
+  std::optional<std::int64_t> settled_stamp();
+  /// The stamp from before all that for_each_change() tells: what is stored, where this transaction has
+  /// changed nothing; nothing if it cannot be told what has changed ('rebuild').
+  std::optional<std::int64_t> stamp_before_changes();
+
   // --- commands
   /// Writes tree and map anew from what the leaves hold, whatever else says, neighbours in space and velocity
   /// together; drops auxiliary values that belong to no object.
@@ -193,6 +206,11 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   bool read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
                         const std::function<void(const LeafView&)>& use) const;
 
+  // watches (store_watches.cpp)
+  /// Reads their names where memory does not know them any more.
+  void know_watches();
+  void write_stamp_of_watches();
+
   // writing (store_write.cpp)
   /// What every change begins with: the record is fit to be stored, the transaction has begun and its stamp
   /// is written, memory has room. Throws before anything changes.
@@ -261,6 +279,9 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   std::unique_ptr<StoredForms> forms_;       ///< null: the layout has none
   ObjectChanges object_changes_;             ///< empty where nobody wants them
   bool keeps_changes_ = false, wants_changes_ = false;
+  bool changes_unknown_ = false;             ///< more than object_changes_ tells may have changed
+  std::vector<std::string> watches_;         ///< under the believed stamp
+  bool watches_known_ = false;
 
   bool in_transaction_;
   bool writing_ = false;      ///< this transaction has changed something: nobody else can

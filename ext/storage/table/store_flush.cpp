@@ -125,6 +125,7 @@ void Store::write_out() {
 // --- 'rebuild' and 'optimize'
 
 void Store::rebuild(Interrupt& interrupt) {
+  changes_unknown_ = true;  // of a damaged table it may bring objects back
   pack(interrupt);
   const OwnStatements own(*this);
   if (!has_auxiliaries()) return;

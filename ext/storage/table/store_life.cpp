@@ -91,6 +91,7 @@ void Store::believe_only_this_stamp() {
   if (forms_) forms_->forget_all();
   believed_stamp_.reset();
   count_.stored = shadow_rows().read_objects();
+  watches_known_ = false;
   believed_stamp_ = stamp;
 }
 
@@ -137,6 +138,7 @@ void Store::end_transaction() noexcept {
   pending_->clear();
   object_changes_.clear();
   keeps_changes_ = wants_changes_;
+  changes_unknown_ = false;
   note_memory();
 }
 
@@ -165,6 +167,7 @@ void Store::rollback() {
   }
   go_by(table_at_begin_);
   back_to_begin();
+  watches_known_ = false;
   if (writing_) believed_stamp_ = stamp_before_;
   end_transaction();
   differs_from_version_ = false;
@@ -230,6 +233,7 @@ void Store::rollback_to(int level) {
   go_by(table_at_begin_);
   back_to_begin();  // the table joined the transaction after that savepoint
   own_stamp_.reset();
+  watches_known_ = false;
   note_change();
   stamped_ = torn_ = false;
   largest_ = {};
@@ -238,6 +242,7 @@ void Store::rollback_to(int level) {
 void Store::back_to(const Savepoint& savepoint) {
   if (savepoint.undo_position == undo_position_ && !torn_) return;
   torn_ = true;  // until it is done
+  watches_known_ = false;
   go_by(savepoint.table);
   own_stamp_ = savepoint.own_stamp;
   cache_.restore(savepoint.mark, savepoint.map_position);

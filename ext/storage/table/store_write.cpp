@@ -17,6 +17,8 @@ void Store::start_change(std::span<const double> record) {
     believe_only_this_stamp();
     stamp_before_ = believed_stamp_;
     count_before_ = count_;
+    know_watches();
+    keeps_changes_ |= !watches_.empty();
   }
   note_memory();
   if (memory_->too_much_waits()) memory_->write_out();

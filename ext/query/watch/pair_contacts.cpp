@@ -1,0 +1,42 @@
+#include "query/watch/pair_contacts.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "base/float_environment.h"
+#include "query/join/contact_stage.h"
+
+namespace foresee::query {
+namespace {
+
+constexpr std::size_t batch_size = 1024;
+
+/// Pairs that somebody brings: there is nothing to look for.
+class NoCandidates final : public Candidates {
+ public:
+  bool next(std::vector<Pair>&) override { return false; }
+};
+
+}  // namespace
+
+std::vector<JoinRow> pair_contacts(const JoinQuestion& question, std::span<const Pair> pairs,
+                                   Interrupt& interrupt) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const FloatEnvironment environment;
+  require_valid(question);
+  std::vector<JoinRow> rows;
+  if (pairs.empty()) return rows;
+  ContactStage stage(question, interrupt);
+  const TimeSlab all{-inf, inf, {question.now, question.h}};
+  const NoCandidates none;
+  std::vector<Pair> batch;
+  for (std::size_t begin = 0; begin < pairs.size(); begin += batch_size) {
+    interrupt.check();
+    const auto part = pairs.subspan(begin, std::min(batch_size, pairs.size() - begin));
+    batch.assign(part.begin(), part.end());
+    stage.answer(none, batch, all, rows);
+  }
+  return rows;
+}
+
+}  // namespace foresee::query

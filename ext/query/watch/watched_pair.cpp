@@ -1,0 +1,38 @@
+#include "query/watch/watched_pair.h"
+
+#include <cmath>
+
+namespace foresee::query {
+namespace {
+
+/// Both are held: the row stays where it says the same.
+PairChange compare_held(const WatchedPair& before, const WatchedPair& after, const WatchClock& clock) {
+  PairChange change{.row = after};
+  const double told = clock.shown(before.told), now = clock.shown(after.t);
+  const bool moved = told != now && !(std::abs(told - now) <= clock.tolerance);
+  if (moved) change.op = '~';
+  change.row.told = moved ? after.t : before.told;
+  const bool same_time = clock.shown(before.t) == now;
+  const bool was_due = before.due <= clock.clock;
+  change.writes = moved || !same_time || after.due < before.due || (was_due && after.due != before.due);
+  if (same_time && !moved) change.row.t = before.t;
+  return change;
+}
+
+}  // namespace
+
+PairChange compare(const WatchedPair* before, const WatchedPair* after, const WatchClock& clock) {
+  if (!after) return {.op = before->held ? '-' : '\0', .erases = true, .row = *before};
+  if (before && before->held && after->held) return compare_held(*before, *after, clock);
+  PairChange change{.row = *after};
+  change.row.told = after->t;
+  if (after->held)
+    change.op = '+';
+  else if (before && before->held)
+    change.op = '-';
+  change.writes =
+      !before || before->held || after->held || before->t != after->t || before->due != after->due;
+  return change;
+}
+
+}  // namespace foresee::query

@@ -1,0 +1,19 @@
+// What does CREATE VIRTUAL TABLE … USING predictive_watch(ships, horizon = 600, within = 926) declare?
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "storage/watch/watch_state.h"
+
+namespace foresee::sqlite {
+
+/// Throws Error that names the watch, quotes the argument and says what would be right.
+WatchDeclaration parse_watch(std::string_view watch, const std::vector<std::string_view>& arguments);
+
+/// The nine columns of predictive_join, and hidden ones: now, the column for commands, the key. SQLite takes
+/// commands only where the key is one column.
+std::string declared_watch(std::string_view watch);
+
+}  // namespace foresee::sqlite

@@ -1,0 +1,135 @@
+// predictive_changes(watch, since, schema) in SQL: what a watch has told since a position.
+#include <algorithm>
+
+#include "sqlite/callback.h"
+#include "sqlite/functions/table_function.h"
+#include "sqlite/names/visible_tables.h"
+#include "sqlite/sql_tokens.h"
+#include "sqlite/watch/watch_functions.h"
+#include "sqlite/watch/watches.h"
+#include "storage/rows/text.h"
+
+namespace foresee::sqlite {
+namespace {
+
+enum Output { out_seq, out_op, out_a, out_b, out_t, out_now };
+enum Input { in_watch, in_since, in_schema };
+
+constexpr std::int64_t at_once = 1000;
+
+/// Keeps the database as it is for who reads it statement by statement.
+class ReadTransaction {
+ public:
+  ReadTransaction(sqlite3* db, const std::string& schema)
+      : statement_(db, "SELECT 1 FROM " + quoted_name(schema) + ".sqlite_master"), run_(statement_) {
+    run_.step();
+  }
+
+ private:
+  Statement statement_;
+  Statement::Run run_;
+};
+
+/// Read in parts, so that nothing stays open while the query works on a row; what is appended meanwhile is
+/// beyond `last`.
+class ChangeRows final : public FunctionRows {
+ public:
+  ChangeRows(std::shared_ptr<WatchRows> rows, std::int64_t after, std::int64_t last)
+      : rows_(std::move(rows)), after_(after), last_(last) {}
+  explicit ChangeRows(std::vector<StoredChange> all) : part_(std::move(all)) {}
+
+  bool next() override {
+    if (++row_ < part_.size()) return true;
+    if (!rows_ || after_ >= last_) return false;
+    part_ = rows_->changes(after_, last_, at_once);
+    row_ = 0;
+    if (part_.empty()) return false;
+    after_ = part_.back().seq;
+    return true;
+  }
+
+  void output(sqlite3_context* context, int output) const override {
+    const StoredChange& row = part_[row_];
+    if (output == out_seq) return sqlite3_result_int64(context, row.seq);
+    if (output == out_op) return sqlite3_result_text(context, &row.op, 1, SQLITE_TRANSIENT);
+    if (output == out_a || output == out_b)
+      return sqlite3_result_int64(context, output == out_a ? row.a : row.b);
+    if (output == out_now) return sqlite3_result_double(context, row.now);
+    if (row.op != '-') sqlite3_result_double(context, row.t);
+  }
+
+ private:
+  std::shared_ptr<WatchRows> rows_;
+  std::int64_t after_ = 0, last_ = 0;
+  std::vector<StoredChange> part_;
+  std::size_t row_ = static_cast<std::size_t>(-1);
+};
+
+std::string quoted(const std::string& name) {
+  return "'" + without_nul(name) + "'";
+}
+
+QualifiedName find_watch(sqlite3* db, const std::string& name, const std::optional<std::string>& schema) {
+  std::string list;
+  for (const VisibleTable& table : visible_tables(db)) {
+    if (!table.is_watch) continue;
+    if (same_name(table.name, name) && (!schema || same_name(table.schema, *schema)))
+      return {table.schema, table.name};
+    list += (list.empty() ? "" : ", ") + quoted(table.name);
+    if (schema) list += " with schema = " + quoted(table.schema);
+  }
+  throw Error("no such watch: " + quoted(name) + (schema ? " in schema " + quoted(*schema) : "") +
+              (list.empty() ? " (there is none here; make one with CREATE VIRTUAL TABLE alerts USING "
+                              "predictive_watch(ships, horizon = 600))"
+                            : " (watches here: " + list + ")"));
+}
+
+/// The rows that are held, all with the watch's own position.
+std::vector<StoredChange> whole_watch(WatchRows& rows, const WatchState& state) {
+  std::vector<StoredChange> all;
+  const double now = state.clock.value_or(0);
+  for (const StoredPair& pair : rows.pairs())
+    if (pair.held) all.push_back({state.seq, '+', pair.a, pair.b, std::max(pair.t, now), now});
+  return all;
+}
+
+std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
+  Connection& connection = call.connection();
+  const auto asked = call.text(in_watch);
+  if (!asked) throw Error("watch is missing or NULL: write predictive_changes('alerts', since)");
+  const QualifiedName watch = find_watch(connection.db(), *asked, call.text(in_schema));
+  const ReadTransaction transaction(connection.db(), watch.schema);
+  const std::shared_ptr<WatchRows> rows = watches_of(connection).rows(connection, watch);
+  const WatchState state = rows->read_state();
+  const std::int64_t since = call.number(in_since) ? call.required_integer(in_since) : 0;
+  if (since < 0) throw Error("since must be a whole number >= 0, not " + std::to_string(since));
+  if (since == 0) return std::make_unique<ChangeRows>(whole_watch(*rows, state));
+  if (since > state.seq)
+    throw Error(watch.table + " is at " + std::to_string(state.seq) + ": position " + std::to_string(since) +
+                " is from another copy; read predictive_changes('" + watch.table + "', 0)");
+  const std::int64_t oldest = rows->oldest().value_or(state.seq);
+  if (since < oldest)
+    throw Error(watch.table + ": changes up to " + std::to_string(oldest) +
+                " are no longer kept; read the whole watch with since = 0");
+  return std::make_unique<ChangeRows>(rows, since, state.seq);
+}
+
+}  // namespace
+
+const TableFunction& predictive_changes() {
+  static const TableFunction function = {
+      .name = "predictive_changes",
+      .outputs = {"seq INTEGER", "op TEXT", "a INTEGER", "b INTEGER", "t REAL", "now REAL"},
+      .inputs = {"watch", "since", "schema"},
+      .key = "seq, a, b",
+      .hinted = 0,
+      .estimate =
+          [](const CallSizes&) {
+            return CallEstimate{1000, 1000};
+          },
+      .start = start,
+      .orders = {{out_seq}}};
+  return function;
+}
+
+}  // namespace foresee::sqlite

@@ -1,0 +1,231 @@
+// The virtual table predictive_watch: SQLite's callbacks, each of which hands its work to the file that
+// knows.
+//
+//   CREATE  declare_watch.h     read  WatchCursor     commands  watch_commands.cpp     COMMIT  settlement.h
+#include "sqlite/callback.h"
+#include "sqlite/modules.h"
+#include "sqlite/watch/declare_watch.h"
+#include "sqlite/watch/settlement.h"
+#include "sqlite/watch/watch_functions.h"
+#include "sqlite/watch/watch_table.h"
+
+namespace foresee::sqlite {
+namespace {
+
+using Holder = std::shared_ptr<Connection>;  // what pAux points to
+
+WatchTable& table_of(sqlite3_vtab* base) {
+  return *static_cast<WatchTable*>(base);
+}
+WatchCursor& cursor_of(sqlite3_vtab_cursor* base) {
+  return *static_cast<WatchCursor*>(base);
+}
+
+std::unique_ptr<WatchTable> declare(sqlite3* db, void* aux, const char* const* argv) {
+  sqlite3_vtab_config(db, SQLITE_VTAB_CONSTRAINT_SUPPORT, 1);
+  sqlite3_vtab_config(db, SQLITE_VTAB_INNOCUOUS);
+  const int rc = sqlite3_declare_vtab(db, declared_watch(argv[2]).c_str());
+  if (rc != SQLITE_OK) throw StoreError(rc, std::string(argv[2]) + ": " + sqlite3_errmsg(db));
+  return std::make_unique<WatchTable>(*static_cast<Holder*>(aux), QualifiedName{argv[1], argv[2]});
+}
+
+/// The question as it would be asked: shapes without a distance and different axes are refused here.
+void require_question(Connection& connection, const QualifiedName& name,
+                      const WatchDeclaration& declaration) try {
+  const WatchedTables tables = watched_tables(connection, name.schema, declaration);
+  const JoinQuestion question = question_of(tables, declaration, {0, declaration.horizon});
+  require_valid(question);
+  contact_of(question);
+} catch (const StoreError&) {
+  throw;
+} catch (const Error& error) {
+  throw Error(name.table + ": " + error.what());
+}
+
+int watch_create(sqlite3* db, void* aux, int argc, const char* const* argv, sqlite3_vtab** table,
+                 char** message) noexcept {
+  return guarded(message, [&] {
+    const KeptInsertRowid kept(db);
+    const WatchDeclaration declaration = parse_watch(argv[2], {argv + 3, argv + argc});
+    std::unique_ptr<WatchTable> watch = declare(db, aux, argv);
+    Connection& connection = *watch->connection;
+    require_question(connection, watch->name, declaration);
+    WatchRows::tables(db, watch->name).create();
+    watch->watches().forget(watch->name);
+    watch->rows()->write_declaration(declaration);
+    watch->watches().add_to_tables(connection, watch->name, declaration);
+    Settlement(connection, *watch->rows()).settle(Settlement::Tells::nothing);
+    *table = watch.release();
+    return SQLITE_OK;
+  });
+}
+
+int watch_connect(sqlite3* db, void* aux, int, const char* const* argv, sqlite3_vtab** table,
+                  char** message) noexcept {
+  return guarded(message, [&] {
+    *table = declare(db, aux, argv).release();
+    return SQLITE_OK;
+  });
+}
+
+int watch_disconnect(sqlite3_vtab* base) noexcept {
+  delete &table_of(base);
+  return SQLITE_OK;
+}
+
+int watch_destroy(sqlite3_vtab* base) noexcept {
+  const int rc = guarded(&base->zErrMsg, [&] {
+    WatchTable& table = table_of(base);
+    Connection& connection = *table.connection;
+    try {
+      table.watches().remove_from_tables(connection, table.name, table.rows()->read_state());
+    } catch (const StoreError& error) {  // damaged or gone: it can be dropped all the same
+      const int code = error.code & 0xff;
+      if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;
+    }
+    table.watches().forget(table.name);
+    WatchRows::tables(connection.db(), table.name).drop();
+  });
+  return rc == SQLITE_OK ? watch_disconnect(base) : rc;
+}
+
+int watch_best_index(sqlite3_vtab*, sqlite3_index_info* info) noexcept {
+  int plan = 0, arguments = 0;
+  constexpr std::pair<int, int> by_ids[] = {{watch_a, WatchPlan::by_a}, {watch_b, WatchPlan::by_b}};
+  for (const auto& [column, bit] : by_ids)
+    for (int i = 0; i < info->nConstraint; ++i) {
+      const auto& constraint = info->aConstraint[i];
+      if (!constraint.usable || constraint.iColumn != column || constraint.op != SQLITE_INDEX_CONSTRAINT_EQ)
+        continue;
+      info->aConstraintUsage[i].argvIndex = ++arguments;
+      plan |= bit;
+      break;
+    }
+  const auto reads = [&](int first, int last) {
+    const auto columns = (std::uint64_t{2} << last) - (std::uint64_t{1} << first);
+    return (info->colUsed & columns) != 0;
+  };
+  if (reads(watch_t_end, watch_dt_end)) plan |= WatchPlan::times;
+  if (reads(watch_t_cpa, watch_d_cpa)) plan |= WatchPlan::approach;
+  info->idxNum = plan;
+  const bool of_one = arguments > 0;
+  info->estimatedRows = of_one ? 10 : 100000;
+  info->estimatedCost = of_one ? 30 : 200000;
+  return SQLITE_OK;
+}
+
+int cursor_open(sqlite3_vtab* base, sqlite3_vtab_cursor** cursor) noexcept {
+  return guarded(&base->zErrMsg, [&] { *cursor = new WatchCursor(table_of(base)); });
+}
+
+int cursor_close(sqlite3_vtab_cursor* base) noexcept {
+  delete &cursor_of(base);
+  return SQLITE_OK;
+}
+
+int cursor_filter(sqlite3_vtab_cursor* base, int plan, const char*, int, sqlite3_value** arguments) noexcept {
+  return guarded(&base->pVtab->zErrMsg, [&] { cursor_of(base).filter(plan, arguments); });
+}
+
+int cursor_next(sqlite3_vtab_cursor* base) noexcept {
+  return guarded(&base->pVtab->zErrMsg, [&] { cursor_of(base).next(); });
+}
+
+int cursor_eof(sqlite3_vtab_cursor* base) noexcept {
+  return cursor_of(base).at_end() ? 1 : 0;
+}
+
+int cursor_column(sqlite3_vtab_cursor* base, sqlite3_context* context, int column) noexcept {
+  cursor_of(base).column(context, column);
+  return SQLITE_OK;
+}
+
+int cursor_rowid(sqlite3_vtab_cursor*, sqlite3_int64* rowid) noexcept {
+  *rowid = 0;  // WITHOUT ROWID: nobody asks
+  return SQLITE_OK;
+}
+
+int watch_update(sqlite3_vtab* base, int count, sqlite3_value** arguments, sqlite3_int64* rowid) noexcept {
+  return guarded(&base->zErrMsg, [&] {
+    WatchTable& table = table_of(base);
+    const bool inserts = count > 1 && sqlite3_value_type(arguments[0]) == SQLITE_NULL;
+    sqlite3_value* const command = inserts ? arguments[2 + watch_command] : nullptr;
+    if (!command || sqlite3_value_type(command) == SQLITE_NULL)
+      throw Error(table.name.table + " is kept by foresee: change " + table.rows()->read_state().tbl +
+                  " instead");
+    run_watch_command(table, command, arguments[2 + watch_now]);
+    *rowid = 0;
+  });
+}
+
+int watch_begin(sqlite3_vtab*) noexcept {
+  return SQLITE_OK;
+}
+
+int watch_sync(sqlite3_vtab* base) noexcept {
+  return guarded(&base->zErrMsg, [&] {
+    WatchTable& table = table_of(base);
+    table.watches().settle(*table.connection, table.name);
+  });
+}
+
+int watch_rename(sqlite3_vtab* base, const char* new_name) noexcept {
+  return guarded(&base->zErrMsg, [&] {
+    WatchTable& table = table_of(base);
+    Connection& connection = *table.connection;
+    const WatchState state = table.rows()->read_state();
+    parse_watch(new_name, {"ships", "horizon = 0"});  // a name that a watch may have
+    table.watches().remove_from_tables(connection, table.name, state);
+    table.watches().forget(table.name);
+    WatchRows::tables(connection.db(), table.name).rename(new_name);
+    table.name.table = new_name;
+    table.watches().add_to_tables(connection, table.name, state);
+  });
+}
+
+int is_shadow_name(const char* suffix) noexcept {
+  return is_watch_suffix(suffix) ? 1 : 0;
+}
+
+constexpr sqlite3_module watch_module = {
+    .iVersion = 3,
+    .xCreate = watch_create,
+    .xConnect = watch_connect,
+    .xBestIndex = watch_best_index,
+    .xDisconnect = watch_disconnect,
+    .xDestroy = watch_destroy,
+    .xOpen = cursor_open,
+    .xClose = cursor_close,
+    .xFilter = cursor_filter,
+    .xNext = cursor_next,
+    .xEof = cursor_eof,
+    .xColumn = cursor_column,
+    .xRowid = cursor_rowid,
+    .xUpdate = watch_update,
+    .xBegin = watch_begin,
+    .xSync = watch_sync,
+    .xCommit = nullptr,
+    .xRollback = nullptr,
+    .xFindFunction = nullptr,
+    .xRename = watch_rename,
+    .xSavepoint = nullptr,
+    .xRelease = nullptr,
+    .xRollbackTo = nullptr,
+    .xShadowName = is_shadow_name,
+#if SQLITE_VERSION_NUMBER >= 3044000
+    .xIntegrity = nullptr,
+#endif
+};
+
+}  // namespace
+
+int register_predictive_watch(sqlite3* db, const std::shared_ptr<Connection>& connection) {
+  connection->keep_watches(std::make_unique<Watches>());
+  int rc = sqlite3_create_module_v2(db, "predictive_watch", &watch_module, new Holder(connection),
+                                    [](void* aux) { delete static_cast<Holder*>(aux); });
+  for (const TableFunction* function : {&predictive_changes(), &predictive_watches()})
+    if (rc == SQLITE_OK) rc = register_table_function(db, *function, connection);
+  return rc;
+}
+
+}  // namespace foresee::sqlite

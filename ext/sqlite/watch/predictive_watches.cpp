@@ -1,0 +1,149 @@
+// predictive_watches in SQL: every watch that the connection sees, its declaration, clock and position.
+#include "sqlite/names/visible_tables.h"
+#include "sqlite/sql_tokens.h"
+#include "sqlite/watch/watch_functions.h"
+#include "sqlite/watch/watch_table.h"
+#include "sqlite/watch/watches.h"
+
+namespace foresee::sqlite {
+namespace {
+
+enum Output {
+  out_name,
+  out_schema,
+  out_tbl,
+  out_other,
+  out_horizon,
+  out_within,
+  out_within_z,
+  out_clock,
+  out_tolerance,
+  out_keep,
+  out_ahead,
+  out_now,
+  out_seq,
+  out_oldest,
+  out_pairs,
+  out_waiting,
+  out_early,
+  out_fault
+};
+enum Input { in_schema };
+
+struct ListedWatch {
+  QualifiedName name;
+  WatchState state = {};
+  std::int64_t oldest = 0, pairs = 0, waiting = 0;
+  std::string fault = {};
+};
+
+ListedWatch look_at(Connection& connection, const QualifiedName& name, bool counts) {
+  ListedWatch watch{name};
+  try {
+    const std::shared_ptr<WatchRows> rows = watches_of(connection).rows(connection, name);
+    watch.state = rows->read_state();
+    watch.oldest = rows->oldest().value_or(watch.state.seq);
+    if (counts) watch.pairs = rows->count_pairs(true), watch.waiting = rows->count_pairs(false);
+    if (!is_settled(watch.state, watched_tables(connection, name.schema, watch.state)))
+      watch.fault = "not up to date: read by the join, and computed anew at the next commit";
+  } catch (const StoreError& error) {
+    const int code = error.code & 0xff;
+    if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;
+    watches_of(connection).forget(name);
+    watch.fault = error.what();
+  } catch (const Error& error) {
+    watch.fault = error.what();
+  }
+  return watch;
+}
+
+class WatchList final : public FunctionRows {
+ public:
+  explicit WatchList(std::vector<ListedWatch> watches) : watches_(std::move(watches)) {}
+
+  bool next() override { return ++row_ < watches_.size(); }
+
+  void output(sqlite3_context* context, int output) const override {
+    const ListedWatch& watch = watches_[row_];
+    const WatchState& state = watch.state;
+    const auto text = [&](const std::string& value) {
+      sqlite3_result_text64(context, value.data(), value.size(), SQLITE_TRANSIENT, SQLITE_UTF8);
+    };
+    const auto number = [&](const std::optional<double>& value) {
+      if (value) sqlite3_result_double(context, *value);
+    };
+    if (output == out_name) return text(watch.name.table);
+    if (output == out_schema) return text(watch.name.schema);
+    if (output == out_fault) return watch.fault.empty() ? sqlite3_result_null(context) : text(watch.fault);
+    if (state.tbl.empty()) return;  // damaged: nothing is known
+    switch (output) {
+      case out_tbl:
+        return text(state.tbl);
+      case out_other:
+        return state.other ? text(*state.other) : sqlite3_result_null(context);
+      case out_horizon:
+        return number(state.horizon);
+      case out_within:
+        return number(state.within);
+      case out_within_z:
+        return number(state.within_z);
+      case out_clock:
+        return text(state.manual ? "manual" : "newest");
+      case out_tolerance:
+        return number(state.tolerance);
+      case out_keep:
+        return sqlite3_result_int64(context, state.keep);
+      case out_ahead:
+        return number(state.ahead);
+      case out_now:
+        return number(state.now());
+      case out_seq:
+        return sqlite3_result_int64(context, state.seq);
+      case out_oldest:
+        return sqlite3_result_int64(context, watch.oldest);
+      case out_pairs:
+        return sqlite3_result_int64(context, watch.pairs);
+      case out_waiting:
+        return sqlite3_result_int64(context, watch.waiting);
+      default:
+        return sqlite3_result_int64(context, state.early);
+    }
+  }
+
+ private:
+  std::vector<ListedWatch> watches_;
+  std::size_t row_ = static_cast<std::size_t>(-1);
+};
+
+std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
+  Connection& connection = call.connection();
+  const auto schema = call.text(in_schema);
+  const bool counts = call.reads(out_pairs) || call.reads(out_waiting);
+  std::vector<ListedWatch> watches;
+  for (const VisibleTable& table : visible_tables(connection.db()))
+    if (table.is_watch && (!schema || same_name(table.schema, *schema)))
+      watches.push_back(look_at(connection, {table.schema, table.name}, counts));
+  return std::make_unique<WatchList>(std::move(watches));
+}
+
+}  // namespace
+
+const TableFunction& predictive_watches() {
+  static const TableFunction function = {
+      .name = "predictive_watches",
+      .outputs = {"name TEXT", "schema TEXT", "tbl TEXT", "other TEXT", "horizon REAL", "within REAL",
+                  "within_z REAL", "clock TEXT", "tolerance REAL", "keep INTEGER", "ahead REAL", "now REAL",
+                  "seq INTEGER", "oldest INTEGER", "pairs INTEGER", "waiting INTEGER", "early INTEGER",
+                  "fault TEXT"},
+      .inputs = {"within_schema"},
+      .key = "schema, name",
+      .hinted = 0,
+      .estimate =
+          [](const CallSizes&) {
+            return CallEstimate{100, 3};
+          },
+      .start = start};
+  return function;
+}
+
+}  // namespace foresee::sqlite

@@ -1,0 +1,253 @@
+#include "sqlite/watch/settlement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "query/join/join.h"
+#include "query/join/probe.h"
+#include "query/watch/pair_contacts.h"
+
+namespace foresee::sqlite {
+namespace {
+
+bool by_ids(const WatchedPair& x, const WatchedPair& y) {
+  return x.a != y.a ? x.a < y.a : x.b < y.b;
+}
+
+bool same_ids(const WatchedPair& x, const WatchedPair& y) {
+  return x.a == y.a && x.b == y.b;
+}
+
+void sort_and_unique(std::vector<WatchedPair>& pairs) {
+  std::sort(pairs.begin(), pairs.end(), by_ids);
+  pairs.erase(std::unique(pairs.begin(), pairs.end(), same_ids), pairs.end());
+}
+
+bool holds(const std::vector<std::int64_t>& sorted, std::int64_t id) {
+  return std::binary_search(sorted.begin(), sorted.end(), id);
+}
+
+WatchedPair watched(const StoredPair& pair) {
+  return {pair.a, pair.b, pair.t, pair.due, pair.told, pair.held};
+}
+
+}  // namespace
+
+Settlement::Settlement(Connection& connection, WatchRows& rows)
+    : connection_(connection),
+      rows_(rows),
+      before_(rows.read_state()),
+      state_(before_),
+      tables_(watched_tables(connection, rows.name().schema, before_)) {
+  tables_.a.store->sync();
+  if (tables_.b) tables_.b->store->sync();
+  state_.stamp = tables_.a.store->settled_stamp();
+  if (tables_.b) state_.other_stamp = tables_.b->store->settled_stamp();
+}
+
+void Settlement::settle(Tells tells) {
+  const bool same_contents = state_.stamp == before_.stamp && state_.other_stamp == before_.other_stamp;
+  if (same_contents && !before_.asked && !before_.anew) return;
+  tells_ = tells == Tells::changes;
+  changed_a_ = changed_of(tables_.a, before_.stamp);
+  if (tables_.are_one())
+    changed_b_ = changed_a_;
+  else if (tables_.b)
+    changed_b_ = changed_of(*tables_.b, before_.other_stamp);
+  move_clock();
+  if (must_compute_anew())
+    compute_anew();
+  else
+    follow_changes();
+  state_.anew = false;
+  if (!tells_) state_.seq = new_.empty() ? 0 : 1;
+  if (state_.seq != before_.seq && state_.seq > state_.keep) rows_.trim(state_.seq - state_.keep);
+  rows_.write_state(state_, before_);
+}
+
+// --- what has changed
+
+Settlement::Changed Settlement::changed_of(const Connection::OpenTable& table,
+                                           const std::optional<std::int64_t>& stamp) const {
+  Changed changed;
+  changed.told = stamp && stamp == table.store->stamp_before_changes();
+  if (!changed.told) return changed;
+  const int t = table.store->format().at.t;
+  table.store->for_each_change([&](std::int64_t id, std::span<const double>, std::span<const double> after) {
+    changed.ids.push_back(id);
+    if (!after.empty() && t >= 0) changed.moments.push_back(after[static_cast<std::size_t>(t)]);
+  });
+  std::sort(changed.ids.begin(), changed.ids.end());
+  return changed;
+}
+
+// --- anew, or by changes
+
+void Settlement::compute_anew() {
+  look_further();
+  for (const StoredPair& pair : rows_.pairs()) old_.push_back(watched(pair));
+  JoinQuestion all = question_of_all(connection_, tables_, state_, asked_horizon());
+  all.wants = {.contact = true, .ends = true, .approach = false};
+  Join join(std::move(all), connection_.interrupt());
+  for (auto rows = join.next(); !rows.empty(); rows = join.next()) take(rows, true);
+  write_differences();
+}
+
+void Settlement::follow_changes() {
+  const double known_to = before_.known_to;
+  const bool looks_ahead = !(next_above(horizon_end_) <= known_to);
+  if (looks_ahead)
+    look_further();
+  else
+    reach_ =
+        std::min(std::max(state_.horizon, next_above(known_to - clock_)), std::numeric_limits<double>::max());
+  read_old_pairs();
+  ask_due_pairs();
+  probe_changed();
+  if (looks_ahead) look_ahead(known_to);
+  write_differences();
+}
+
+void Settlement::read_old_pairs() {
+  const auto add = [&](const std::vector<StoredPair>& pairs) {
+    for (const StoredPair& pair : pairs) old_.push_back(watched(pair));
+  };
+  for (const std::int64_t id : changed_a_.ids) {
+    add(rows_.pairs_of_a(id));
+    if (!tables_.b) add(rows_.pairs_of_b(id));
+  }
+  for (const std::int64_t id : changed_b_.ids) add(rows_.pairs_of_b(id));
+}
+
+/// Of pairs whose objects have not changed. What enters the horizon by time alone begins when it is known to.
+void Settlement::ask_due_pairs() {
+  std::vector<PairIds> asked;
+  const auto is_changed = [&](const StoredPair& pair) {
+    return holds(changed_a_.ids, pair.a) || holds(tables_.b ? changed_b_.ids : changed_a_.ids, pair.b);
+  };
+  const auto look_at = [&](const StoredPair& pair) {
+    if (is_changed(pair)) return;
+    old_.push_back(watched(pair));
+    if (!pair.held && pair.t > clock_ && pair.t < horizon_end_)
+      new_.push_back({pair.a, pair.b, pair.t, pair.t, pair.t, true});
+    else
+      asked.push_back({pair.a, pair.b});
+  };
+  for (const StoredPair& pair : rows_.due_pairs(true, clock_)) look_at(pair);
+  for (const StoredPair& pair : rows_.due_pairs(false, horizon_end_)) look_at(pair);
+  take(contacts_of(connection_, tables_, question(asked_horizon()), asked), true);
+}
+
+void Settlement::probe_changed() {
+  const auto ask = [&](bool by_a, const std::vector<std::int64_t>& ids) {
+    if (ids.empty()) return;
+    const Connection::OpenTable& others = tables_.b && by_a ? *tables_.b : tables_.a;
+    const double objects = static_cast<double>(others.store->likely_objects());
+    if (static_cast<double>(ids.size()) > std::max(32.0, objects / 200)) return join_changed(by_a);
+    const auto tree = others.store->take_snapshot();
+    for (const std::int64_t id : ids) probe(by_a, id, *tree);
+  };
+  ask(true, changed_a_.ids);
+  if (tables_.b) ask(false, changed_b_.ids);
+}
+
+void Settlement::probe(bool by_a, std::int64_t id, NodeSource& others_tree) {
+  const Connection::OpenTable& last = tables_.b ? *tables_.b : tables_.a;
+  const Connection::OpenTable &one = by_a ? tables_.a : last, &others = by_a ? last : tables_.a;
+  JoinQuestion asked = question(asked_horizon());
+  const std::shared_ptr<const Scene> object = scene_of(connection_, one, std::span(&id, 1));
+  if (object->size() == 0) return;
+  asked.a = object, asked.b = object;
+  const bool within_one = !tables_.b || tables_.are_one();
+  const auto near =
+      objects_near(*object, others_tree, others.table, asked_horizon(), contact_of(asked)->reach(),
+                   connection_.interrupt(), [&](std::int64_t other) { return !within_one || other != id; });
+  (by_a ? asked.b : asked.a) = near;
+  std::vector<Pair> pairs;
+  for (std::uint32_t i = 0; i < near->size(); ++i) pairs.push_back(by_a ? Pair{0, i} : Pair{i, 0});
+  take(pair_contacts(asked, pairs, connection_.interrupt()), true);
+}
+
+void Settlement::join_changed(bool by_a) {
+  JoinQuestion asked = question_of_all(connection_, tables_, state_, asked_horizon());
+  asked.wants = {.contact = true, .ends = true, .approach = false};
+  if (!asked.b) asked.b = asked.a;
+  const Connection::OpenTable& one = by_a || !tables_.b ? tables_.a : *tables_.b;
+  (by_a ? asked.a : asked.b) = scene_of(connection_, one, (by_a ? changed_a_ : changed_b_).ids);
+  Join join(std::move(asked), connection_.interrupt());
+  for (auto rows = join.next(); !rows.empty(); rows = join.next()) take(rows, true);
+}
+
+void Settlement::look_ahead(double from) {
+  JoinQuestion all = question_of_all(connection_, tables_, state_, asked_horizon());
+  all.wants = {.contact = true, .ends = false, .approach = false};
+  all.asked_t.least = from;
+  const std::size_t first = new_.size();
+  Join join(std::move(all), connection_.interrupt());
+  for (auto rows = join.next(); !rows.empty(); rows = join.next()) take(rows, false);
+  for (std::size_t i = first; i < new_.size(); ++i)
+    if (const auto known = rows_.pair(new_[i].a, new_[i].b)) old_.push_back(watched(*known));
+}
+
+// --- the difference
+
+JoinQuestion Settlement::question(const Horizon& horizon) const {
+  JoinQuestion question = question_of(tables_, state_, horizon);
+  question.wants = {.contact = true, .ends = true, .approach = false};
+  return question;
+}
+
+// Ends beyond the reach come clipped to it: then the row is due too early, never too late.
+void Settlement::take(std::span<const JoinRow> found, bool with_ends) {
+  const bool within_one = !tables_.b || tables_.are_one();
+  for (const JoinRow& row : found) {
+    if (within_one && row.a == row.b) continue;
+    WatchedPair pair{row.a, row.b, row.contact.t, row.contact.t, row.contact.t, false};
+    if (!tables_.b && pair.b < pair.a) std::swap(pair.a, pair.b);
+    pair.held = pair.t < horizon_end_ || reach_ == state_.horizon;
+    if (with_ends) pair.due = row.contact.t_end;
+    new_.push_back(pair);
+  }
+}
+
+// A time below or above the rounded end of the horizon decides; an equal one says nothing, and contact is
+// asked.
+void Settlement::decide_ties() {
+  std::vector<PairIds> ties, held;
+  for (const WatchedPair& pair : new_)
+    if (!pair.held && pair.t == horizon_end_) ties.push_back({pair.a, pair.b});
+  for (const JoinRow& row : contacts_of(connection_, tables_, question({clock_, state_.horizon}), ties))
+    held.push_back({row.a, row.b});
+  std::sort(held.begin(), held.end());
+  for (WatchedPair& pair : new_) {
+    if (!pair.held && pair.t == horizon_end_)
+      pair.held = std::binary_search(held.begin(), held.end(), PairIds{pair.a, pair.b});
+    if (!pair.held) pair.due = pair.t;
+  }
+}
+
+void Settlement::write_differences() {
+  decide_ties();
+  sort_and_unique(old_), sort_and_unique(new_);
+  auto before = old_.begin();
+  for (const WatchedPair& after : new_) {
+    for (; before != old_.end() && by_ids(*before, after); ++before) write_difference(&*before, nullptr);
+    const bool known = before != old_.end() && same_ids(*before, after);
+    write_difference(known ? &*before : nullptr, &after);
+    if (known) ++before;
+  }
+  for (; before != old_.end(); ++before) write_difference(&*before, nullptr);
+}
+
+void Settlement::write_difference(const WatchedPair* before, const WatchedPair* after) {
+  const WatchClock clock{clock_, state_.tolerance};
+  const PairChange change = compare(before, after, clock);
+  const WatchedPair& row = change.row;
+  if (change.erases) rows_.erase_pair(row.a, row.b);
+  if (change.writes)
+    rows_.write_pair({row.a, row.b, row.t, row.due, row.told, row.held}, state_.tolerance > 0);
+  if (change.op && tells_) rows_.append({++state_.seq, change.op, row.a, row.b, clock.shown(row.t), clock_});
+}
+
+}  // namespace foresee::sqlite

@@ -1,0 +1,86 @@
+// 'advance', 'rebuild' and 'integrity-check'. The first two are notes in _meta that the commit settles: so
+// savepoints and rollbacks take them back.
+#include <algorithm>
+#include <cmath>
+
+#include "sqlite/callback.h"
+#include "sqlite/watch/watch_table.h"
+#include "storage/rows/text.h"
+
+namespace foresee::sqlite {
+namespace {
+
+double moment_of(const WatchTable& table, sqlite3_value* now) {
+  const int type = sqlite3_value_numeric_type(now);
+  const double moment = sqlite3_value_double(now);
+  if ((type == SQLITE_INTEGER || type == SQLITE_FLOAT) && std::isfinite(moment)) return moment;
+  throw Error(table.name.table + ": 'advance' needs a moment, as in INSERT INTO " + table.name.table + "(" +
+              table.name.table + ", now) VALUES('advance', 1260.0); not " + shown(now));
+}
+
+struct ShownPair {
+  std::int64_t a, b;
+  double t;
+
+  friend auto operator<=>(const ShownPair&, const ShownPair&) = default;
+};
+
+std::vector<ShownPair> joined_pairs(Connection& connection, const WatchedTables& tables,
+                                    const WatchState& state) {
+  JoinQuestion question = question_of_all(connection, tables, state, {state.now(), state.horizon});
+  question.wants = {.contact = true, .ends = false, .approach = false};
+  Join join(std::move(question), connection.interrupt());
+  std::vector<ShownPair> pairs;
+  for (auto rows = join.next(); !rows.empty(); rows = join.next())
+    for (const JoinRow& row : rows) pairs.push_back({row.a, row.b, row.contact.t});
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+std::string name_of(const ShownPair& pair) {
+  return "pair (" + std::to_string(pair.a) + ", " + std::to_string(pair.b) + ")";
+}
+
+}  // namespace
+
+// What is not settled yet is answered by the join, so that only the indexes can be wrong.
+std::string watch_fault(WatchTable& table) {
+  Connection& connection = *table.connection;
+  const std::shared_ptr<WatchRows> rows = table.rows();
+  const WatchState state = rows->read_state();
+  if (!rows->indexes_agree()) return "the indexes of " + table.name.table + "_pair do not hold its rows";
+  const WatchedTables tables = watched_tables(connection, table.name.schema, state);
+  if (!is_settled(state, tables)) return "";
+  std::vector<ShownPair> held;
+  for (const StoredPair& pair : rows->pairs())
+    if (pair.held) held.push_back({pair.a, pair.b, std::max(pair.t, state.now())});
+  std::sort(held.begin(), held.end());
+  const std::vector<ShownPair> joined = joined_pairs(connection, tables, state);
+  const auto [kept, asked] = std::mismatch(held.begin(), held.end(), joined.begin(), joined.end());
+  if (kept == held.end() && asked == joined.end()) return "";
+  if (asked == joined.end() || (kept != held.end() && *kept < *asked))
+    return name_of(*kept) + " is kept, and predictive_join does not give it so";
+  return name_of(*asked) + " is given by predictive_join, and not kept so";
+}
+
+void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value* now) {
+  const KeptInsertRowid kept(table.connection->db());
+  const std::string word = sqlite3_value_type(command) == SQLITE_TEXT ? text_of(command) : "";
+  const std::string& name = table.name.table;
+  if (word == "advance") {
+    const double moment = moment_of(table, now);
+    const std::shared_ptr<WatchRows> rows = table.rows();
+    rows->read_state();  // damaged: says so here
+    rows->write_asked(moment);
+  } else if (word == "rebuild") {
+    table.rows()->write_anew(true);
+  } else if (word == "integrity-check") {
+    const std::string fault = watch_fault(table);
+    if (!fault.empty()) throw StoreError(SQLITE_CORRUPT_VTAB, name + ": " + fault);
+  } else {
+    throw Error(name + ": no command " + shown(command) +
+                "; known are 'advance', 'rebuild' and 'integrity-check'");
+  }
+}
+
+}  // namespace foresee::sqlite

@@ -1,0 +1,108 @@
+#include <algorithm>
+
+#include "base/integer_of.h"
+#include "sqlite/watch/watch_table.h"
+
+namespace foresee::sqlite {
+namespace {
+
+/// Nothing where no id is equal to the value: then SQLite takes no row, whatever is read.
+std::optional<std::int64_t> id_of(sqlite3_value* value) {
+  const int type = sqlite3_value_numeric_type(value);
+  if (type == SQLITE_INTEGER) return sqlite3_value_int64(value);
+  if (type != SQLITE_FLOAT) return std::nullopt;
+  return integer_of(sqlite3_value_double(value));
+}
+
+/// The key of a pair: its ids as SQLite would write them into a record, eight bytes each, big end first.
+void result_key(sqlite3_context* context, const JoinRow& row) {
+  unsigned char key[16];
+  for (int i = 0; i < 8; ++i) {
+    key[i] = static_cast<unsigned char>(static_cast<std::uint64_t>(row.a) >> (56 - 8 * i));
+    key[8 + i] = static_cast<unsigned char>(static_cast<std::uint64_t>(row.b) >> (56 - 8 * i));
+  }
+  sqlite3_result_blob(context, key, sizeof key, SQLITE_TRANSIENT);
+}
+
+}  // namespace
+
+bool is_settled(const WatchState& state, const WatchedTables& tables) {
+  const auto holds = [](const Connection::OpenTable& table, const std::optional<std::int64_t>& stamp) {
+    return stamp && table.store->settled_stamp() == stamp;
+  };
+  return !state.anew && !state.asked && holds(tables.a, state.stamp) &&
+         (!tables.b || holds(*tables.b, state.other_stamp));
+}
+
+void WatchCursor::filter(int plan, sqlite3_value** arguments) {
+  plan_ = plan;
+  join_.reset(), rows_ = {}, stored_.clear();
+  only_a_.reset(), only_b_.reset();
+  int next_argument = 0;
+  for (const int bit : {WatchPlan::by_a, WatchPlan::by_b}) {
+    if ((plan & bit) == 0) continue;
+    std::optional<std::int64_t>& only = bit == WatchPlan::by_a ? only_a_ : only_b_;
+    only = id_of(arguments[next_argument++]);
+    if (!only) return;
+  }
+  Connection& connection = *table_.connection;
+  const std::shared_ptr<WatchRows> rows = table_.rows();
+  const WatchState state = rows->read_state();
+  const WatchedTables tables = watched_tables(connection, table_.name.schema, state);
+  now_ = state.now();
+  if (is_settled(state, tables))
+    read_stored(*rows, state, tables);
+  else
+    join_now(state, tables);
+}
+
+void WatchCursor::read_stored(WatchRows& rows, const WatchState& state, const WatchedTables& tables) {
+  const auto pairs = only_a_ ? rows.pairs_of_a(*only_a_) : only_b_ ? rows.pairs_of_b(*only_b_) : rows.pairs();
+  std::vector<PairIds> asked;
+  const bool computes = (plan_ & (WatchPlan::times | WatchPlan::approach)) != 0;
+  for (const StoredPair& pair : pairs) {
+    if (!pair.held || (only_b_ && pair.b != *only_b_)) continue;
+    if (computes) {
+      asked.push_back({pair.a, pair.b});
+      continue;
+    }
+    JoinRow& row = stored_.emplace_back();
+    row.a = pair.a, row.b = pair.b, row.contact.t = std::max(pair.t, now_);
+  }
+  if (computes) {
+    JoinQuestion question = question_of(tables, state, {now_, state.horizon});
+    question.wants.approach = (plan_ & WatchPlan::approach) != 0;
+    stored_ = contacts_of(*table_.connection, tables, question, asked);
+  }
+  rows_ = stored_;
+}
+
+/// Of a transaction that is not committed yet, or after changes that the watch was not told of.
+void WatchCursor::join_now(const WatchState& state, const WatchedTables& tables) {
+  JoinQuestion question = question_of_all(*table_.connection, tables, state, {state.now(), state.horizon});
+  question.only_a = only_a_, question.only_b = only_b_;
+  question.wants.ends = (plan_ & WatchPlan::times) != 0;
+  question.wants.approach = (plan_ & WatchPlan::approach) != 0;
+  join_ = std::make_unique<Join>(std::move(question), table_.connection->interrupt());
+  rows_ = join_->next();
+}
+
+void WatchCursor::next() {
+  rows_ = rows_.subspan(1);
+  if (rows_.empty() && join_) rows_ = join_->next();
+}
+
+void WatchCursor::column(sqlite3_context* context, int column) const {
+  const JoinRow& row = rows_.front();
+  const ContactTimes& contact = row.contact;
+  const ClosestApproach& approach = row.approach;
+  if (column == watch_a || column == watch_b)
+    return sqlite3_result_int64(context, column == watch_a ? row.a : row.b);
+  if (column == watch_pair) return result_key(context, row);
+  if (column == watch_command) return sqlite3_result_null(context);
+  const double values[] = {contact.t,  contact.t_end, contact.dt, contact.dt_end,
+                           approach.t, approach.dt,   approach.d, now_};
+  sqlite3_result_double(context, values[column - watch_t]);
+}
+
+}  // namespace foresee::sqlite

@@ -1,0 +1,132 @@
+#include "sqlite/watch/watches.h"
+
+#include "sqlite/sql_tokens.h"
+#include "sqlite/watch/settlement.h"
+#include "storage/rows/store_error.h"
+
+namespace foresee::sqlite {
+namespace {
+
+/// Whether an error is about the watch itself, and not one that will pass or that all of SQLite has.
+bool is_of_watch(const StoreError& error) {
+  const int code = error.code & 0xff;
+  return code == SQLITE_ERROR || code == SQLITE_CORRUPT;
+}
+
+}  // namespace
+
+Watches& watches_of(Connection& connection) {
+  return static_cast<Watches&>(*connection.watches());
+}
+
+std::shared_ptr<WatchRows> Watches::rows(Connection& connection, const QualifiedName& watch) {
+  std::shared_ptr<WatchRows>& known = rows_[{watch.schema, watch.table}];
+  if (!known) known = std::make_shared<WatchRows>(connection.db(), watch);
+  return known;
+}
+
+void Watches::forget(const QualifiedName& watch) noexcept {
+  rows_.erase({watch.schema, watch.table});
+}
+
+std::optional<WatchState> Watches::known_state(Connection& connection, const QualifiedName& watch) try {
+  return rows(connection, watch)->read_state();
+} catch (const StoreError& error) {
+  if (!is_of_watch(error)) throw;
+  forget(watch);
+  return std::nullopt;
+}
+
+void Watches::settle(Connection& connection, const QualifiedName& watch) try {
+  const KeptInsertRowid kept(connection.db());
+  const std::shared_ptr<WatchRows> rows = this->rows(connection, watch);
+  Settlement(connection, *rows).settle();
+} catch (const StoreError& error) {
+  if (!is_of_watch(error)) throw;
+  forget(watch);
+} catch (const Error&) {
+  forget(watch);  // one of its tables is gone, or damaged, which it says itself where it is read
+}
+
+void Watches::settle_table(Connection& connection, std::int64_t number) {
+  const Connection::OpenTable* open = connection.find(number);
+  if (!open) return;
+  const Connection::OpenTable table = *open;  // SQLite may connect it anew meanwhile
+  for (const std::string& name : std::vector(table.store->watches()))
+    settle(connection, {table.schema, name});
+}
+
+template <class Change>
+void Watches::change_stamp(Connection& connection, const Connection::OpenTable& table, Change change) {
+  const KeptInsertRowid kept(connection.db());
+  const auto before = table.store->settled_stamp();
+  change(*table.store);
+  const auto after = table.store->settled_stamp();
+  for (const std::string& name : std::vector(table.store->watches())) {
+    const QualifiedName watch{table.schema, name};
+    const auto state = known_state(connection, watch);
+    if (!state || !before) continue;
+    WatchState moved = *state;
+    if (same_name(state->tbl, table.table) && state->stamp == before) moved.stamp = after;
+    if (state->other && same_name(*state->other, table.table) && state->other_stamp == before)
+      moved.other_stamp = after;
+    rows(connection, watch)->write_state(moved, *state);
+  }
+}
+
+void Watches::add_to_tables(Connection& connection, const QualifiedName& watch,
+                            const WatchDeclaration& declaration) {
+  const WatchedTables tables = watched_tables(connection, watch.schema, declaration);
+  const auto add = [&](Store& store) { store.add_watch(watch.table); };
+  change_stamp(connection, tables.a, add);
+  if (tables.b && !tables.are_one()) change_stamp(connection, *tables.b, add);
+}
+
+void Watches::remove_from_tables(Connection& connection, const QualifiedName& watch,
+                                 const WatchDeclaration& declaration) {
+  const auto remove = [&](const std::string& name) {
+    try {
+      WatchDeclaration one = declaration;
+      one.tbl = name, one.other.reset();
+      change_stamp(connection, watched_tables(connection, watch.schema, one).a,
+                   [&](Store& store) { store.remove_watch(watch.table); });
+    } catch (const StoreError& error) {
+      if (!is_of_watch(error)) throw;
+    } catch (const Error&) {  // the table is gone, and what it knew with it
+    }
+  };
+  remove(declaration.tbl);
+  if (declaration.other && !same_name(*declaration.other, declaration.tbl)) remove(*declaration.other);
+}
+
+void Watches::rename_table(Connection& connection, std::int64_t number, const std::string& old_name) {
+  const Connection::OpenTable* open = connection.find(number);
+  if (!open) return;
+  const Connection::OpenTable table = *open;
+  const KeptInsertRowid kept(connection.db());
+  for (const std::string& name : std::vector(table.store->watches())) {
+    auto state = known_state(connection, {table.schema, name});
+    if (!state) continue;
+    if (same_name(state->tbl, old_name)) state->tbl = table.table;
+    if (state->other && same_name(*state->other, old_name)) state->other = table.table;
+    rows(connection, {table.schema, name})->write_tables(*state);
+  }
+}
+
+void Watches::require_unwatched(Connection& connection, std::int64_t number) {
+  const Connection::OpenTable* open = connection.find(number);
+  if (!open) return;
+  const Connection::OpenTable table = *open;
+  try {
+    for (const std::string& name : std::vector(table.store->watches())) {
+      const auto state = known_state(connection, {table.schema, name});
+      const bool is_watched = state && (same_name(state->tbl, table.table) ||
+                                        (state->other && same_name(*state->other, table.table)));
+      if (is_watched) throw Error(table.table + " is watched by " + name + ": DROP TABLE " + name + " first");
+    }
+  } catch (const StoreError& error) {
+    if (!is_of_watch(error)) throw;  // a damaged table can be dropped
+  }
+}
+
+}  // namespace foresee::sqlite

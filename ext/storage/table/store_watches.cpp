@@ -1,0 +1,54 @@
+// Who watches the table: names in _meta, so that every connection that can write it knows them.
+#include "storage/table/store.h"
+#include "storage/table/store_change.h"
+
+namespace foresee::storage {
+
+void Store::know_watches() {
+  if (watches_known_) return;
+  watches_ = shadow_rows().read_watches();
+  watches_known_ = true;
+}
+
+const std::vector<std::string>& Store::watches() {
+  believe_only_this_stamp();
+  know_watches();
+  return watches_;
+}
+
+// SQLite may not have told this table of a transaction, and then tells it of no end either: so memory is left
+// as it is, and believes the new stamp when it meets it.
+void Store::write_stamp_of_watches() {
+  watches_known_ = false;
+  if (writing_) {
+    ++undo_position_;
+    return write_new_stamp();
+  }
+  std::int64_t stamp;
+  sqlite3_randomness(sizeof stamp, &stamp);
+  shadow_rows().write_stamp(stamp);
+}
+
+void Store::add_watch(const std::string& name) {
+  const OwnStatements own(*this);
+  shadow_rows().write_watch(name);
+  write_stamp_of_watches();
+}
+
+void Store::remove_watch(const std::string& name) {
+  const OwnStatements own(*this);
+  shadow_rows().erase_watch(name);
+  write_stamp_of_watches();
+}
+
+std::optional<std::int64_t> Store::settled_stamp() {
+  if (waits()) return std::nullopt;
+  return shadow_rows().read_stamp();
+}
+
+std::optional<std::int64_t> Store::stamp_before_changes() {
+  if (changes_unknown_) return std::nullopt;
+  return writing_ ? stamp_before_ : shadow_rows().read_stamp();
+}
+
+}  // namespace foresee::storage

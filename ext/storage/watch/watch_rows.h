@@ -1,0 +1,91 @@
+// Every statement that a watch runs on its shadow tables, as plain calls.
+//
+//   <name>_pair(a, b, t, due, state, told, PRIMARY KEY(a, b)) WITHOUT ROWID    state 0 waits, 1 holds
+//   <name>_log(seq INTEGER PRIMARY KEY, op, a, b, t, now)                      what changed
+//   <name>_meta(key TEXT PRIMARY KEY, value) WITHOUT ROWID                     watch_state.h
+//
+// Guarantee: each call sees and writes the database as this connection does now, so transactions, savepoints
+// and crashes are SQLite's. Numbers are checked when they are read: SQLITE_CORRUPT_VTAB for what no watch has
+// written. Cost: a look-up or a row each; statements are compiled once.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "storage/rows/shadow_tables.h"
+#include "storage/watch/watch_state.h"
+
+namespace foresee::storage {
+
+struct StoredPair {
+  std::int64_t a, b;
+  double t, due, told;
+  bool held;
+};
+
+struct StoredChange {
+  std::int64_t seq;
+  char op;
+  std::int64_t a, b;
+  double t;  ///< nothing of what is gone
+  double now;
+};
+
+/// True for pair, log and meta.
+bool is_watch_suffix(std::string_view suffix);
+
+class WatchRows {
+ public:
+  static ShadowTables tables(sqlite3* db, const QualifiedName& name);
+
+  WatchRows(sqlite3* db, const QualifiedName& name);
+
+  const QualifiedName& name() const { return name_; }
+
+  // --- _meta
+  WatchState read_state();
+  void write_declaration(const WatchDeclaration& declaration);
+  /// All that moves. Rows that say the same already are not written.
+  void write_state(const WatchState& state, const WatchState& before);
+  void write_asked(std::optional<double> moment);
+  void write_anew(bool anew);
+  void write_tables(const WatchDeclaration& declaration);
+
+  // --- _pair; `each` may write, the rows have been read by then
+  std::vector<StoredPair> pairs();
+  std::vector<StoredPair> pairs_of_a(std::int64_t id);
+  std::vector<StoredPair> pairs_of_b(std::int64_t id);
+  std::vector<StoredPair> due_pairs(bool held, double until);
+  std::optional<StoredPair> pair(std::int64_t a, std::int64_t b);
+  void write_pair(const StoredPair& pair, bool with_told);
+  void erase_pair(std::int64_t a, std::int64_t b);
+  std::int64_t count_pairs(bool held);
+  /// Whether the indexes hold the rows.
+  bool indexes_agree();
+
+  // --- _log
+  void append(const StoredChange& change);
+  void trim(std::int64_t up_to);
+  /// The position from which on changes can be read; nothing: there are none.
+  std::optional<std::int64_t> oldest();
+  /// At most `most` of them, seq in (after, last], rising.
+  std::vector<StoredChange> changes(std::int64_t after, std::int64_t last, std::int64_t most);
+
+ private:
+  [[noreturn]] void damaged(const std::string& what) const;
+  std::vector<StoredPair> read_pairs(Statement::Run& run) const;
+  template <class Value>
+  void write_meta(std::string_view key, const std::optional<Value>& value);
+  template <class Value>
+  void write_changed(std::string_view key, const Value& value, const Value& before);
+
+  QualifiedName name_;
+  Statement meta_, write_meta_;
+  Statement pairs_, pairs_of_a_, pairs_of_b_, due_pairs_, pair_, write_pair_, erase_pair_, count_pairs_,
+      counts_;
+  Statement append_, trim_, oldest_, changes_;
+};
+
+}  // namespace foresee::storage
