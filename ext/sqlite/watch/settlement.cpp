@@ -7,6 +7,7 @@
 #include "query/join/join.h"
 #include "query/join/probe.h"
 #include "query/watch/pair_contacts.h"
+#include "storage/rows/meta_rows.h"
 
 namespace foresee::sqlite {
 namespace {
@@ -28,6 +29,12 @@ bool holds(const std::vector<std::int64_t>& sorted, std::int64_t id) {
   return std::binary_search(sorted.begin(), sorted.end(), id);
 }
 
+/// What is in the rows: with a savepoint open, memory may hold nodes as well that it has written.
+std::optional<std::int64_t> stored_stamp(Connection& connection, const Connection::OpenTable& table) {
+  return MetaRows(ShadowTables(connection.db(), {table.schema, table.table}, {MetaRows::table()}))
+      .read_integer("stamp");
+}
+
 WatchedPair watched(const StoredPair& pair) {
   return {pair.a, pair.b, pair.t, pair.due, pair.told, pair.held};
 }
@@ -42,8 +49,8 @@ Settlement::Settlement(Connection& connection, WatchRows& rows)
       tables_(watched_tables(connection, rows.name().schema, before_)) {
   tables_.a.store->sync();
   if (tables_.b) tables_.b->store->sync();
-  state_.stamp = tables_.a.store->settled_stamp();
-  if (tables_.b) state_.other_stamp = tables_.b->store->settled_stamp();
+  state_.stamp = stored_stamp(connection, tables_.a);
+  if (tables_.b) state_.other_stamp = stored_stamp(connection, *tables_.b);
 }
 
 void Settlement::settle(Tells tells) {

@@ -50,10 +50,12 @@ void WatchCursor::filter(int plan, sqlite3_value** arguments) {
   const WatchState state = rows->read_state();
   const WatchedTables tables = watched_tables(connection, table_.name.schema, state);
   now_ = state.now();
-  if (is_settled(state, tables))
+  if (is_settled(state, tables)) {
     read_stored(*rows, state, tables);
-  else
+  } else {
+    rows->pair(0, 0);  // a watch whose pairs are gone says so
     join_now(state, tables);
+  }
 }
 
 void WatchCursor::read_stored(WatchRows& rows, const WatchState& state, const WatchedTables& tables) {

@@ -108,10 +108,10 @@ TEST_F(WatchCommit, FailsWholeWhereItIsInterrupted) {
     const std::string error = db.error_of("COMMIT");
     sqlite3_progress_handler(db.handle(), 0, nullptr, nullptr);
     stopped = !error.empty();
+    if (sqlite3_get_autocommit(db.handle()) == 0) db.exec("ROLLBACK");
     if (stopped) {
       EXPECT_EQ(contents(db), before) << steps;
     }
-    if (sqlite3_get_autocommit(db.handle()) == 0) db.exec("ROLLBACK");
     expect_up_to_date(db);
   }
   EXPECT_NE(contents(db), before);
