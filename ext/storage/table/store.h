@@ -36,6 +36,7 @@
 #include "storage/table/content_version.h"
 #include "storage/table/forms.h"
 #include "storage/table/object_count.h"
+#include "storage/table/store_savepoint.h"
 
 namespace foresee::storage {
 
@@ -172,12 +173,8 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   class OwnStatements;
   class AtomicChange;
 
-  /// The largest id, known within a write transaction only.
-  struct Largest {
-    bool known = false;
-    bool exact = false;  ///< else no id is larger
-    std::optional<std::int64_t> id = {};
-  };
+  using Largest = LargestId;
+  using Savepoint = StoreSavepoint;
 
   void write_out() override;
   void drop_nodes(bool all) override { cache_.drop_nodes(all); }
@@ -241,20 +238,6 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   void drop_unused_forms(std::span<const double> records);
 
   // transactions (store_life.cpp)
-  struct Savepoint {
-    int level;
-    UndoLog::Handle mark;
-    std::size_t map_position;
-    std::shared_ptr<PendingObjects> pending;
-    std::size_t pending_position;
-    std::size_t changes_position;
-    Largest largest;
-    ObjectCount count;
-    std::uint64_t undo_position;
-    std::optional<std::int64_t> own_stamp;
-    std::string table;
-    bool waits;  ///< something that only memory knows
-  };
   /// Something is not stored yet.
   bool waits() const { return cache_.waits() || pending_->count() > 0 || count_.added != 0; }
   void back_to(const Savepoint& savepoint);
@@ -279,8 +262,8 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   std::unique_ptr<StoredForms> forms_;       ///< null: the layout has none
   ObjectChanges object_changes_;             ///< empty where nobody wants them
   bool keeps_changes_ = false, wants_changes_ = false;
-  bool changes_unknown_ = false;             ///< more than object_changes_ tells may have changed
-  std::vector<std::string> watches_;         ///< under the believed stamp
+  bool changes_unknown_ = false;      ///< more than object_changes_ tells may have changed
+  std::vector<std::string> watches_;  ///< under the believed stamp
   bool watches_known_ = false;
 
   bool in_transaction_;

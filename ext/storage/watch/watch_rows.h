@@ -9,7 +9,6 @@
 // written. Cost: a look-up or a row each; statements are compiled once.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -53,7 +52,7 @@ class WatchRows {
   void write_anew(bool anew);
   void write_tables(const WatchDeclaration& declaration);
 
-  // --- _pair; `each` may write, the rows have been read by then
+  // --- _pair
   std::vector<StoredPair> pairs();
   std::vector<StoredPair> pairs_of_a(std::int64_t id);
   std::vector<StoredPair> pairs_of_b(std::int64_t id);
