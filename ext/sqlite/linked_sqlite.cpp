@@ -32,6 +32,7 @@ constexpr sqlite3_api_routines linked = [] {
   api.libversion = sqlite3_libversion;
   api.libversion_number = sqlite3_libversion_number;
   api.limit = sqlite3_limit;
+  api.log = sqlite3_log;
   api.mprintf = sqlite3_mprintf;
   api.open = sqlite3_open;
   api.prepare_v2 = sqlite3_prepare_v2;

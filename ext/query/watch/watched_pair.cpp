@@ -13,8 +13,8 @@ PairChange compare_held(const WatchedPair& before, const WatchedPair& after, con
   if (moved) change.op = '~';
   change.row.told = moved ? after.t : before.told;
   const bool same_time = clock.shown(before.t) == now;
-  const bool was_due = before.due <= clock.clock;
-  change.writes = moved || !same_time || after.due < before.due || (was_due && after.due != before.due);
+  if (before.due > clock.clock && before.due < after.due) change.row.due = before.due;
+  change.writes = moved || !same_time || change.row.due != before.due;
   if (same_time && !moved) change.row.t = before.t;
   return change;
 }

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "query/join/join.h"
-#include "query/join/probe.h"
 #include "query/watch/pair_contacts.h"
 #include "storage/rows/meta_rows.h"
 
@@ -23,10 +22,6 @@ bool same_ids(const WatchedPair& x, const WatchedPair& y) {
 void sort_and_unique(std::vector<WatchedPair>& pairs) {
   std::sort(pairs.begin(), pairs.end(), by_ids);
   pairs.erase(std::unique(pairs.begin(), pairs.end(), same_ids), pairs.end());
-}
-
-bool holds(const std::vector<std::int64_t>& sorted, std::int64_t id) {
-  return std::binary_search(sorted.begin(), sorted.end(), id);
 }
 
 /// What is in the rows: with a savepoint open, memory may hold nodes as well that it has written.
@@ -57,11 +52,11 @@ void Settlement::settle(Tells tells) {
   const bool same_contents = state_.stamp == before_.stamp && state_.other_stamp == before_.other_stamp;
   if (same_contents && !before_.asked && !before_.anew) return;
   tells_ = tells == Tells::changes;
-  changed_a_ = changed_of(tables_.a, before_.stamp);
+  changed_a_ = changed_objects(tables_.a, before_.stamp);
   if (tables_.are_one())
     changed_b_ = changed_a_;
   else if (tables_.b)
-    changed_b_ = changed_of(*tables_.b, before_.other_stamp);
+    changed_b_ = changed_objects(*tables_.b, before_.other_stamp);
   move_clock();
   if (must_compute_anew())
     compute_anew();
@@ -71,22 +66,6 @@ void Settlement::settle(Tells tells) {
   if (!tells_) state_.seq = new_.empty() ? 0 : 1;
   if (state_.seq != before_.seq && state_.seq > state_.keep) rows_.trim(state_.seq - state_.keep);
   rows_.write_state(state_, before_);
-}
-
-// --- what has changed
-
-Settlement::Changed Settlement::changed_of(const Connection::OpenTable& table,
-                                           const std::optional<std::int64_t>& stamp) const {
-  Changed changed;
-  changed.told = stamp && stamp == table.store->stamp_before_changes();
-  if (!changed.told) return changed;
-  const int t = table.store->format().at.t;
-  table.store->for_each_change([&](std::int64_t id, std::span<const double>, std::span<const double> after) {
-    changed.ids.push_back(id);
-    if (!after.empty() && t >= 0) changed.moments.push_back(after[static_cast<std::size_t>(t)]);
-  });
-  std::sort(changed.ids.begin(), changed.ids.end());
-  return changed;
 }
 
 // --- anew, or by changes
@@ -104,14 +83,16 @@ void Settlement::compute_anew() {
 void Settlement::follow_changes() {
   const double known_to = before_.known_to;
   const bool looks_ahead = !(next_above(horizon_end_) <= known_to);
-  if (looks_ahead)
+  if (looks_ahead) {
+    adapt_look();
     look_further();
-  else
+  } else {
     reach_ =
         std::min(std::max(state_.horizon, next_above(known_to - clock_)), std::numeric_limits<double>::max());
+  }
   read_old_pairs();
   ask_due_pairs();
-  probe_changed();
+  search_changed();
   if (looks_ahead) look_ahead(known_to);
   write_differences();
 }
@@ -131,7 +112,7 @@ void Settlement::read_old_pairs() {
 void Settlement::ask_due_pairs() {
   std::vector<PairIds> asked;
   const auto is_changed = [&](const StoredPair& pair) {
-    return holds(changed_a_.ids, pair.a) || holds(tables_.b ? changed_b_.ids : changed_a_.ids, pair.b);
+    return changed_a_.holds(pair.a) || (tables_.b ? changed_b_ : changed_a_).holds(pair.b);
   };
   const auto look_at = [&](const StoredPair& pair) {
     if (is_changed(pair)) return;
@@ -146,44 +127,12 @@ void Settlement::ask_due_pairs() {
   take(contacts_of(connection_, tables_, question(asked_horizon()), asked), true);
 }
 
-void Settlement::probe_changed() {
-  const auto ask = [&](bool by_a, const std::vector<std::int64_t>& ids) {
-    if (ids.empty()) return;
-    const Connection::OpenTable& others = tables_.b && by_a ? *tables_.b : tables_.a;
-    const double objects = static_cast<double>(others.store->likely_objects());
-    if (static_cast<double>(ids.size()) > std::max(32.0, objects / 200)) return join_changed(by_a);
-    const auto tree = others.store->take_snapshot();
-    for (const std::int64_t id : ids) probe(by_a, id, *tree);
-  };
-  ask(true, changed_a_.ids);
-  if (tables_.b) ask(false, changed_b_.ids);
-}
-
-void Settlement::probe(bool by_a, std::int64_t id, NodeSource& others_tree) {
-  const Connection::OpenTable& last = tables_.b ? *tables_.b : tables_.a;
-  const Connection::OpenTable &one = by_a ? tables_.a : last, &others = by_a ? last : tables_.a;
-  JoinQuestion asked = question(asked_horizon());
-  const std::shared_ptr<const Scene> object = scene_of(connection_, one, std::span(&id, 1));
-  if (object->size() == 0) return;
-  asked.a = object, asked.b = object;
-  const bool within_one = !tables_.b || tables_.are_one();
-  const auto near =
-      objects_near(*object, others_tree, others.table, asked_horizon(), contact_of(asked)->reach(),
-                   connection_.interrupt(), [&](std::int64_t other) { return !within_one || other != id; });
-  (by_a ? asked.b : asked.a) = near;
-  std::vector<Pair> pairs;
-  for (std::uint32_t i = 0; i < near->size(); ++i) pairs.push_back(by_a ? Pair{0, i} : Pair{i, 0});
-  take(pair_contacts(asked, pairs, connection_.interrupt()), true);
-}
-
-void Settlement::join_changed(bool by_a) {
-  JoinQuestion asked = question_of_all(connection_, tables_, state_, asked_horizon());
-  asked.wants = {.contact = true, .ends = true, .approach = false};
-  if (!asked.b) asked.b = asked.a;
-  const Connection::OpenTable& one = by_a || !tables_.b ? tables_.a : *tables_.b;
-  (by_a ? asked.a : asked.b) = scene_of(connection_, one, (by_a ? changed_a_ : changed_b_).ids);
-  Join join(std::move(asked), connection_.interrupt());
-  for (auto rows = join.next(); !rows.empty(); rows = join.next()) take(rows, true);
+void Settlement::search_changed() {
+  if (changed_a_.ids.empty() && changed_b_.ids.empty()) return;
+  PairSearch search(connection_, tables_, question(asked_horizon()));
+  const auto take_all = [&](std::span<const JoinRow> rows) { take(rows, true); };
+  search.pairs_of(Side::a, changed_a_.ids, take_all);
+  if (tables_.b) search.pairs_of(Side::b, changed_b_.ids, take_all);
 }
 
 void Settlement::look_ahead(double from) {
@@ -234,9 +183,25 @@ void Settlement::decide_ties() {
   }
 }
 
+/// A contact that outlasts the reach: its row is due half-way to the end. So a row is asked for seldom, and a
+/// report that moves the end a little writes nothing.
+void Settlement::find_far_ends() {
+  const double near = std::nextafter(clock_ + reach_, clock_), far = 64 * reach_;
+  if (!std::isfinite(far) || !std::isfinite(clock_ + far)) return;
+  std::vector<PairIds> asked;
+  for (const WatchedPair& pair : new_)
+    if (pair.held && pair.due >= near) asked.push_back({pair.a, pair.b});
+  auto pair = new_.begin();
+  for (const JoinRow& row : contacts_of(connection_, tables_, question({clock_, far}), asked)) {
+    pair = std::lower_bound(pair, new_.end(), WatchedPair{.a = row.a, .b = row.b}, by_ids);
+    pair->due = std::max(pair->due, clock_ + (row.contact.t_end - clock_) / 2);
+  }
+}
+
 void Settlement::write_differences() {
   decide_ties();
   sort_and_unique(old_), sort_and_unique(new_);
+  find_far_ends();
   auto before = old_.begin();
   for (const WatchedPair& after : new_) {
     for (; before != old_.end() && by_ids(*before, after); ++before) write_difference(&*before, nullptr);
@@ -251,9 +216,15 @@ void Settlement::write_difference(const WatchedPair* before, const WatchedPair* 
   const WatchClock clock{clock_, state_.tolerance};
   const PairChange change = compare(before, after, clock);
   const WatchedPair& row = change.row;
+  const auto waits = [](const WatchedPair* pair) { return pair && !pair->held; };
+  state_.waited += waits(after) && !waits(before);
+  state_.dropped += waits(before) && !after;
   if (change.erases) rows_.erase_pair(row.a, row.b);
-  if (change.writes)
-    rows_.write_pair({row.a, row.b, row.t, row.due, row.told, row.held}, state_.tolerance > 0);
+  if (change.writes) {
+    const bool only_moves = before && before->held == row.held && before->due == row.due;
+    const auto how = !before ? PairWrite::adds : only_moves ? PairWrite::moves : PairWrite::changes;
+    rows_.write_pair({row.a, row.b, row.t, row.due, row.told, row.held}, how, state_.tolerance > 0);
+  }
   if (change.op && tells_) rows_.append({++state_.seq, change.op, row.a, row.b, clock.shown(row.t), clock_});
 }
 

@@ -5,10 +5,10 @@
 //
 // Known are all pairs whose first contact begins in [clock, known_to]; those beyond the horizon wait.
 //
-//   changed objects   their old pairs are range reads; their new ones probes of the tree, or where they are
-//                     many a join of them with all, or the join of all
+//   changed objects   their old pairs are range reads, their new ones searched for (pair_search.h)
 //   the clock         rows that are due are shown, asked for their next contact, or taken out; when the
-//                     horizon passes known_to, a join looks ahead for what begins beyond it
+//                     horizon passes known_to, a join looks ahead for what begins beyond it, the further
+//                     the fewer of the pairs that wait are dropped again unseen
 //   anew              where it cannot be told what has changed, or the clock goes back or far ahead: the join
 //                     of all against all rows
 //
@@ -24,7 +24,7 @@
 #include <vector>
 
 #include "query/watch/watched_pair.h"
-#include "sqlite/watch/watched_tables.h"
+#include "sqlite/watch/pair_search.h"
 #include "storage/watch/watch_rows.h"
 
 namespace foresee::sqlite {
@@ -45,32 +45,25 @@ class Settlement {
   void settle(Tells tells = Tells::changes);
 
  private:
-  /// The objects of one side that this transaction has changed.
-  struct Changed {
-    bool told = true;               ///< else anything may have changed
-    std::vector<std::int64_t> ids;  ///< rising
-    std::vector<double> moments;    ///< the reference times that they have now
-  };
-
-  Changed changed_of(const Connection::OpenTable& table, const std::optional<std::int64_t>& stamp) const;
+  void follow_reports();
+  std::vector<double> reported_moments() const;
   bool any_object() const;
   void move_clock();
-  void move_clock_by_reports();
   bool must_compute_anew() const;
   void look_further();
+  void adapt_look();
 
   void compute_anew();
   void follow_changes();
   void read_old_pairs();
   void ask_due_pairs();
-  void probe_changed();
-  void probe(bool by_a, std::int64_t id, NodeSource& others_tree);
-  void join_changed(bool by_a);
+  void search_changed();
   void look_ahead(double from);
 
   /// What contact found becomes rows: held, or waiting.
   void take(std::span<const JoinRow> found, bool with_ends);
   void decide_ties();
+  void find_far_ends();
   void write_differences();
   void write_difference(const WatchedPair* before, const WatchedPair* after);
 
@@ -81,7 +74,7 @@ class Settlement {
   WatchRows& rows_;
   WatchState before_, state_;
   WatchedTables tables_;
-  Changed changed_a_, changed_b_;
+  ChangedObjects changed_a_, changed_b_;
   double clock_ = 0;        ///< from now on
   double horizon_end_ = 0;  ///< clock + horizon, rounded
   double reach_ = 0;        ///< how far beyond the clock contact is asked

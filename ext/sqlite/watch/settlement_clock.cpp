@@ -6,6 +6,18 @@
 #include "sqlite/watch/settlement.h"
 
 namespace foresee::sqlite {
+namespace {
+
+/// Of a table without t all are 0.
+void append_moments(const Scene& scene, std::vector<double>& moments) {
+  const Offsets at = row_offsets(scene.layout);
+  for (std::size_t row = 0; row < scene.size(); ++row)
+    moments.push_back(
+        at.t < 0 ? 0 : scene.rows[row * static_cast<std::size_t>(at.size) + static_cast<std::size_t>(at.t)]);
+}
+
+}  // namespace
+
 bool Settlement::any_object() const {
   const auto has_any = [](const Connection::OpenTable& table) {
     return table.store->take_snapshot()->find_root() != 0;
@@ -16,8 +28,8 @@ bool Settlement::any_object() const {
 void Settlement::move_clock() {
   if (state_.asked) state_.clock = state_.asked;
   state_.asked.reset();
-  if (!state_.manual && state_.ahead && state_.clock)
-    move_clock_by_reports();
+  if (!state_.manual && state_.ahead)
+    follow_reports();
   else if ((!state_.manual || !state_.clock) && any_object()) {
     double newest = tables_.a.store->read_newest_t();
     if (tables_.b) newest = std::max(newest, tables_.b->store->read_newest_t());
@@ -29,14 +41,33 @@ void Settlement::move_clock() {
   if (before_.clock && clock_ != *before_.clock) state_.step = std::abs(clock_ - *before_.clock);
 }
 
-/// By the reports of this transaction, in the order of their moments; those too far ahead are counted.
-void Settlement::move_clock_by_reports() {
-  std::vector<double> moments = changed_a_.moments;
-  if (!tables_.are_one()) moments.insert(moments.end(), changed_b_.moments.begin(), changed_b_.moments.end());
+/// Of this transaction's reports, or where they cannot be told of all objects.
+std::vector<double> Settlement::reported_moments() const {
+  std::vector<double> moments;
+  const auto add = [&](const ChangedObjects& changed, const Connection::OpenTable& table) {
+    const Layout& layout = table.store->format().layout;
+    if (changed.told && layout.has_t)
+      moments.insert(moments.end(), changed.moments.begin(), changed.moments.end());
+    else if (changed.told)
+      moments.resize(moments.size() + changed.ids.size());
+    else
+      append_moments(*connection_.load_scene(table), moments);
+  };
+  add(changed_a_, tables_.a);
+  if (tables_.b && !tables_.are_one()) add(changed_b_, *tables_.b);
   std::sort(moments.begin(), moments.end());
+  return moments;
+}
+
+/// In the order of their moments; those too far ahead are counted. The first ones have no clock to be ahead
+/// of: it begins at the median of them, since most are right.
+void Settlement::follow_reports() {
+  const std::vector<double> moments = reported_moments();
+  const bool counts = !state_.clock || (changed_a_.told && changed_b_.told);
+  if (!state_.clock && !moments.empty()) state_.clock = moments[(moments.size() - 1) / 2];
   for (const double t : moments) {
     if (t > *state_.clock + *state_.ahead)
-      ++state_.early;
+      state_.early += counts;
     else
       state_.clock = std::max(*state_.clock, t);
   }
@@ -45,19 +76,29 @@ void Settlement::move_clock_by_reports() {
 bool Settlement::must_compute_anew() const {
   if (!changed_a_.told || !changed_b_.told || before_.anew || !before_.clock) return true;
   if (clock_ < *before_.clock || clock_ > before_.known_to) return true;
-  const auto most = [](const Connection::OpenTable& table) {
-    return 0.3 * static_cast<double>(table.store->likely_objects());
-  };
-  if (static_cast<double>(changed_a_.ids.size()) > std::max(64.0, most(tables_.a))) return true;
-  return tables_.b && static_cast<double>(changed_b_.ids.size()) > std::max(64.0, most(*tables_.b));
+  return are_most(changed_a_, tables_.a) || (tables_.b && are_most(changed_b_, *tables_.b));
 }
 
-/// Far enough that the next look comes after some steps of the clock; a single leap does not count.
+/// A look costs nearly the same however far it goes; what it finds costs a row each, for nothing where the
+/// pair is dropped before it is seen.
+void Settlement::adapt_look() {
+  if (10 * state_.dropped <= state_.waited)
+    state_.further *= 2;
+  else if (2 * state_.dropped > state_.waited)
+    state_.further /= 2;
+}
+
+/// At least far enough that the next look comes after some steps of the clock; a single leap does not count.
 void Settlement::look_further() {
   const double largest = std::max(std::abs(clock_), std::abs(horizon_end_));
-  const double least = 8 * (next_above(largest) - largest);  // what rounding cannot swallow
-  const double further = std::max({least, state_.horizon / 4, 16 * std::min(state_.step, before_.step)});
-  reach_ = state_.horizon + further;
+  const double rounding = 8 * (next_above(largest) - largest);  // what it cannot swallow
+  const double step = std::min(state_.step, before_.step);
+  const double least = std::max(rounding, 16 * step);
+  const double most = std::max({least, state_.horizon, 1024 * step});
+  if (state_.further <= 0) state_.further = state_.horizon / 4;
+  state_.further = std::clamp(state_.further, least, most);
+  state_.waited = state_.dropped = 0;
+  reach_ = state_.horizon + state_.further;
   if (!std::isfinite(reach_)) reach_ = state_.horizon;
   state_.known_to = std::nextafter(clock_ + reach_, -std::numeric_limits<double>::infinity());
 }

@@ -18,13 +18,6 @@ double moment_of(const WatchTable& table, sqlite3_value* now) {
               table.name.table + ", now) VALUES('advance', 1260.0); not " + shown(now));
 }
 
-struct ShownPair {
-  std::int64_t a, b;
-  double t;
-
-  friend auto operator<=>(const ShownPair&, const ShownPair&) = default;
-};
-
 std::vector<ShownPair> joined_pairs(Connection& connection, const WatchedTables& tables,
                                     const WatchState& state) {
   JoinQuestion question = question_of_all(connection, tables, state, {state.now(), state.horizon});

@@ -51,35 +51,70 @@ void WatchCursor::filter(int plan, sqlite3_value** arguments) {
   const WatchedTables tables = watched_tables(connection, table_.name.schema, state);
   now_ = state.now();
   if (is_settled(state, tables)) {
-    read_stored(*rows, state, tables);
-  } else {
+    give(kept_pairs(*rows, {}), state, tables);
+  } else if (!read_changed(*rows, state, tables)) {
     rows->pair(0, 0);  // a watch whose pairs are gone says so
     join_now(state, tables);
   }
 }
 
-void WatchCursor::read_stored(WatchRows& rows, const WatchState& state, const WatchedTables& tables) {
+/// As they are stored, but for those of changed objects.
+std::vector<ShownPair> WatchCursor::kept_pairs(WatchRows& rows, const ChangedSides& changed) const {
   const auto pairs = only_a_ ? rows.pairs_of_a(*only_a_) : only_b_ ? rows.pairs_of_b(*only_b_) : rows.pairs();
-  std::vector<PairIds> asked;
-  const bool computes = (plan_ & (WatchPlan::times | WatchPlan::approach)) != 0;
-  for (const StoredPair& pair : pairs) {
-    if (!pair.held || (only_b_ && pair.b != *only_b_)) continue;
-    if (computes) {
-      asked.push_back({pair.a, pair.b});
-      continue;
+  std::vector<ShownPair> kept;
+  for (const StoredPair& pair : pairs)
+    if (pair.held && (!only_b_ || pair.b == *only_b_) && !changed.a.holds(pair.a) && !changed.b.holds(pair.b))
+      kept.push_back({pair.a, pair.b, std::max(pair.t, now_)});
+  return kept;
+}
+
+/// In a transaction: the pairs that its changes leave alone, and those that the changed objects are in now.
+/// False where the join is cheaper, or alone can tell.
+bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const WatchedTables& tables) {
+  if (state.anew || state.asked || !state.clock) return false;
+  ChangedSides changed{.a = changed_objects(tables.a, state.stamp), .b = {}};
+  changed.b = tables.b && !tables.are_one() ? changed_objects(*tables.b, state.other_stamp) : changed.a;
+  if (!changed.a.told || !changed.b.told || are_most(changed.a, tables.a)) return false;
+  if (tables.b && are_most(changed.b, *tables.b)) return false;
+  std::vector<ShownPair> pairs = kept_pairs(rows, changed);
+  JoinQuestion question = question_of(tables, state, {now_, state.horizon});
+  question.wants = {.contact = true, .ends = false, .approach = false};
+  PairSearch search(*table_.connection, tables, std::move(question));
+  const auto take = [&](std::span<const JoinRow> found) {
+    for (const JoinRow& row : found) {
+      const bool exchanged = !tables.b && row.b < row.a;
+      pairs.push_back({exchanged ? row.b : row.a, exchanged ? row.a : row.b, row.contact.t});
     }
-    JoinRow& row = stored_.emplace_back();
-    row.a = pair.a, row.b = pair.b, row.contact.t = std::max(pair.t, now_);
-  }
-  if (computes) {
+  };
+  search.pairs_of(Side::a, changed.a.ids, take);
+  if (tables.b) search.pairs_of(Side::b, changed.b.ids, take);
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  std::erase_if(pairs, [&](const ShownPair& pair) {
+    return (only_a_ && pair.a != *only_a_) || (only_b_ && pair.b != *only_b_);
+  });
+  give(pairs, state, tables);
+  return true;
+}
+
+void WatchCursor::give(std::span<const ShownPair> pairs, const WatchState& state,
+                       const WatchedTables& tables) {
+  if ((plan_ & (WatchPlan::times | WatchPlan::approach)) != 0) {
+    std::vector<PairIds> asked;
+    for (const ShownPair& pair : pairs) asked.push_back({pair.a, pair.b});
     JoinQuestion question = question_of(tables, state, {now_, state.horizon});
     question.wants.approach = (plan_ & WatchPlan::approach) != 0;
     stored_ = contacts_of(*table_.connection, tables, question, asked);
+  } else {
+    for (const ShownPair& pair : pairs) {
+      JoinRow& row = stored_.emplace_back();
+      row.a = pair.a, row.b = pair.b, row.contact.t = pair.t;
+    }
   }
   rows_ = stored_;
 }
 
-/// Of a transaction that is not committed yet, or after changes that the watch was not told of.
+/// After an 'advance' that is not committed yet, or changes that the watch was not told of.
 void WatchCursor::join_now(const WatchState& state, const WatchedTables& tables) {
   JoinQuestion question = question_of_all(*table_.connection, tables, state, {state.now(), state.horizon});
   question.only_a = only_a_, question.only_b = only_b_;

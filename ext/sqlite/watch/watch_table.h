@@ -6,7 +6,7 @@
 
 #include "query/join/join.h"
 #include "sqlite/connection.h"
-#include "sqlite/watch/watched_tables.h"
+#include "sqlite/watch/pair_search.h"
 #include "sqlite/watch/watches.h"
 
 namespace foresee::sqlite {
@@ -50,6 +50,14 @@ struct WatchPlan {
   enum Bits : int { by_a = 1, by_b = 2, times = 4, approach = 8 };
 };
 
+/// A pair as its reader sees it.
+struct ShownPair {
+  std::int64_t a, b;
+  double t;
+
+  friend auto operator<=>(const ShownPair&, const ShownPair&) = default;
+};
+
 /// The pairs as they are when a statement begins to read them, whatever is written beneath it.
 class WatchCursor : public sqlite3_vtab_cursor {
  public:
@@ -62,7 +70,9 @@ class WatchCursor : public sqlite3_vtab_cursor {
   void column(sqlite3_context* context, int column) const;
 
  private:
-  void read_stored(WatchRows& rows, const WatchState& state, const WatchedTables& tables);
+  std::vector<ShownPair> kept_pairs(WatchRows& rows, const ChangedSides& changed) const;
+  bool read_changed(WatchRows& rows, const WatchState& state, const WatchedTables& tables);
+  void give(std::span<const ShownPair> pairs, const WatchState& state, const WatchedTables& tables);
   void join_now(const WatchState& state, const WatchedTables& tables);
 
   WatchTable& table_;

@@ -122,7 +122,10 @@ void Watches::require_unwatched(Connection& connection, std::int64_t number) {
       const auto state = known_state(connection, {table.schema, name});
       const bool is_watched = state && (same_name(state->tbl, table.table) ||
                                         (state->other && same_name(*state->other, table.table)));
-      if (is_watched) throw Error(table.table + " is watched by " + name + ": DROP TABLE " + name + " first");
+      if (!is_watched) continue;
+      const std::string message = table.table + " is watched by " + name + ": DROP TABLE " + name + " first";
+      sqlite3_log(SQLITE_LOCKED, "%s", message.c_str());  // SQLite shows no message of xDestroy
+      throw StoreError(SQLITE_LOCKED, message);
     }
   } catch (const StoreError& error) {
     if (!is_of_watch(error)) throw;  // a damaged table can be dropped

@@ -1,9 +1,8 @@
 #include "storage/watch/watch_rows.h"
 
+#include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
-#include <map>
+#include <tuple>
 
 #include "storage/rows/store_error.h"
 
@@ -13,13 +12,6 @@ namespace {
 constexpr std::array<const char*, 3> suffixes{"pair", "log", "meta"};
 
 constexpr const char* pair_columns = "SELECT a, b, t, due, state, coalesce(told, t) FROM {pair} ";
-
-/// What one row of _meta holds, as a number.
-struct MetaValue {
-  std::string text;
-  std::optional<std::int64_t> integer;
-  std::optional<double> number;
-};
 
 }  // namespace
 
@@ -51,15 +43,13 @@ WatchRows::WatchRows(sqlite3* db, const QualifiedName& name) : name_(name) {
   pairs_of_b_ = sql(pairs + "WHERE b = ?1 ORDER BY a");
   due_pairs_ = sql(pairs + "WHERE state = ?1 AND due <= ?2");
   pair_ = sql(pairs + "WHERE a = ?1 AND b = ?2");
-  write_pair_ =
-      sql("INSERT INTO {pair} VALUES(?1, ?2, ?3, ?4, ?5, ?6) ON CONFLICT(a, b) DO UPDATE "
-          "SET t = ?3, due = ?4, state = ?5, told = ?6");
+  add_pair_ = sql("INSERT INTO {pair} VALUES(?1, ?2, ?3, ?4, ?5, ?6)");
+  move_pair_ = sql("UPDATE {pair} SET t = ?3, told = ?6 WHERE a = ?1 AND b = ?2");
+  change_pair_ = sql("UPDATE {pair} SET t = ?3, due = ?4, state = ?5, told = ?6 WHERE a = ?1 AND b = ?2");
   erase_pair_ = sql("DELETE FROM {pair} WHERE a = ?1 AND b = ?2");
   count_pairs_ = sql("SELECT count(*) FROM {pair} WHERE state = ?1");
-  counts_ = sql(
-      "SELECT (SELECT count(*) FROM {pair} WHERE b IS NOT NULL ORDER BY a, b), "
-      "(SELECT count(*) FROM {pair} p WHERE EXISTS(SELECT 1 FROM {pair} q WHERE q.b = p.b AND q.a = p.a)), "
-      "(SELECT count(*) FROM {pair} WHERE state IN (0, 1))");
+  by_b_ = sql("SELECT a, b FROM {pair} ORDER BY b, a");
+  by_due_ = sql("SELECT a, b, due, state FROM {pair} ORDER BY state, due, a, b");
   append_ = sql("INSERT OR REPLACE INTO {log} VALUES(?1, ?2, ?3, ?4, ?5, ?6)");
   trim_ = sql("DELETE FROM {log} WHERE seq <= ?1");
   oldest_ = sql("SELECT min(seq) FROM {log}");
@@ -71,102 +61,6 @@ void WatchRows::damaged(const std::string& what) const {
   throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + name_.table + "_" + what +
                                             " is damaged: DROP TABLE " + name_.table +
                                             " and CREATE it again");
-}
-
-// --- _meta
-
-WatchState WatchRows::read_state() {
-  std::map<std::string, MetaValue> values;
-  for (Statement::Run run(meta_); run.step();) {
-    MetaValue value{.text = run.text(1, 1000), .integer = {}, .number = {}};
-    if (run.is_integer(1)) value.integer = run.integer(1);
-    const int type = sqlite3_value_type(run.value(1));
-    if (type == SQLITE_INTEGER || type == SQLITE_FLOAT) value.number = sqlite3_value_double(run.value(1));
-    values[run.text(0, 100)] = std::move(value);
-  }
-  const auto number = [&](const char* key) { return values[key].number; };
-  const auto required = [&](const char* key, double least) {
-    if (const auto found = number(key); found && *found >= least) return *found;
-    damaged("meta");
-  };
-  const auto integer = [&](const char* key) {
-    if (const auto found = values[key].integer; found && *found >= 0) return *found;
-    damaged("meta");
-  };
-  WatchState state;
-  state.tbl = values["tbl"].text;
-  if (state.tbl.empty()) damaged("meta");
-  if (!values["other"].text.empty()) state.other = values["other"].text;
-  state.horizon = required("horizon", 0), state.within = required("within", 0);
-  state.within_z = number("within_z");
-  state.manual = values["clock"].text == "manual";
-  state.tolerance = required("tolerance", 0), state.keep = integer("keep");
-  state.ahead = number("ahead");
-  state.clock = number("now"), state.asked = number("asked");
-  state.anew = number("anew").value_or(0) != 0;
-  state.known_to = number("known_to").value_or(-std::numeric_limits<double>::infinity());
-  state.step = number("step").value_or(0);
-  state.seq = integer("seq"), state.early = integer("early");
-  state.stamp = values["stamp"].integer, state.other_stamp = values["other_stamp"].integer;
-  for (const auto& moment : {state.clock, state.asked})
-    if (moment && !std::isfinite(*moment)) damaged("meta");
-  return state;
-}
-
-template <class Value>
-void WatchRows::write_meta(std::string_view key, const std::optional<Value>& value) {
-  Statement::Run run(write_meta_);
-  run.bind(1, key);
-  if (value) run.bind(2, *value);
-  run.step();
-}
-
-template <class Value>
-void WatchRows::write_changed(std::string_view key, const Value& value, const Value& before) {
-  if (value == before) return;
-  if constexpr (requires { value.has_value(); })
-    write_meta(key, value);
-  else
-    write_meta(key, std::optional(value));
-}
-
-void WatchRows::write_tables(const WatchDeclaration& declaration) {
-  write_meta("tbl", std::optional<std::string_view>(declaration.tbl));
-  write_meta("other", std::optional<std::string_view>(declaration.other));
-}
-
-void WatchRows::write_declaration(const WatchDeclaration& declaration) {
-  write_tables(declaration);
-  write_meta("format", std::optional(std::int64_t{1}));
-  write_meta("horizon", std::optional(declaration.horizon));
-  write_meta("within", std::optional(declaration.within));
-  write_meta("within_z", declaration.within_z);
-  write_meta("clock", std::optional<std::string_view>(declaration.manual ? "manual" : "newest"));
-  write_meta("tolerance", std::optional(declaration.tolerance));
-  write_meta("keep", std::optional(declaration.keep));
-  write_meta("ahead", declaration.ahead);
-  write_meta("seq", std::optional(std::int64_t{0}));
-  write_meta("early", std::optional(std::int64_t{0}));
-}
-
-void WatchRows::write_state(const WatchState& state, const WatchState& before) {
-  write_changed("now", state.clock, before.clock);
-  write_changed("asked", state.asked, before.asked);
-  if (state.anew != before.anew) write_anew(state.anew);
-  write_changed("known_to", state.known_to, before.known_to);
-  write_changed("step", state.step, before.step);
-  write_changed("seq", state.seq, before.seq);
-  write_changed("early", state.early, before.early);
-  write_changed("stamp", state.stamp, before.stamp);
-  write_changed("other_stamp", state.other_stamp, before.other_stamp);
-}
-
-void WatchRows::write_asked(std::optional<double> moment) {
-  write_meta("asked", moment);
-}
-
-void WatchRows::write_anew(bool anew) {
-  write_meta("anew", std::optional(std::int64_t{anew}));
 }
 
 // --- _pair
@@ -219,15 +113,23 @@ std::optional<StoredPair> WatchRows::pair(std::int64_t a, std::int64_t b) {
   return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
-void WatchRows::write_pair(const StoredPair& pair, bool with_told) {
-  Statement::Run run(write_pair_);
+// A row where none should be is damage, and no fault of the statement that commits.
+void WatchRows::write_pair(const StoredPair& pair, PairWrite how, bool with_told) try {
+  Statement::Run run(how == PairWrite::adds    ? add_pair_
+                     : how == PairWrite::moves ? move_pair_
+                                               : change_pair_);
   run.bind(1, pair.a);
   run.bind(2, pair.b);
   run.bind(3, pair.t);
-  run.bind(4, pair.due);
-  run.bind(5, std::int64_t{pair.held});
+  if (how != PairWrite::moves) {
+    run.bind(4, pair.due);
+    run.bind(5, std::int64_t{pair.held});
+  }
   if (with_told) run.bind(6, pair.told);
   run.step();
+} catch (const StoreError& error) {
+  if (error.code != SQLITE_CONSTRAINT_PRIMARYKEY && error.code != SQLITE_CONSTRAINT_UNIQUE) throw;
+  damaged("pair");
 }
 
 void WatchRows::erase_pair(std::int64_t a, std::int64_t b) {
@@ -243,9 +145,26 @@ std::int64_t WatchRows::count_pairs(bool held) {
   return run.step() ? run.integer(0) : 0;
 }
 
+/// `pairs`: in the order of the index, which alone the statement reads.
+bool WatchRows::holds(Statement& index, std::span<const StoredPair> pairs, bool with_due) {
+  auto pair = pairs.begin();
+  for (Statement::Run run(index); run.step(); ++pair) {
+    if (pair == pairs.end() || run.integer(0) != pair->a || run.integer(1) != pair->b) return false;
+    if (with_due && (sqlite3_value_double(run.value(2)) != pair->due || run.integer(3) != pair->held))
+      return false;
+  }
+  return pair == pairs.end();
+}
+
 bool WatchRows::indexes_agree() {
-  Statement::Run run(counts_);
-  return run.step() && run.integer(0) == run.integer(1) && run.integer(0) == run.integer(2);
+  std::vector<StoredPair> rows = pairs();
+  const auto sort_by = [&](auto key) {
+    std::sort(rows.begin(), rows.end(), [&](const auto& x, const auto& y) { return key(x) < key(y); });
+  };
+  sort_by([](const StoredPair& pair) { return std::tuple(pair.b, pair.a); });
+  if (!holds(by_b_, rows, false)) return false;
+  sort_by([](const StoredPair& pair) { return std::tuple(pair.held, pair.due, pair.a, pair.b); });
+  return holds(by_due_, rows, true);
 }
 
 // --- _log

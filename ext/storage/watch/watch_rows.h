@@ -10,6 +10,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,13 @@ struct StoredPair {
   std::int64_t a, b;
   double t, due, told;
   bool held;
+};
+
+/// What writing a pair does to its row.
+enum class PairWrite : std::uint8_t {
+  adds,     ///< there is none
+  moves,    ///< only times differ, and no index
+  changes,  ///< anything else
 };
 
 struct StoredChange {
@@ -58,10 +66,10 @@ class WatchRows {
   std::vector<StoredPair> pairs_of_b(std::int64_t id);
   std::vector<StoredPair> due_pairs(bool held, double until);
   std::optional<StoredPair> pair(std::int64_t a, std::int64_t b);
-  void write_pair(const StoredPair& pair, bool with_told);
+  void write_pair(const StoredPair& pair, PairWrite how, bool with_told);
   void erase_pair(std::int64_t a, std::int64_t b);
   std::int64_t count_pairs(bool held);
-  /// Whether the indexes hold the rows.
+  /// Whether each index holds the rows, and nothing else.
   bool indexes_agree();
 
   // --- _log
@@ -75,6 +83,7 @@ class WatchRows {
  private:
   [[noreturn]] void damaged(const std::string& what) const;
   std::vector<StoredPair> read_pairs(Statement::Run& run) const;
+  static bool holds(Statement& index, std::span<const StoredPair> pairs, bool with_due);
   template <class Value>
   void write_meta(std::string_view key, const std::optional<Value>& value);
   template <class Value>
@@ -82,8 +91,8 @@ class WatchRows {
 
   QualifiedName name_;
   Statement meta_, write_meta_;
-  Statement pairs_, pairs_of_a_, pairs_of_b_, due_pairs_, pair_, write_pair_, erase_pair_, count_pairs_,
-      counts_;
+  Statement pairs_, pairs_of_a_, pairs_of_b_, due_pairs_, pair_, count_pairs_, by_b_, by_due_;
+  Statement add_pair_, move_pair_, change_pair_, erase_pair_;
   Statement append_, trim_, oldest_, changes_;
 };
 

@@ -28,6 +28,9 @@ struct WatchState : WatchDeclaration {
   bool anew = false;                 ///< 'rebuild': what is stored is not to be believed
   double known_to = 0;               ///< the rows hold all pairs that begin up to this moment
   double step = 0;                   ///< by which the clock moved last
+  double further = 0;                ///< how far beyond the horizon the last look went
+  std::int64_t waited = 0;           ///< pairs that it, or a change since, has found beyond the horizon
+  std::int64_t dropped = 0;          ///< … of those, how many went before they were seen
   std::int64_t seq = 0;              ///< of the last change
   std::int64_t early = 0;            ///< reports beyond `ahead`
   std::optional<std::int64_t> stamp = {}, other_stamp = {};  ///< the contents that the rows are about

@@ -1,0 +1,65 @@
+// Which objects has a transaction changed, and which pairs are they in now?
+//
+//   const ChangedObjects changed = changed_objects(tables.a, state.stamp);
+//   PairSearch search(connection, tables, question_of(tables, state, {clock, h}));
+//   search.pairs_of(Side::a, changed.ids, [&](std::span<const JoinRow> rows) { … });
+//
+// Guarantee: every pair of one of these objects that touches during the question's horizon comes, within one
+// table in either order, and once for each of its objects that is asked about. Cost: a probe of the other
+// side's tree for each object, or where they are many a join of them with all.
+#pragma once
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "index/one_with_all.h"
+#include "sqlite/watch/watched_tables.h"
+
+namespace foresee::sqlite {
+
+/// The objects of one table that this transaction has changed.
+struct ChangedObjects {
+  bool told = true;               ///< else anything may have changed
+  std::vector<std::int64_t> ids;  ///< rising
+  std::vector<double> moments;    ///< the reference times that they have now
+
+  bool holds(std::int64_t id) const { return std::binary_search(ids.begin(), ids.end(), id); }
+};
+
+struct ChangedSides {
+  ChangedObjects a, b;  ///< within one table the same
+};
+
+/// Since the table's contents had this stamp.
+ChangedObjects changed_objects(const Connection::OpenTable& table, const std::optional<std::int64_t>& stamp);
+
+/// So many that the join of all is cheaper than looking at what they were in and are in now.
+bool are_most(const ChangedObjects& changed, const Connection::OpenTable& table);
+
+class PairSearch {
+ public:
+  using Take = std::function<void(std::span<const JoinRow>)>;
+
+  /// `question`: of question_of(), with what it wants. All must outlive the search.
+  PairSearch(Connection& connection, const WatchedTables& tables, JoinQuestion question);
+
+  /// The pairs that have one of these objects on this side; within one table on either.
+  void pairs_of(Side side, std::span<const std::int64_t> ids, const Take& take);
+
+ private:
+  void probe(Side side, std::int64_t id, NodeSource& others_tree, const Take& take);
+  void join(Side side, std::span<const std::int64_t> ids, const Take& take);
+  const Connection::OpenTable& table(Side side) const {
+    return side == Side::b && tables_.b ? *tables_.b : tables_.a;
+  }
+
+  Connection& connection_;
+  const WatchedTables& tables_;
+  JoinQuestion question_;
+  Contact::Reach reach_;
+};
+
+}  // namespace foresee::sqlite

@@ -1,0 +1,99 @@
+// A watch read within a transaction, and the ways in which it is kept: whichever is taken, the rows are those
+// of the join.
+#include <random>
+
+#include "sqlite/database.h"
+
+namespace foresee::sqlite {
+namespace {
+
+using testing::Database;
+
+std::string rows(Database& db, const std::string& from) {
+  return db.rows("SELECT a, b, t, t_end, dt, dt_end, t_cpa, dt_cpa, d_cpa FROM " + from + " ORDER BY a, b");
+}
+
+/// 400 objects: few changes are probes, 40 are joined with all, 130 are computed anew with all.
+class WatchWays : public ::testing::TestWithParam<const char*> {
+ protected:
+  WatchWays() {
+    db.exec(
+        "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, r);"
+        "CREATE VIRTUAL TABLE ferries USING moving_objects(id, t, x, y, vx, vy, r)");
+    for (const char* table : {"ships", "ferries"})
+      for (int id = 1; id <= 400; ++id) put(table, id);
+    db.exec(std::string("CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 8") +
+            GetParam() + ")");
+  }
+
+  void put(const std::string& table, int id) {
+    const auto draw = [&](int n) {
+      return std::to_string(static_cast<int>(random_() % unsigned(2 * n + 1)) - n);
+    };
+    db.exec("INSERT OR REPLACE INTO " + table + " VALUES (" + std::to_string(id) + ", " +
+            std::to_string(moment_) + ", " + draw(150) + ", " + draw(150) + ", " + draw(4) + ", " + draw(4) +
+            ", 1)");
+  }
+  void change(int count) {
+    for (int i = 0; i < count; ++i)
+      put(i % 3 == 2 ? "ferries" : "ships", 1 + static_cast<int>(random_() % 400));
+  }
+
+  std::string join() {
+    std::string options = GetParam();
+    const std::string now = db.rows("SELECT now FROM predictive_watches");
+    std::string where = "predictive_join WHERE h = 8 AND tbl = 'ships' AND now = " + now;
+    if (options.find("ferries") != std::string::npos) where += " AND other = 'ferries'";
+    if (options.find("ships") != std::string::npos) where += " AND other = 'ships'";
+    return where;
+  }
+  void expect_joined() {
+    ASSERT_EQ(rows(db, "alerts"), rows(db, join()));
+    ASSERT_EQ(rows(db, "alerts WHERE a = 7"), rows(db, join() + " AND a = 7"));
+    ASSERT_EQ(rows(db, "alerts WHERE b = 390"), rows(db, join() + " AND b = 390"));
+    ASSERT_EQ(db.rows("SELECT a, b, t FROM alerts ORDER BY a, b"),
+              db.rows("SELECT a, b, t FROM " + join() + " ORDER BY a, b"));
+  }
+
+  Database db;
+  std::mt19937 random_{3};
+  int moment_ = 0;
+};
+
+TEST_P(WatchWays, FewManyAndMostChangesGiveTheRowsOfTheJoin) {
+  for (const int count : {1, 60, 5, 300, 20, 90, 2, 600, 30}) {
+    ++moment_;
+    db.exec("BEGIN");
+    change(count);
+    expect_joined();
+    db.exec("SAVEPOINT s");
+    change(10);
+    db.exec("DELETE FROM ships WHERE id = 7; UPDATE ships SET id = 1007 WHERE id = 8");
+    expect_joined();
+    db.exec("ROLLBACK TO s");
+    expect_joined();
+    db.exec("COMMIT");
+    expect_joined();
+    db.exec("INSERT INTO alerts(alerts) VALUES('integrity-check')");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Tables, WatchWays, ::testing::Values("", ", other = ferries", ", other = ships"), [](const auto& info) {
+      return std::string(info.index == 0 ? "One" : info.index == 1 ? "Two" : "WithItself");
+    });
+
+TEST(WatchTransaction, ReadsWhatAnAdvanceWillShow) {
+  Database db;
+  db.exec(
+      "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, r);"
+      "CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 10);"
+      "INSERT INTO ships VALUES (1, 0, 0, 0, 0, 0, 1), (2, 0, 22, 0, -1, 0, 1);"
+      "BEGIN; INSERT INTO alerts(alerts, now) VALUES('advance', 15)");
+  EXPECT_EQ(db.rows("SELECT a, b, t FROM alerts"), "1|2|20.0");
+  db.exec("ROLLBACK");
+  EXPECT_EQ(db.rows("SELECT a, b, t FROM alerts"), "");
+}
+
+}  // namespace
+}  // namespace foresee::sqlite
