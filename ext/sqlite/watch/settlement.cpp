@@ -6,7 +6,6 @@
 
 #include "query/join/join.h"
 #include "query/watch/pair_contacts.h"
-#include "storage/rows/meta_rows.h"
 
 namespace foresee::sqlite {
 namespace {
@@ -24,12 +23,6 @@ void sort_and_unique(std::vector<WatchedPair>& pairs) {
   pairs.erase(std::unique(pairs.begin(), pairs.end(), same_ids), pairs.end());
 }
 
-/// What is in the rows: with a savepoint open, memory may hold nodes as well that it has written.
-std::optional<std::int64_t> stored_stamp(Connection& connection, const Connection::OpenTable& table) {
-  return MetaRows(ShadowTables(connection.db(), {table.schema, table.table}, {MetaRows::table()}))
-      .read_integer("stamp");
-}
-
 WatchedPair watched(const StoredPair& pair) {
   return {pair.a, pair.b, pair.t, pair.due, pair.told, pair.held};
 }
@@ -44,8 +37,9 @@ Settlement::Settlement(Connection& connection, WatchRows& rows)
       tables_(watched_tables(connection, rows.name().schema, before_)) {
   tables_.a.store->sync();
   if (tables_.b) tables_.b->store->sync();
-  state_.stamp = stored_stamp(connection, tables_.a);
-  if (tables_.b) state_.other_stamp = stored_stamp(connection, *tables_.b);
+  // What is in the rows: with a savepoint open, memory may hold nodes as well that it has written.
+  state_.stamp = tables_.a.store->stored_stamp();
+  if (tables_.b) state_.other_stamp = tables_.b->store->stored_stamp();
 }
 
 void Settlement::settle(Tells tells) {

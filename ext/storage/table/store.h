@@ -132,6 +132,8 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   void remove_watch(const std::string& name);
   /// The stamp of what is stored; nothing while changes wait in memory. Equal stamps: equal contents.
   std::optional<std::int64_t> settled_stamp();
+  /// The stamp that is in the rows, whatever waits in memory.
+  std::optional<std::int64_t> stored_stamp() { return shadow_rows().read_stamp(); }
   /// The stamp from before all that for_each_change() tells: what is stored, where this transaction has
   /// changed nothing; nothing if it cannot be told what has changed ('rebuild').
   std::optional<std::int64_t> stamp_before_changes();
