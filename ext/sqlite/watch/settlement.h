@@ -13,9 +13,9 @@
 //                     of all against all rows
 //
 // Only what differs is written. Guarantee: afterwards the rows that are held are those of predictive_join at
-// the clock, their times bit for bit. Cost: some twenty microseconds a changed object and about a microsecond
-// a row that differs; a join where it looks ahead. Memory: the changed objects and their pairs, and where it
-// computes anew all pairs.
+// the clock, their times bit for bit. Cost: some twenty microseconds a changed object, and as much for each
+// row that differs, of which SQLite has most; a join where it looks ahead. Memory: the changed objects and
+// their pairs, and where it computes anew all pairs.
 #pragma once
 
 #include <cmath>

@@ -9,7 +9,7 @@ namespace {
 
 using testing::Database;
 
-std::string rows(Database& db, const std::string& from) {
+std::string all_columns(Database& db, const std::string& from) {
   return db.rows("SELECT a, b, t, t_end, dt, dt_end, t_cpa, dt_cpa, d_cpa FROM " + from + " ORDER BY a, b");
 }
 
@@ -48,9 +48,9 @@ class WatchWays : public ::testing::TestWithParam<const char*> {
     return where;
   }
   void expect_joined() {
-    ASSERT_EQ(rows(db, "alerts"), rows(db, join()));
-    ASSERT_EQ(rows(db, "alerts WHERE a = 7"), rows(db, join() + " AND a = 7"));
-    ASSERT_EQ(rows(db, "alerts WHERE b = 390"), rows(db, join() + " AND b = 390"));
+    ASSERT_EQ(all_columns(db, "alerts"), all_columns(db, join()));
+    ASSERT_EQ(all_columns(db, "alerts WHERE a = 7"), all_columns(db, join() + " AND a = 7"));
+    ASSERT_EQ(all_columns(db, "alerts WHERE b = 390"), all_columns(db, join() + " AND b = 390"));
     ASSERT_EQ(db.rows("SELECT a, b, t FROM alerts ORDER BY a, b"),
               db.rows("SELECT a, b, t FROM " + join() + " ORDER BY a, b"));
   }
