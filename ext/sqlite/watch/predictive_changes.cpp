@@ -30,8 +30,13 @@ class ReadTransaction {
   Statement::Run run_;
 };
 
+[[noreturn]] void refuse_trimmed(const std::string& watch, std::int64_t oldest) {
+  throw Error(watch + ": changes up to " + std::to_string(oldest) +
+              " are no longer kept; read the whole watch with since = 0");
+}
+
 /// Read in parts, so that nothing stays open while the query works on a row; what is appended meanwhile is
-/// beyond `last`.
+/// beyond `last`. What is trimmed meanwhile is missed: positions have no gaps.
 class ChangeRows final : public FunctionRows {
  public:
   ChangeRows(std::shared_ptr<WatchRows> rows, std::int64_t after, std::int64_t last)
@@ -43,8 +48,10 @@ class ChangeRows final : public FunctionRows {
     if (!rows_ || after_ >= last_) return false;
     part_ = rows_->changes(after_, last_, at_once);
     row_ = 0;
-    if (part_.empty()) return false;
-    after_ = part_.back().seq;
+    const auto count = static_cast<std::int64_t>(part_.size());
+    if (count == 0 || part_.front().seq != after_ + 1 || part_.back().seq != after_ + count)
+      refuse_trimmed(rows_->name().table, rows_->oldest().value_or(last_));
+    after_ += count;
     return true;
   }
 
@@ -108,9 +115,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
     throw Error(watch.table + " is at " + std::to_string(state.seq) + ": position " + std::to_string(since) +
                 " is from another copy; read predictive_changes('" + watch.table + "', 0)");
   const std::int64_t oldest = rows->oldest().value_or(state.seq);
-  if (since < oldest)
-    throw Error(watch.table + ": changes up to " + std::to_string(oldest) +
-                " are no longer kept; read the whole watch with since = 0");
+  if (since < oldest) refuse_trimmed(watch.table, oldest);
   return std::make_unique<ChangeRows>(rows, since, state.seq);
 }
 

@@ -174,12 +174,19 @@ int watch_rename(sqlite3_vtab* base, const char* new_name) noexcept {
     WatchTable& table = table_of(base);
     Connection& connection = *table.connection;
     const WatchState state = table.rows()->read_state();
+    const bool settled = is_settled(state, watched_tables(connection, table.name.schema, state));
     parse_watch(new_name, {"ships", "horizon = 0"});  // a name that a watch may have
     table.watches().remove_from_tables(connection, table.name, state);
     table.watches().forget(table.name);
     WatchRows::tables(connection.db(), table.name).rename(new_name);
     table.name.table = new_name;
     table.watches().add_to_tables(connection, table.name, state);
+    if (!settled) return;
+    WatchState moved = state;
+    const WatchedTables tables = watched_tables(connection, table.name.schema, state);
+    moved.stamp = tables.a.store->settled_stamp();
+    if (tables.b) moved.other_stamp = tables.b->store->settled_stamp();
+    table.rows()->write_state(moved, state);
   });
 }
 

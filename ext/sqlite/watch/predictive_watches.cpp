@@ -1,6 +1,7 @@
 // predictive_watches in SQL: every watch that the connection sees, its declaration, clock and position.
 #include "sqlite/names/visible_tables.h"
 #include "sqlite/sql_tokens.h"
+#include "sqlite/watch/pair_search.h"
 #include "sqlite/watch/watch_functions.h"
 #include "sqlite/watch/watch_table.h"
 #include "sqlite/watch/watches.h"
@@ -37,6 +38,14 @@ struct ListedWatch {
   std::string fault = {};
 };
 
+/// Whether the next commit has to compute the watch anew: what a transaction under way has changed is no
+/// reason.
+bool is_lost(const WatchState& state, const WatchedTables& tables) {
+  if (is_settled(state, tables)) return false;
+  if (state.anew || !changed_objects(tables.a, state.stamp).told) return true;
+  return tables.b && !tables.are_one() && !changed_objects(*tables.b, state.other_stamp).told;
+}
+
 ListedWatch look_at(Connection& connection, const QualifiedName& name, bool counts) {
   ListedWatch watch{name};
   try {
@@ -44,7 +53,7 @@ ListedWatch look_at(Connection& connection, const QualifiedName& name, bool coun
     watch.state = rows->read_state();
     watch.oldest = rows->oldest().value_or(watch.state.seq);
     if (counts) watch.pairs = rows->count_pairs(true), watch.waiting = rows->count_pairs(false);
-    if (!is_settled(watch.state, watched_tables(connection, name.schema, watch.state)))
+    if (is_lost(watch.state, watched_tables(connection, name.schema, watch.state)))
       watch.fault = "not up to date: read by the join, and computed anew at the next commit";
   } catch (const StoreError& error) {
     const int code = error.code & 0xff;

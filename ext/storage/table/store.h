@@ -293,6 +293,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
 
   bool differs_from_version_ = false;  ///< something changed since read_version() was last asked
   std::uint64_t version_changes_ = 0;  ///< the `changes` that it told then
+  std::uint64_t synced_position_ = 0;  ///< of undo_position_, where all was written last
   std::uint64_t undo_position_ = 0;    ///< moves with everything that a savepoint would have to take back
 };
 

@@ -124,9 +124,13 @@ void Store::begin() {
   in_transaction_ = true;
 }
 
+// Several watches may ask in one COMMIT. With a savepoint open memory says of what it has written that it
+// waits: but nothing has changed since.
 void Store::sync() {
   shadow_rows();
+  if (synced_position_ == undo_position_ && !(waits() && is_taken_back())) return;
   flush();
+  synced_position_ = undo_position_;
 }
 
 void Store::end_transaction() noexcept {

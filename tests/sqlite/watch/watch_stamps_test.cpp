@@ -1,0 +1,82 @@
+// A watch follows its tables' stamps: whatever a transaction was made of, it is up to date after COMMIT, and
+// no reader misses a change without being told.
+#include "sqlite/database.h"
+
+namespace foresee::sqlite {
+namespace {
+
+using testing::Database;
+
+struct WatchStamps : ::testing::Test {
+  WatchStamps() {
+    db.exec(
+        "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, vx, r);"
+        "INSERT INTO ships VALUES (1, 0, 1, 10), (2, 120, -1, 10);"
+        "CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 100);"
+        "CREATE VIRTUAL TABLE near USING predictive_watch(ships, horizon = 100, within = 5)");
+  }
+  std::string faults() {
+    return db.rows("SELECT name, fault FROM predictive_watches WHERE fault IS NOT NULL");
+  }
+
+  Database db;
+};
+
+TEST_F(WatchStamps, TwoWatchesAreSettledWhereASavepointIsOpenAtCommit) {
+  db.exec(
+      "BEGIN; UPDATE ships SET x = 2 WHERE id = 1; SAVEPOINT inner; UPDATE ships SET x = 3 WHERE id = 1; "
+      "COMMIT");
+  EXPECT_EQ(faults(), "");
+  EXPECT_EQ(db.rows("SELECT a, b, t FROM alerts"), "1|2|48.5");
+  db.exec(
+      "BEGIN; UPDATE ships SET x = 4 WHERE id = 1; SAVEPOINT inner; UPDATE ships SET x = 5 WHERE id = 1;"
+      "INSERT INTO alerts(alerts, now) VALUES('advance', 1.0); COMMIT");
+  EXPECT_EQ(faults(), "");
+  db.exec(
+      "BEGIN; SAVEPOINT inner; UPDATE ships SET x = 6 WHERE id = 1; ROLLBACK TO inner;"
+      "UPDATE ships SET x = 7 WHERE id = 1; COMMIT");
+  EXPECT_EQ(faults(), "");
+  EXPECT_EQ(db.rows("SELECT * FROM alerts"),
+            db.rows("SELECT * FROM predictive_join(100, 'ships') WHERE now = 1"));
+  EXPECT_EQ(db.rows("SELECT x FROM ships WHERE id = 1"), "7.0");
+}
+
+TEST_F(WatchStamps, ARenamedWatchStaysUpToDate) {
+  db.exec("ALTER TABLE alerts RENAME TO warnings");
+  EXPECT_EQ(faults(), "");
+  db.exec("UPDATE ships SET x = 2 WHERE id = 1");
+  EXPECT_EQ(faults(), "");
+  EXPECT_EQ(db.rows("SELECT op, a, b, t FROM predictive_changes('warnings', 1)"), "~|1|2|49.0");
+}
+
+TEST_F(WatchStamps, WhatATransactionChangesIsNoFault) {
+  db.exec("BEGIN; UPDATE ships SET x = 2 WHERE id = 1");
+  EXPECT_EQ(faults(), "");
+  db.exec("COMMIT");
+  EXPECT_EQ(faults(), "");
+}
+
+TEST_F(WatchStamps, AReaderFromWhomChangesAreTrimmedIsTold) {
+  db.exec(
+      "CREATE VIRTUAL TABLE brief USING predictive_watch(ships, horizon = 100, keep = 1500);"
+      "WITH n(i) AS (SELECT 3 UNION ALL SELECT i + 1 FROM n WHERE i < 1500) "
+      "INSERT INTO ships SELECT i, 1000 * i, 0, 1 FROM n;"
+      "WITH n(i) AS (SELECT 3 UNION ALL SELECT i + 1 FROM n WHERE i < 1500) "
+      "INSERT INTO ships SELECT 10000 + i, 1000 * i + 1, 0, 1 FROM n");
+  sqlite3_stmt* reader = nullptr;
+  ASSERT_EQ(
+      sqlite3_prepare_v2(db.handle(), "SELECT seq FROM predictive_changes('brief', 1)", -1, &reader, nullptr),
+      SQLITE_OK);
+  ASSERT_EQ(sqlite3_step(reader), SQLITE_ROW);
+  db.exec("UPDATE ships SET x = x + 2 WHERE id > 10000; UPDATE ships SET x = x - 2 WHERE id > 10000");
+  int rc = SQLITE_ROW;
+  while (rc == SQLITE_ROW) rc = sqlite3_step(reader);
+  EXPECT_EQ(rc, SQLITE_ERROR);
+  EXPECT_NE(std::string(sqlite3_errmsg(db.handle()))
+                .find("are no longer kept; read the whole watch with since = 0"),
+            std::string::npos);
+  sqlite3_finalize(reader);
+}
+
+}  // namespace
+}  // namespace foresee::sqlite
