@@ -14,10 +14,6 @@ bool in_schema(const VisibleTable& table, const std::optional<std::string>& sche
   return !schema || same_name(table.schema, *schema);
 }
 
-std::string quoted(const std::string& name) {
-  return std::string("'") + without_nul(name) + "'";
-}
-
 /// Whether its name by itself means another table.
 bool is_hidden(const VisibleTable& table, const std::vector<VisibleTable>& tables) {
   for (const VisibleTable& other : tables)
@@ -105,6 +101,10 @@ std::optional<Connection::OpenTable> find_open(Connection& connection, const Ask
 }
 
 }  // namespace
+
+std::string quoted(const std::string& name) {
+  return std::string("'") + without_nul(name) + "'";
+}
 
 Connection::OpenTable open_table(Connection& connection, const AskedTable& asked) {
   const AskedTable name = asked.table ? asked : only_table(connection.db(), asked.schema);

@@ -19,4 +19,7 @@ namespace foresee::sqlite {
 /// clear; it lists what there is.
 Connection::OpenTable open_table(Connection& connection, const AskedTable& name);
 
+/// 'name', as messages show it.
+std::string quoted(const std::string& name);
+
 }  // namespace foresee::sqlite

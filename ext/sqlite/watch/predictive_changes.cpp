@@ -3,11 +3,11 @@
 
 #include "sqlite/callback.h"
 #include "sqlite/functions/table_function.h"
+#include "sqlite/names/open_table.h"
 #include "sqlite/names/visible_tables.h"
 #include "sqlite/sql_tokens.h"
 #include "sqlite/watch/watch_functions.h"
 #include "sqlite/watch/watches.h"
-#include "storage/rows/text.h"
 
 namespace foresee::sqlite {
 namespace {
@@ -71,10 +71,6 @@ class ChangeRows final : public FunctionRows {
   std::vector<StoredChange> part_;
   std::size_t row_ = static_cast<std::size_t>(-1);
 };
-
-std::string quoted(const std::string& name) {
-  return "'" + without_nul(name) + "'";
-}
 
 QualifiedName find_watch(sqlite3* db, const std::string& name, const std::optional<std::string>& schema) {
   std::string list;
