@@ -58,20 +58,6 @@ std::string with_schema_apart(const std::vector<VisibleTable>& tables, const std
   return "";
 }
 
-/// Says why the table could not be opened; returns if it is a moving_objects table, so that the fault is
-/// another.
-void throw_if_not_ours(sqlite3* db, const std::string& table, const std::optional<std::string>& schema) {
-  const std::string name = quoted(table) + (schema ? " in schema " + quoted(*schema) : "");
-  const std::vector<VisibleTable> tables = visible_tables(db);
-  for (const VisibleTable& seen : tables) {
-    if (!same_name(seen.name, table) || !in_schema(seen, schema)) continue;
-    if (seen.holds_moving_objects) return;
-    throw Error(name + " is not a moving_objects table" + list_of(tables, schema.has_value()));
-  }
-  throw Error("no such table: " + name + (schema ? "" : with_schema_apart(tables, table)) +
-              list_of(tables, schema.has_value()));
-}
-
 /// SQL's text ends at a NUL: no name has one.
 bool can_be_named(const AskedTable& name) {
   const std::string text = *name.table + name.schema.value_or("");
@@ -106,16 +92,29 @@ std::string quoted(const std::string& name) {
   return std::string("'") + without_nul(name) + "'";
 }
 
+void require_moving_objects(sqlite3* db, const std::string& table, const std::optional<std::string>& schema) {
+  const std::string name = quoted(table) + (schema ? " in schema " + quoted(*schema) : "");
+  const std::vector<VisibleTable> tables = visible_tables(db);
+  for (const VisibleTable& seen : tables) {
+    if (!same_name(seen.name, table) || !in_schema(seen, schema)) continue;
+    if (seen.holds_moving_objects) return;
+    throw Error(name + " is not a moving_objects table" + list_of(tables, schema.has_value()));
+  }
+  throw Error("no such table: " + name + (schema ? "" : with_schema_apart(tables, table)) +
+              list_of(tables, schema.has_value()));
+}
+
 Connection::OpenTable open_table(Connection& connection, const AskedTable& asked) {
   const AskedTable name = asked.table ? asked : only_table(connection.db(), asked.schema);
   try {
     if (can_be_named(name))
       if (auto open = find_open(connection, name)) return *open;
   } catch (const StoreError& error) {
-    if ((error.code & 0xff) == SQLITE_ERROR) throw_if_not_ours(connection.db(), *name.table, name.schema);
+    if ((error.code & 0xff) == SQLITE_ERROR)
+      require_moving_objects(connection.db(), *name.table, name.schema);
     throw;
   }
-  throw_if_not_ours(connection.db(), *name.table, name.schema);
+  require_moving_objects(connection.db(), *name.table, name.schema);
   throw Error(*name.table + " does not answer as a moving_objects table does");
 }
 

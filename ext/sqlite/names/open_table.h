@@ -22,4 +22,7 @@ Connection::OpenTable open_table(Connection& connection, const AskedTable& name)
 /// 'name', as messages show it.
 std::string quoted(const std::string& name);
 
+/// By the text of its declaration alone: nothing is connected or asked. Throws Error as open_table does.
+void require_moving_objects(sqlite3* db, const std::string& table, const std::optional<std::string>& schema);
+
 }  // namespace foresee::sqlite
