@@ -3,19 +3,14 @@
 //
 // The killed process writes the same rows to an ordinary table in the same transactions: that is what SQLite
 // kept, so that is what must be there.
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include "database.h"
-#include "scenes.h"
+#include "killed_writer.h"
 
 namespace foresee::testing {
 namespace {
 
-/// Transactions without end, each announced through `done` once its COMMIT has returned.
+/// Transactions without end, each announced once its COMMIT has returned.
 [[noreturn]] void write_for_ever(const std::string& path, const char* journal_mode, std::uint64_t seed,
-                                 int done) {
+                                 Announce announce) {
   sqlite3* db = nullptr;
   sqlite3_open(path.c_str(), &db);
   sqlite3_foresee_init(db, nullptr, nullptr);
@@ -41,34 +36,8 @@ namespace {
     both("DELETE FROM ", " WHERE id % 11 = " + k + " % 11 AND id % 3 = 0");
     run("INSERT INTO progress VALUES(" + k + ")");
     run("COMMIT");
-    if (write(done, &number, sizeof number) != sizeof number) _exit(1);
+    announce(number);
   }
-}
-
-/// Lets a writer run for some milliseconds, kills it, and says which transaction it announced last.
-std::int64_t write_and_kill(const std::string& path, const char* journal_mode, std::uint64_t seed) {
-  int ends[2];
-  EXPECT_EQ(pipe(ends), 0);
-  const pid_t writer = fork();
-  if (writer == 0) {
-    close(ends[0]);
-    write_for_ever(path, journal_mode, seed, ends[1]);
-  }
-  close(ends[1]);
-  std::int64_t last = 0;
-  Random random(seed);
-  const auto some = 1 + random.below(6);  // transactions, and then some time into the next one
-  for (std::uint64_t i = 0; i < some && read(ends[0], &last, sizeof last) == sizeof last; ++i) {
-  }
-  usleep(static_cast<useconds_t>(random.below(20'000)));
-  kill(writer, SIGKILL);
-  while (read(ends[0], &last, sizeof last) == sizeof last) {
-  }
-  close(ends[0]);
-  int status = 0;
-  EXPECT_EQ(waitpid(writer, &status, 0), writer);
-  EXPECT_TRUE(WIFSIGNALED(status)) << "the writer ended by itself";
-  return last;
 }
 
 void expect_whole(const std::string& path, std::int64_t announced) {
@@ -93,7 +62,9 @@ TEST_P(Crash, KeepsEveryCommittedTransactionAndNoHalfOne) {
           "CREATE TABLE model(id INTEGER PRIMARY KEY, t REAL, x REAL, y REAL, vx REAL, vy REAL, r REAL);"
           "CREATE TABLE progress(k)");
     }
-    expect_whole(file.path(), write_and_kill(file.path(), GetParam(), seed));
+    expect_whole(file.path(), write_and_kill(seed, [&](Announce announce) {
+                   write_for_ever(file.path(), GetParam(), seed, announce);
+                 }));
   }
 }
 

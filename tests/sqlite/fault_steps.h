@@ -13,10 +13,17 @@
 
 namespace foresee::testing {
 
+inline const bool every_fault = std::getenv("FORESEE_EVERY_FAULT") != nullptr;
+
 inline long next_fault(long n) {
   constexpr long one_by_one = sanitized ? 10 : 50, growth = sanitized ? 4 : 14;
-  static const bool every = std::getenv("FORESEE_EVERY_FAULT") != nullptr;
-  return every || n < one_by_one ? n + 1 : n + 1 + n / growth;
+  return every_fault || n < one_by_one ? n + 1 : n + 1 + n / growth;
+}
+
+/// For tests of many statements: far fewer of each.
+inline long next_fault_of_many(long n) {
+  constexpr long growth = sanitized ? 1 : 4;
+  return every_fault ? n + 1 : n + 1 + n / growth;
 }
 
 }  // namespace foresee::testing

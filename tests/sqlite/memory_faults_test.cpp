@@ -1,84 +1,14 @@
 // Memory runs out at every allocation in turn, once or for good: SQLite's and ours. Nothing crashes, the
 // statement fails with SQLITE_NOMEM or does its work, and the table is what it was before the statement or
 // after it.
-#include <cstdlib>
-#include <new>
+#include "memory_faults.h"
 
-#include "database.h"
 #include "fault_steps.h"
-
-namespace {
-
-/// Counts down the allocations of the statement under test; at 0 they fail.
-struct Faults {
-  bool armed = false;
-  bool for_good = false;
-  long left = 0;
-  bool fired = false;
-
-  bool fails() {
-    if (!armed || left-- > 0) return false;
-    fired = true;
-    if (!for_good) armed = false;
-    return true;
-  }
-} faults;
-
-std::size_t bytes_asked = 0;  // by our own code, ever
-
-}  // namespace
-
-// GCC takes free() of what our own operator new has given for a mismatch.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpragmas"
-#pragma GCC diagnostic ignored "-Wunknown-warning-option"
-#pragma GCC diagnostic ignored "-Wmismatched-new-delete"
-void* operator new(std::size_t size) {
-  bytes_asked += size;
-  if (!faults.fails())
-    if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  return faults.fails() ? nullptr : std::malloc(size == 0 ? 1 : size);
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
-#pragma GCC diagnostic pop
 
 namespace foresee::testing {
 namespace {
 
-sqlite3_mem_methods ordinary;
-
-void* faulty_malloc(int size) {
-  return faults.fails() ? nullptr : ordinary.xMalloc(size);
-}
-void* faulty_realloc(void* memory, int size) {
-  return faults.fails() ? nullptr : ordinary.xRealloc(memory, size);
-}
-
-/// SQLite allocates through the counter while a fixture lives; no database is open before or after.
-struct MemoryFaults : ::testing::Test {
-  MemoryFaults() {
-    sqlite3_shutdown();
-    sqlite3_config(SQLITE_CONFIG_GETMALLOC, &ordinary);
-    sqlite3_mem_methods faulty = ordinary;
-    faulty.xMalloc = faulty_malloc;
-    faulty.xRealloc = faulty_realloc;
-    sqlite3_config(SQLITE_CONFIG_MALLOC, &faulty);
-    sqlite3_initialize();
-  }
-  ~MemoryFaults() override {
-    sqlite3_shutdown();
-    sqlite3_config(SQLITE_CONFIG_MALLOC, &ordinary);
-    sqlite3_initialize();
-  }
-
+struct TableMemoryFaults : MemoryFaults {
   static std::string contents(Database& db, const std::string& table) {
     return db.rows("SELECT * FROM " + table + " ORDER BY id");
   }
@@ -119,26 +49,26 @@ struct MemoryFaults : ::testing::Test {
   }
 };
 
-TEST_F(MemoryFaults, Insert) {
+TEST_F(TableMemoryFaults, Insert) {
   run("INSERT INTO ships VALUES(7, 0, 1, 1, 0, 0, 'new'), (8, 0, 2, 2, 0, 0, x'00')");
   run("INSERT OR REPLACE INTO ships(id, t, x, y) VALUES(2, 0, 9, 9)");
 }
 
-TEST_F(MemoryFaults, Update) {
+TEST_F(TableMemoryFaults, Update) {
   run("UPDATE ships SET x = x + 1, name = id");
   run("UPDATE ships SET id = id + 10 WHERE id = 2");
 }
 
-TEST_F(MemoryFaults, Delete) {
+TEST_F(TableMemoryFaults, Delete) {
   run("DELETE FROM ships WHERE id > 1");
 }
 
-TEST_F(MemoryFaults, Scan) {
+TEST_F(TableMemoryFaults, Scan) {
   run("SELECT * FROM ships WHERE x > 1 ORDER BY y");
   run("SELECT name FROM ships WHERE id = 2");
 }
 
-TEST_F(MemoryFaults, Transaction) {
+TEST_F(TableMemoryFaults, Transaction) {
   run("SAVEPOINT a; UPDATE ships SET x = 0; SAVEPOINT b; DELETE FROM ships; ROLLBACK TO b; ROLLBACK TO a; "
       "RELEASE a");
 }
@@ -156,19 +86,19 @@ TEST(Memory, SavepointsInsideEachOtherTakeTheSameEach) {
   db.exec("COMMIT");
 }
 
-TEST_F(MemoryFaults, Commands) {
+TEST_F(TableMemoryFaults, Commands) {
   run("INSERT INTO ships(ships) VALUES('rebuild')");
   run("INSERT INTO ships(ships) VALUES('optimize')");
   run("INSERT INTO ships(ships) VALUES('integrity-check')");
 }
 
-TEST_F(MemoryFaults, CreateAndDrop) {
+TEST_F(TableMemoryFaults, CreateAndDrop) {
   run("CREATE VIRTUAL TABLE boats USING moving_objects(id, x, vx, +n TEXT, horizon = 5)");
   run("CREATE VIRTUAL TABLE IF NOT EXISTS boats USING moving_objects(id, x); DROP TABLE boats");
 }
 
 /// Texts in UTF-16 take memory when they are read; small ones too, where SQLite has put none aside.
-TEST_F(MemoryFaults, TextsInUtf16) {
+TEST_F(TableMemoryFaults, TextsInUtf16) {
   sqlite3_shutdown();
   sqlite3_config(SQLITE_CONFIG_LOOKASIDE, 0, 0);
   sqlite3_initialize();
@@ -181,7 +111,7 @@ TEST_F(MemoryFaults, TextsInUtf16) {
   sqlite3_initialize();
 }
 
-TEST_F(MemoryFaults, SmallQuestions) {
+TEST_F(TableMemoryFaults, SmallQuestions) {
   run("SELECT * FROM predictive_window(10, 'ships', 0, 2.5)");
   run("SELECT * FROM predictive_nearest(10, 'ships', 2, 0, 0)");
   run("SELECT * FROM predictive_join(10, 'ships', 5) WHERE a = 1");
@@ -208,7 +138,7 @@ std::pair<std::string, std::string> counts_around_a_fault(const std::string& cou
 /// What an index hands on depends on the order of the rows too, and a question by the tree may leave them in
 /// another one (query/join/explain.h), with a fault or without. So the first explanation is compared with one
 /// by its own method, and across methods only what touches.
-TEST_F(MemoryFaults, ExplainCountsTheSameAfterwards) {
+TEST_F(TableMemoryFaults, ExplainCountsTheSameAfterwards) {
   const auto explained = [](const std::string& method) {
     return " FROM predictive_explain(20, 'ships', 1, NULL, 0, '" + method + "')";
   };
@@ -227,7 +157,7 @@ TEST_F(MemoryFaults, ExplainCountsTheSameAfterwards) {
   }
 }
 
-TEST_F(MemoryFaults, Join) {
+TEST_F(TableMemoryFaults, Join) {
   run("SELECT * FROM predictive_join(10, 'ships', 5)");
   run("SELECT * FROM predictive_position(10)");
 }

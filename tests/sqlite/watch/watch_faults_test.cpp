@@ -1,120 +1,141 @@
-// Every write and sync of a commit that a watch settles fails in turn; a trigger on a shadow table fails it;
-// it is interrupted. The commit fails whole or does its work: table, pairs and changes always belong
-// together.
+// Every read, write and sync of every step in a watch's life fails in turn; a trigger on a shadow table fails
+// the commit; it is interrupted. The step fails whole or does its work: table, pairs and changes always
+// belong together.
 #include <filesystem>
 
-#include "sqlite/database.h"
 #include "sqlite/fault_steps.h"
 #include "sqlite/faulty_files.h"
+#include "sqlite/watch/watch_steps.h"
 
 namespace foresee::testing {
 namespace {
 
-constexpr const char* objects =
-    "WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 60)"
-    "INSERT INTO ships SELECT i, i % 5, i * 37 % 100, i * 53 % 90, i % 7 - 3, i % 5 - 2, 0.5 FROM n";
+struct FaultySteps {
+  WatchStep step;
+  const char* journal_mode;
+};
 
-std::string contents(Database& db) {
-  return db.rows("SELECT * FROM ships ORDER BY id") + "\n" + db.rows("SELECT * FROM alerts_log") + "\n" +
-         db.rows("SELECT a, b, t FROM alerts_pair WHERE state = 1");
+/// With one journal or the other in turn.
+std::vector<FaultySteps> all_faulty_steps() {
+  std::vector<FaultySteps> all;
+  bool wal = false;
+  for (const WatchStep& step : watch_steps) {
+    all.push_back({step, wal ? "wal" : "delete"});
+    wal = !wal;
+    if (every_fault) all.push_back({step, wal ? "wal" : "delete"});
+  }
+  return all;
 }
 
-void expect_up_to_date(Database& db) {
-  EXPECT_EQ(db.rows("SELECT fault FROM predictive_watches"), "NULL");
-  EXPECT_EQ(db.error_of("INSERT INTO alerts(alerts) VALUES('integrity-check')"), "");
-}
+class WatchFileFaults : public ::testing::TestWithParam<FaultySteps> {
+ protected:
+  static constexpr int objects = 40;
 
-TEST(WatchFaults, FilesThatFailLeaveTheCommitWholeOrNotAtAll) {
-  TemporaryFile file;
-  FaultyFiles files;
-  {
-    Database db(file.path());
-    db.exec(
-        "PRAGMA page_size = 512; CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, r)");
-    db.exec(objects);
-    db.exec("CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 10, within = 3)");
+  void SetUp() override {
+    Database db(original_.path());
+    db.exec(std::string("PRAGMA page_size = 512; PRAGMA journal_mode = ") + GetParam().journal_mode);
+    db.exec(objects_to_watch(objects) + GetParam().step.before);
+    before_ = all_of_watch(db);
   }
-  const std::string copy = file.path("copy.db");
-  const auto copy_original = [&] {
-    for (const char* end : {"", "-journal"}) std::filesystem::remove(copy + end);
-    std::filesystem::copy_file(file.path(), copy);
-  };
-  const std::string sql =
-      "BEGIN; UPDATE ships SET t = 9, x = x + 5 WHERE id % 9 = 1; DELETE FROM ships WHERE id = 7; COMMIT";
-  std::string before, after;
-  copy_original();
-  {
-    Database db(copy);
-    before = contents(db);
-    db.exec(sql);
-    after = contents(db);
+
+  void copy_original() const {
+    for (const char* end : {"", "-journal", "-wal", "-shm"}) std::filesystem::remove(copy_ + end);
+    std::filesystem::copy_file(original_.path(), copy_);
   }
+
+  std::string done() const {
+    copy_original();
+    Database db(copy_);
+    db.exec(GetParam().step.sql);
+    return all_of_watch(db);
+  }
+
+  /// False once the fault is not met any more.
+  bool disturbed(const std::string& after, FileFault fault, long n, bool for_good) {
+    copy_original();
+    bool fired, failed;
+    {
+      Database db("file:" + copy_ + "?vfs=faulty");
+      db.exec("PRAGMA cache_size = 4; SELECT count(*) FROM sqlite_schema");
+      files_.arm(fault, n, for_good);
+      failed = !db.error_of(GetParam().step.sql).empty();
+      fired = files_.disarm();
+      EXPECT_TRUE(fired || !failed);
+      if (sqlite3_get_autocommit(db.handle()) == 0) db.error_of("ROLLBACK");
+    }
+    Database db(copy_);
+    db.exec("PRAGMA synchronous = OFF");
+    const std::string found = all_of_watch(db);
+    EXPECT_TRUE(found == after || (failed && found == before_))
+        << "fault " << static_cast<int>(fault) << " at operation " << n;
+    expect_watches_are_sound(db);
+    return fired;
+  }
+
+  TemporaryFile original_;
+  const std::string copy_ = original_.path("copy.db");
+  FaultyFiles files_;
+  std::string before_;
+};
+
+TEST_P(WatchFileFaults, LeaveTheStepUndoneOrDone) {
+  const std::string after = done();
   for (const FileFault fault : all_file_faults) {
-    bool fired = true;
-    for (long n = 0; fired && !::testing::Test::HasFailure(); n = next_fault(n)) {
-      copy_original();
-      bool failed;
-      {
-        Database db("file:" + copy + "?vfs=faulty");
-        db.exec("PRAGMA cache_size = 4; SELECT count(*) FROM sqlite_schema");
-        files.arm(fault, n, false);
-        failed = !db.error_of(sql).empty();
-        fired = files.disarm();
-        if (sqlite3_get_autocommit(db.handle()) == 0) db.error_of("ROLLBACK");
-      }
-      Database db(copy);
-      db.exec("PRAGMA synchronous = OFF");
-      const std::string found = contents(db);
-      EXPECT_TRUE(found == after || (failed && found == before)) << "fault at operation " << n;
-      expect_up_to_date(db);
+    long n = 0;
+    while (disturbed(after, fault, n, n % 2 == 1) && !HasFailure()) {
+      if (every_fault) disturbed(after, fault, n, n % 2 == 0);
+      n = next_fault_of_many(n);
     }
   }
 }
 
+INSTANTIATE_TEST_SUITE_P(Steps, WatchFileFaults, ::testing::ValuesIn(all_faulty_steps()),
+                         [](const auto& info) {
+                           return std::string(info.param.step.name) + "_" + info.param.journal_mode;
+                         });
+
 struct WatchCommit : ::testing::Test {
-  WatchCommit() {
-    db.exec("CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, r)");
-    db.exec(objects);
-    db.exec("CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 10, within = 3)");
-  }
+  WatchCommit() { db.exec(objects_to_watch(60) + create_alerts); }
 
   Database db;
 };
 
 TEST_F(WatchCommit, FailsWholeWhereAShadowTableRefuses) {
-  const std::string before = contents(db);
+  const std::string before = all_of_watch(db);
   for (const char* event :
        {"INSERT ON alerts_log", "UPDATE ON alerts_pair", "INSERT ON alerts_pair", "INSERT ON alerts_meta"}) {
     db.exec(std::string("CREATE TRIGGER forbid BEFORE ") + event +
             " BEGIN SELECT raise(ABORT, 'forbidden'); END");
-    db.error_of("UPDATE ships SET x = x + 5 WHERE id % 9 = 1");
-    EXPECT_EQ(contents(db), before) << event;
+    EXPECT_NE(db.error_of("UPDATE ships SET t = 6, x = x + 5 WHERE id % 9 = 1"), "") << event;
     db.exec("DROP TRIGGER forbid");
-    expect_up_to_date(db);
+    EXPECT_EQ(all_of_watch(db), before) << event;
+    expect_watches_are_sound(db);
   }
   db.exec("UPDATE ships SET x = x + 5 WHERE id % 9 = 1");
-  EXPECT_NE(contents(db), before);
-  expect_up_to_date(db);
+  EXPECT_NE(all_of_watch(db), before);
+  expect_watches_are_sound(db);
 }
 
 TEST_F(WatchCommit, FailsWholeWhereItIsInterrupted) {
-  const std::string before = contents(db);
+  const std::string before = all_of_watch(db);
   bool stopped = true;
+  int stops = 0;
   for (int steps = 1; stopped && !HasFailure(); steps += 1 + steps / 4) {
     int left = steps;
     db.exec("BEGIN; UPDATE ships SET x = x + 5 WHERE id % 9 = 1");
     sqlite3_progress_handler(
         db.handle(), 1, [](void* count) { return --*static_cast<int*>(count) < 0 ? 1 : 0; }, &left);
-    const std::string error = db.error_of("COMMIT");
+    stopped = !db.error_of("COMMIT").empty();
     sqlite3_progress_handler(db.handle(), 0, nullptr, nullptr);
-    stopped = !error.empty();
+    stops += stopped;
     if (sqlite3_get_autocommit(db.handle()) == 0) db.exec("ROLLBACK");
     if (stopped) {
-      EXPECT_EQ(contents(db), before) << steps;
+      EXPECT_EQ(all_of_watch(db), before) << steps;
     }
-    expect_up_to_date(db);
+    expect_watches_are_sound(db);
   }
-  EXPECT_NE(contents(db), before);
+  EXPECT_GT(stops, 5);
+  EXPECT_NE(all_of_watch(db), before);
 }
 
 }  // namespace

@@ -1,0 +1,40 @@
+// Memory that runs out: SQLite's and ours, at one allocation or from it on.
+//
+//   struct MyFaults : MemoryFaults {};       // SQLite allocates through the counter while a fixture lives
+//   faults = {.armed = true, .for_good = true, .left = 7, .fired = false};
+//   sqlite3_exec(…);
+//   const bool fired = faults.fired;
+//   faults = {};
+#pragma once
+
+#include <cstddef>
+
+#include "database.h"
+
+namespace foresee::testing {
+
+/// Counts down the allocations of the statement under test; at 0 they fail.
+struct Faults {
+  bool armed = false;
+  bool for_good = false;
+  long left = 0;
+  bool fired = false;
+
+  bool fails() {
+    if (!armed || left-- > 0) return false;
+    fired = true;
+    if (!for_good) armed = false;
+    return true;
+  }
+};
+
+extern Faults faults;
+extern std::size_t bytes_asked;  ///< by our own code, ever
+
+/// No database is open before or after.
+struct MemoryFaults : ::testing::Test {
+  MemoryFaults();
+  ~MemoryFaults() override;
+};
+
+}  // namespace foresee::testing

@@ -1,0 +1,54 @@
+// Random lives of watched tables: scenes of every shape, law and option, and the transactions that a life
+// brings.
+//
+//   LifeScript script(watch_lives()[0], seed);
+//   db.exec(script.tables());
+//   db.exec(script.next());               // one transaction, or one that comes to nothing
+#pragma once
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "all_rooms.h"
+
+namespace foresee::testing {
+
+struct WatchLife {
+  const char* name;
+  const char* columns;  ///< of a table, behind the id
+  /// Of an object: N is a whole number of the scene, V a speed, S a size or a choice, T the moment.
+  const char* values;
+  const char* options;
+  const char* join;  ///< the same question, behind now
+  const char* other_columns = nullptr;
+  const char* other_values = nullptr;
+  double tolerance = 0;
+};
+
+/// Numbers are whole, so that contacts begin at the end of the horizon and end at the clock.
+const std::vector<WatchLife>& watch_lives();
+
+class LifeScript {
+ public:
+  LifeScript(const WatchLife& life, unsigned seed) : life_(life), random_(seed) {}
+
+  /// Tables and watch.
+  std::string tables() const;
+  /// Mostly short; changes, advances, savepoints, rollbacks, a merge.
+  std::string next();
+  /// Changes of a transaction, without its BEGIN and COMMIT.
+  std::string changes(int most);
+  int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+
+ private:
+  std::string values(const char* pattern);
+  std::string change();
+  std::string advance();
+
+  const WatchLife& life_;
+  std::mt19937 random_;
+  int moment_ = 0;
+};
+
+}  // namespace foresee::testing
