@@ -1,5 +1,7 @@
-// Two database files in the system's temporary folder, ours and the rival's: of this process alone, and gone
-// with the object.
+// Database files in the system's temporary folder: of this process alone, and gone with the object.
+//
+//   TwoFiles files;                          // ours and the rival's
+//   ScratchFile file("watched");
 #pragma once
 
 #include <unistd.h>
@@ -11,23 +13,25 @@
 
 namespace foresee::bench {
 
-class TwoFiles {
+class ScratchFile {
  public:
-  TwoFiles() { remove(); }
-  ~TwoFiles() { remove(); }
-  TwoFiles(const TwoFiles&) = delete;
-  TwoFiles& operator=(const TwoFiles&) = delete;
-
-  const std::string ours = path_of("ours"), theirs = path_of("rival");
-
- private:
-  static std::string path_of(const std::string& whose) {
-    return std::filesystem::temp_directory_path() /
-           ("foresee-bench-" + std::to_string(getpid()) + "-" + whose + ".db");
+  explicit ScratchFile(const std::string& name)
+      : path(std::filesystem::temp_directory_path() /
+             ("foresee-bench-" + std::to_string(getpid()) + "-" + name + ".db")) {
+    std::filesystem::remove(path);
   }
-  void remove() const {
-    for (const std::string& path : {ours, theirs}) std::filesystem::remove(path);
-  }
+  ~ScratchFile() { std::filesystem::remove(path); }
+  ScratchFile(const ScratchFile&) = delete;
+  ScratchFile& operator=(const ScratchFile&) = delete;
+
+  const std::string path;
+};
+
+class TwoFiles {
+  ScratchFile our_file_{"ours"}, their_file_{"rival"};
+
+ public:
+  const std::string ours = our_file_.path, theirs = their_file_.path;
 };
 
 }  // namespace foresee::bench
