@@ -197,7 +197,7 @@ TEST_F(WatchTime, AGiantThatTouchesAllTellsNothingWhereItStaysInTouch) {
 TEST_F(WatchTime, AllObjectsMayChangeAtOnce) {
   create("t, x, y, vx, vy, r", "horizon = 5, within = 2");
   db.exec(
-      "WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 1500)"
+      "WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 600)"
       "INSERT INTO ships SELECT i, 0, i * 37 % 401, i * 53 % 307, i % 7 - 3, i % 5 - 2, 1 FROM n");
   WatchReader reader;
   for (const char* change : {"x = x + vx", "vx = -vx, t = t + 1", "id = -id", "r = 3"}) {
