@@ -8,27 +8,31 @@
 // reports/feed.h: single-row UPDATEs by id of t, place, speed and acceleration of an object drawn at random;
 // the clock of the watch follows their t, 1/n second a report. A watch has horizon = 3, the scene's.
 //
-//   --reports  S-100000 (workloads.h): 1, 100, 1000 and 10,000 reports a commit, and all objects in one.
-//   Beside
-//              the watch, with the same reports:
+//   --reports  S-100000 (workloads.h): 1, 100, 1000 and 10,000 reports a commit, and all objects in one,
+//              beside the watch, with the same reports:
+//
 //              join + compare: the same table without a watch; before COMMIT predictive_join goes into a
 //              temporary table, which is compared in SQL with a table of pairs; the differences go into a
 //              table of changes and into the pairs (watches/compared_join.cpp). Both must hold the same pairs
-//              at the end. R*Tree + trigger: base table and R*Tree of swept boxes, both of which a report
-//              updates; a trigger finds the pairs of the object with foresee's own contact as an SQL function
-//              and writes pairs and changes (watches/triggered_pairs.cpp). It asks from 0 on: it cannot move
-//              its clock. R*Tree with base table: both updated, nobody knows a pair.
+//              at the end.
+//
+//              R*Tree + trigger: base table and R*Tree of swept boxes, both of which a report updates; a
+//              trigger finds the pairs of the object with foresee's own contact as an SQL function and writes
+//              pairs and changes (watches/triggered_pairs.cpp). It asks from 0 on: it cannot move its clock.
+//
+//              R*Tree with base table: both updated, nobody knows a pair.
+//
 //              (--quick: S-10000, without 10,000 reports.)
+//
 //   --growth   one report a commit: S-1000000 beside S-62500, both watched; S-100000 without a watch in a
-//   file
-//              that has a watch of another table, beside a file without any. (--quick: a tenth.)
-//   --ships    99,647 reports of 10,616 ships in 25 minutes (../shared/data/ships_us_20220103.csv.gz, or in
-//   the
-//              folder that FORESEE_SHARED_DATA names; skipped where it is not), as points in a plane, horizon
-//              = 600, within = 926. After five minutes, each second's reports are a commit: the watch beside
-//              join + compare, and how many rows of pairs it writes for a report. Then the clock alone, a
-//              second at a time for 600 s: 'advance' beside all rows of predictive_join at each. (--quick: 20
-//              s and 60 s of these.)
+//              file that has a watch of another table, beside a file without any. (--quick: a tenth.)
+//
+//   --ships    99,647 reports of 10,616 ships (../shared/data/ships_us_20220103.csv.gz, or in the folder that
+//              FORESEE_SHARED_DATA names; skipped where it is not), as points in a plane, horizon = 600,
+//              within = 926. Each second of reports is a commit; after two minutes two more are timed: the
+//              watch beside join + compare, and the rows of pairs that it writes for a report. Then the clock
+//              alone, a second at a time for 600 s: 'advance' beside all rows of predictive_join at each.
+//              (--quick: ten seconds, ten more, and 60 s of the clock.)
 //
 // Fails if two sides that must agree hold other pairs.
 #include "watches/modes.h"
