@@ -27,7 +27,8 @@
 //   --growth   one report a commit: S-1000000 beside S-62500, both watched; S-100000 without a watch in a
 //              file that has a watch of another table, beside a file without any. (--quick: a tenth.)
 //
-//   --ships    99,647 reports of 10,616 ships (../shared/data/ships_us_20220103.csv.gz, or in the folder that
+//   --ships    99,647 reports of 10,616 ships (the file of AIS reports in ../shared/data, or in the folder
+//   that
 //              FORESEE_SHARED_DATA names; skipped where it is not), as points in a plane, horizon = 600,
 //              within = 926. Each second of reports is a commit; after two minutes two more are timed: the
 //              watch beside join + compare, and the rows of pairs that it writes for a report. Then the clock

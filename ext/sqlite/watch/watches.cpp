@@ -52,8 +52,13 @@ void Watches::settle_table(Connection& connection, std::int64_t number) {
   const Connection::OpenTable* open = connection.find(number);
   if (!open) return;
   const Connection::OpenTable table = *open;  // SQLite may connect it anew meanwhile
-  for (const std::string& name : std::vector(table.store->watches()))
-    settle(connection, {table.schema, name});
+  std::vector<std::string> names;
+  try {
+    names = table.store->watches();
+  } catch (const StoreError& error) {
+    if (!is_of_watch(error)) throw;  // a table whose name a rollback took has none, nor has a damaged one
+  }
+  for (const std::string& name : names) settle(connection, {table.schema, name});
 }
 
 template <class Change>

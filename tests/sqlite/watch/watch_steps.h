@@ -4,7 +4,7 @@
 //   for (const WatchStep& step : watch_steps) {
 //     Database db;
 //     db.exec(objects_to_watch(60) + step.before);
-//     …step.sql fails, or does its work…
+//     …the statements fail, or do their work…
 //     EXPECT_TRUE(all_of_watch(db) == before || …);
 //   }
 #pragma once
