@@ -88,5 +88,29 @@ TEST(MeshContact, OfAnyRadiusAndMotionIsRightAtEveryMoment) {
   EXPECT_GE(3 * contacts, cases);
 }
 
+TEST(MeshContact, EndsThoughTheNextBeginsWithinAnUlp) {
+  for (MeshFamily family : mesh_families()) {
+    if (std::string(family.name) != "across a face") continue;
+    family.bent = true;
+    const MeshScene scene = draw_scene(family, MeshPairing::meshes, 75);
+    const Encounter encounter = encounter_of(scene);
+    const auto touch = [&](int ulps_by_64) {
+      const Rational moment = 5 + Rational(ulps_by_64) * Rational(0x1p-56);
+      return oracle::touch_at(body_of(scene.a), body_of(scene.b), place_at(encounter, moment), 0);
+    };
+    EXPECT_FALSE(touch(-1));
+    EXPECT_TRUE(touch(0) && touch(11));
+    EXPECT_FALSE(touch(12) || touch(31));
+    EXPECT_TRUE(touch(32) && touch(64));
+    const auto answer = mesh_contact(scene);
+    ASSERT_TRUE(answer);
+    EXPECT_EQ(answer->dt, 5);
+    EXPECT_EQ(answer->dt_end, 5);
+    EXPECT_EQ(judged_by_moments(scene, answer), "");
+    return;
+  }
+  FAIL() << "no such family";
+}
+
 }  // namespace
 }  // namespace foresee::contact
