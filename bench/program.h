@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,6 +43,20 @@ class Options {
  private:
   std::vector<std::string> words_;
 };
+
+/// What a program measures when it is given its flag.
+struct Mode {
+  const char* flag;
+  void (*measure)(const Options&);
+};
+/// Those that are asked for, or all if none is.
+inline int run_modes(const Options& options, std::initializer_list<Mode> modes) {
+  const bool all =
+      std::none_of(modes.begin(), modes.end(), [&](const Mode& mode) { return options.has(mode.flag); });
+  for (const Mode& mode : modes)
+    if (all || options.has(mode.flag)) mode.measure(options);
+  return 0;
+}
 
 template <class Main>
 int run_program(int count, char** arguments, Main main_of) {

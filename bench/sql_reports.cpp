@@ -48,14 +48,12 @@ namespace foresee::bench {
 namespace {
 
 int main_of(const Options& options) {
-  const std::pair<const char*, void (*)(const Options&)> modes[] = {
-      {"--updates", measure_updates}, {"--commits", measure_commits}, {"--loads", measure_loads},
-      {"--lookups", measure_lookups}, {"--after", measure_after},     {"--planner", measure_planner}};
-  const bool all = std::none_of(std::begin(modes), std::end(modes),
-                                [&](const auto& mode) { return options.has(mode.first); });
-  for (const auto& [flag, measure] : modes)
-    if (all || options.has(flag)) measure(options);
-  return 0;
+  return run_modes(options, {{"--updates", measure_updates},
+                             {"--commits", measure_commits},
+                             {"--loads", measure_loads},
+                             {"--lookups", measure_lookups},
+                             {"--after", measure_after},
+                             {"--planner", measure_planner}});
 }
 
 }  // namespace

@@ -28,8 +28,7 @@
 //              file that has a watch of another table, beside a file without any. (--quick: a tenth.)
 //
 //   --ships    99,647 reports of 10,616 ships (the file of AIS reports in ../shared/data, or in the folder
-//   that
-//              FORESEE_SHARED_DATA names; skipped where it is not), as points in a plane, horizon = 600,
+//              that FORESEE_SHARED_DATA names; skipped where it is not), as points in a plane, horizon = 600,
 //              within = 926. Each second of reports is a commit; after two minutes two more are timed: the
 //              watch beside join + compare, and the rows of pairs that it writes for a report. Then the clock
 //              alone, a second at a time for 600 s: 'advance' beside all rows of predictive_join at each.
@@ -42,14 +41,9 @@ namespace foresee::bench {
 namespace {
 
 int main_of(const Options& options) {
-  const std::pair<const char*, void (*)(const Options&)> modes[] = {{"--reports", measure_watched_reports},
-                                                                    {"--growth", measure_watch_growth},
-                                                                    {"--ships", measure_watched_ships}};
-  const bool all = std::none_of(std::begin(modes), std::end(modes),
-                                [&](const auto& mode) { return options.has(mode.first); });
-  for (const auto& [flag, measure] : modes)
-    if (all || options.has(flag)) measure(options);
-  return 0;
+  return run_modes(options, {{"--reports", measure_watched_reports},
+                             {"--growth", measure_watch_growth},
+                             {"--ships", measure_watched_ships}});
 }
 
 }  // namespace
