@@ -23,6 +23,10 @@ void require_not_negative(const char* name, double value) {
   if (!(std::isfinite(value) && value >= 0)) reject(name, "a finite number >= 0", value);
 }
 
+void require_positive(const char* name, double value) {
+  if (!(std::isfinite(value) && value > 0)) reject(name, "a finite number > 0", value);
+}
+
 void require_finite(const char* name, double value) {
   if (!std::isfinite(value)) reject(name, "a finite number", value);
 }

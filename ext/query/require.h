@@ -10,6 +10,9 @@ namespace foresee::query {
 /// "h must be a finite number >= 0, not -3"
 void require_not_negative(const char* name, double value);
 
+/// "step must be a finite number > 0, not 0"
+void require_positive(const char* name, double value);
+
 /// "now must be a finite number, not inf"
 void require_finite(const char* name, double value);
 

@@ -9,7 +9,7 @@ namespace foresee::query {
 namespace {
 
 template <int D>
-bool position_of(const Bodies& bodies, std::size_t i, double moment, PositionRow& row) {
+bool place_object(const Bodies& bodies, std::size_t i, double moment, PositionRow& row) {
   const Motion<D> motion = motion_of<D>(bodies, i);
   if (!exists_at(motion, moment)) return false;
   const State<D> state = state_at(motion, moment);
@@ -20,12 +20,15 @@ bool position_of(const Bodies& bodies, std::size_t i, double moment, PositionRow
   return true;
 }
 
-bool position_of(const Bodies& bodies, std::size_t i, double moment, PositionRow& row) {
-  return with_axes(bodies.layout.axes,
-                   [&]<int D>(Axes<D>) { return position_of<D>(bodies, i, moment, row); });
-}
-
 }  // namespace
+
+std::optional<PositionRow> position_of(const Scene& scene, const Bodies& bodies, std::size_t i,
+                                       double moment) {
+  PositionRow row{scene.ids[i], {}, {}};
+  const bool exists =
+      with_axes(bodies.layout.axes, [&]<int D>(Axes<D>) { return place_object<D>(bodies, i, moment, row); });
+  return exists ? std::optional(row) : std::nullopt;
+}
 
 Positions::Positions(std::shared_ptr<const Scene> scene, double moment)
     : scene_(std::move(scene)), bodies_(scene_->bodies()), moment_(moment) {
@@ -34,11 +37,8 @@ Positions::Positions(std::shared_ptr<const Scene> scene, double moment)
 
 std::optional<PositionRow> Positions::next() {
   const FloatEnvironment environment;
-  while (next_ < bodies_.count) {
-    const std::size_t i = next_++;
-    PositionRow row{scene_->ids[i], {}, {}};
-    if (position_of(bodies_, i, moment_, row)) return row;
-  }
+  while (next_ < bodies_.count)
+    if (const auto row = position_of(*scene_, bodies_, next_++, moment_)) return row;
   return std::nullopt;
 }
 

@@ -21,6 +21,11 @@ struct PositionRow {
   std::array<double, 3> x, v;  ///< as many as the scene has axes
 };
 
+/// The scene's object number i at `moment`; nothing if it does not exist then.
+/// Requires: `bodies` are the scene's, and the floating-point environment is a FloatEnvironment.
+std::optional<PositionRow> position_of(const Scene& scene, const Bodies& bodies, std::size_t i,
+                                       double moment);
+
 class Positions {
  public:
   /// Throws Error unless `moment` is finite.

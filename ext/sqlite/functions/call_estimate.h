@@ -32,6 +32,9 @@ struct CallEstimate {
 CallEstimate estimate_positions(const CallSizes& sizes);
 /// The object of one id, looked up.
 CallEstimate estimate_object(const CallSizes& sizes, bool by_first);
+/// The same at some moments one after another.
+CallEstimate estimate_tracks(const CallSizes& sizes);
+CallEstimate estimate_track(const CallSizes& sizes, bool by_first);
 /// A few nodes of the tree, and some objects.
 CallEstimate estimate_window(const CallSizes& sizes);
 CallEstimate estimate_nearest(const CallSizes& sizes);

@@ -16,6 +16,7 @@
 
 #include "sqlite/connection.h"
 #include "sqlite/functions/row_limit.h"
+#include "sqlite/functions/used_inputs.h"
 #include "storage/rows/sqlite_api.h"
 
 namespace foresee::sqlite {
@@ -38,14 +39,15 @@ class FunctionCall {
  public:
   FunctionCall(const TableFunction& function, Connection& connection, std::span<sqlite3_value* const> inputs,
                std::vector<Hint> hints, std::uint32_t outputs_read, std::span<const int> order,
-               const RowLimit& limit)
+               const RowLimit& limit, UsedInputs& used)
       : function_(function),
         connection_(connection),
         inputs_(inputs),
         hints_(std::move(hints)),
         outputs_read_(outputs_read),
         order_(order),
-        limit_(limit) {}
+        limit_(limit),
+        used_(used) {}
 
   Connection& connection() const { return connection_; }
 
@@ -58,6 +60,12 @@ class FunctionCall {
                                   const char* kind = "a name in quotes, or NULL to leave it out") const;
 
   const char* name_of(int input) const;
+
+  /// Where `input` was left out it reads back as `value`. The same in every call of one statement: SQLite
+  /// tells rows apart by their inputs too where it unites the two sides of an OR.
+  void used(int input, UsedInputs::Value value) const {
+    if (!inputs_[static_cast<std::size_t>(input)]) used_.keep(input, std::move(value));
+  }
 
   bool reads(int output) const { return (outputs_read_ >> output & 1) != 0; }
 
@@ -83,6 +91,7 @@ class FunctionCall {
   std::uint32_t outputs_read_;
   std::span<const int> order_;
   RowLimit limit_;
+  UsedInputs& used_;
 };
 
 }  // namespace foresee::sqlite

@@ -99,7 +99,8 @@ JoinInputs read_join_inputs(const FunctionCall& call) {
   return inputs;
 }
 
-JoinQuestion join_question(Connection& connection, const JoinInputs& inputs, const AskedIds& ids) {
+JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const AskedIds& ids) {
+  Connection& connection = call.connection();
   const JoinedTables tables = open_tables(connection, inputs);
   JoinQuestion question;
   question.now = inputs.now ? *inputs.now : newest_t_of(tables);
@@ -107,6 +108,8 @@ JoinQuestion join_question(Connection& connection, const JoinInputs& inputs, con
   question.within = inputs.within;
   question.within_z = inputs.within_z;
   question.method = inputs.method;
+  call.used(in_tbl, tables.a.table), call.used(in_schema, tables.a.schema);
+  call.used(in_now, question.now), call.used(in_within, question.within), call.used(in_method, "auto");
   const bool by_tree = question.method == JoinMethod::automatic || question.method == JoinMethod::tree;
   if (by_tree && (ids.a || ids.b)) {
     take_object_and_near(connection, tables, ids, question);

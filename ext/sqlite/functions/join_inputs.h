@@ -1,7 +1,7 @@
 // What is a join asked by? The inputs of predictive_join by their names, and the JoinQuestion that they make.
 //
 //   const JoinInputs inputs{.h = 600, .tbl = {.table = "ships", .schema = {}}, .within = 926};
-//   Join join(join_question(connection, inputs), connection.interrupt());
+//   Join join(join_question(call, inputs), call.connection().interrupt());
 //
 // A field is what the input of its name means: where SQL leaves an input out, the field is as it is here.
 // join_question() opens the tables, so it throws Error where there is no such table (open_table.h).
@@ -40,7 +40,9 @@ struct AskedIds {
 
 /// The question by these inputs, with the scenes as they are now and `now` where it was left out; order,
 /// times and outputs are the caller's to add. A question about one id comes back as one about that object and
-/// those near it, looked up in the tree, unless another method was asked for.
-JoinQuestion join_question(Connection& connection, const JoinInputs& inputs, const AskedIds& ids = {});
+/// those near it, looked up in the tree, unless another method was asked for. The call is told what was used
+/// for inputs that were left out; the method is 'auto' then, since one statement may go two ways (a = ? OR t
+/// < ?).
+JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const AskedIds& ids = {});
 
 }  // namespace foresee::sqlite

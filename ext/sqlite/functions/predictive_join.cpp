@@ -65,8 +65,7 @@ AskedTimes asked(const FunctionCall::Bounds& bounds) {
 }
 
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
-  JoinQuestion question =
-      join_question(call.connection(), read_join_inputs(call), {call.only(out_a), call.only(out_b)});
+  JoinQuestion question = join_question(call, read_join_inputs(call), {call.only(out_a), call.only(out_b)});
   question.asked_t = asked(call.bounds(out_t)), question.asked_dt = asked(call.bounds(out_dt));
   question.order = order_of(call.order());
   question.likely_rows = call.limit().in_all().value_or(all_rows);

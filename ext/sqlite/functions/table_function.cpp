@@ -23,6 +23,7 @@ struct FunctionTable : sqlite3_vtab {
 struct FunctionCursor : sqlite3_vtab_cursor {
   std::unique_ptr<FunctionRows> rows;  ///< null at the end
   std::vector<OwnedValue> inputs;      ///< copies, one per input, null where it was left out
+  UsedInputs used;                     ///< for those
 };
 
 FunctionTable& table_of(sqlite3_vtab* table) {
@@ -145,12 +146,13 @@ int function_filter(sqlite3_vtab_cursor* base, int number, const char* plan, int
     FunctionCursor& cursor = cursor_of(base);
     const FunctionTable& table = table_of(base->pVtab);
     cursor.rows.reset();
+    cursor.used.clear();
     Arguments sorted;
     const std::span<sqlite3_value*> given(arguments, static_cast<std::size_t>(count));
     if (!sort_arguments(cursor, table, plan, given, sorted)) return;
     const FunctionCall call(table.function(), *table.registration->connection, sorted.inputs,
                             std::move(sorted.hints), planned_outputs(table.function(), number),
-                            planned_order(table.function(), number), sorted.limit);
+                            planned_order(table.function(), number), sorted.limit, cursor.used);
     cursor.rows = table.function().start(call);
     step(cursor);
   });
@@ -170,7 +172,8 @@ int function_column(sqlite3_vtab_cursor* base, sqlite3_context* context, int col
     const int input = column - table_of(base->pVtab).output_count();
     if (input < 0) return cursor.rows->output(context, column);
     const OwnedValue& given = cursor.inputs[static_cast<std::size_t>(input)];
-    if (given) sqlite3_result_value(context, given.get());
+    if (given) return sqlite3_result_value(context, given.get());
+    cursor.used.output(input, context);
   });
 }
 

@@ -1,0 +1,66 @@
+// predictive_track(t0, t1, step, …) in SQL.
+#include "query/position/tracks.h"
+#include "sqlite/functions/table_functions.h"
+#include "sqlite/names/open_table.h"
+
+namespace foresee::sqlite {
+namespace {
+
+enum TrackOutput { out_id, out_t, out_x };
+enum TrackInput { in_t0, in_t1, in_step, in_tbl, in_schema };
+
+class TrackRows final : public FunctionRows {
+ public:
+  TrackRows(const std::shared_ptr<const Scene>& scene, const TrackMoments& moments, Interrupt& interrupt)
+      : axes_(scene->layout.axes), tracks_(scene, moments, interrupt) {}
+
+  bool next() override {
+    row_ = tracks_.next();
+    return row_.has_value();
+  }
+
+  void output(sqlite3_context* context, int output) const override {
+    if (output == out_id) return sqlite3_result_int64(context, row_->at.id);
+    if (output == out_t) return sqlite3_result_double(context, row_->t);
+    const int axis = output - out_x;
+    if (axis < axes_) sqlite3_result_double(context, row_->at.x[static_cast<std::size_t>(axis)]);
+  }
+
+ private:
+  int axes_;
+  Tracks tracks_;
+  std::optional<TrackRow> row_;
+};
+
+std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
+  const TrackMoments moments{call.required_number(in_t0), call.required_number(in_t1),
+                             call.required_number(in_step)};
+  Connection& connection = call.connection();
+  const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
+  call.used(in_tbl, table.table), call.used(in_schema, table.schema);
+  const auto id = call.only(out_id);
+  std::shared_ptr<const Scene> scene;
+  if (id)
+    scene = Connection::load_object(table, *id);
+  else
+    scene = connection.load_scene(table);
+  return std::make_unique<TrackRows>(scene, moments, connection.interrupt());
+}
+
+}  // namespace
+
+const TableFunction& predictive_track() {
+  static const TableFunction function = {.name = "predictive_track",
+                                         .outputs = {"id INTEGER", "t REAL", "x REAL", "y REAL", "z REAL"},
+                                         .inputs = {"t0", "t1", "step", "tbl", "schema"},
+                                         .key = "id, t",
+                                         .hinted = 1u << out_id,
+                                         .estimate = estimate_tracks,
+                                         .start = start,
+                                         .probed = 1u << out_id,
+                                         .estimate_probe = estimate_track,
+                                         .orders = {{out_t, out_id}}};
+  return function;
+}
+
+}  // namespace foresee::sqlite
