@@ -1,0 +1,99 @@
+#!/usr/bin/python3
+"""Which pages make the site? Lays them out for mkdocs: the README as the index, docs/, the pages beside them, and what they link to.
+
+    python3 ext/hosts/docs/stage.py FOLDER      # writes FOLDER/mkdocs.yml and FOLDER/pages/
+
+A link to a source file leads to a copy of it in the site, as text; one to a folder of sources becomes plain words. A link that leads
+nowhere ends the program with a message. Pages that NAV does not name come last in it: a new page needs no line here.
+"""
+import json
+import os
+import re
+import shutil
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[3]
+BESIDE = {"README.md": "index.md", "CHANGELOG.md": "changelog.md", "CONTRIBUTING.md": "contributing.md", "bench/README.md": "bench.md"}
+NAV = [("Start", ["index"]),
+       ("Hosts", ["hosts/*"]),
+       ("Use", ["sql_reference", "semantics", "shapes", "geography", "watches", "pictures"]),
+       ("How it works", ["architecture", "gpcd", "exactness", "storage_format"]),
+       ("Measured", ["accuracy", "benchmarks", "bench"]),
+       ("Project", ["recipes", "contributing", "changelog"])]
+LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s]+)\)")
+FENCE = re.compile(r"^(```.*?^```)$", re.M | re.S)
+COMMENT = re.compile(r"^<!--.*?-->\n", re.M | re.S)
+
+
+class Site:
+    def __init__(self, folder):
+        self.folder, self.pages, self.wrong = folder, folder / "pages", []
+        self.names = {ROOT / name: target for name, target in BESIDE.items()}
+        for page in sorted((ROOT / "docs").rglob("*.md")):
+            self.names[page] = page.relative_to(ROOT / "docs").as_posix()
+
+    def place_of(self, file):
+        """Where a file that is linked to stands in the site; it is copied there."""
+        if file in self.names:
+            return self.names[file]
+        docs = ROOT / "docs"
+        inside = docs in file.parents
+        if inside and file.suffix in (".svg", ".png"):
+            place = file.relative_to(docs).as_posix()
+        else:
+            place = "sources/" + file.relative_to(ROOT).as_posix() + ".txt"
+        (self.pages / place).parent.mkdir(parents=True, exist_ok=True)
+        shutil.copyfile(file, self.pages / place)
+        return place
+
+    def linked(self, page, picture, words, target):
+        if target.startswith(("http://", "https://", "#")):
+            return f"{picture}[{words}]({target})"
+        name, hash_sign, heading = target.partition("#")
+        file = Path(os.path.normpath(page.parent / name))
+        if not file.exists() or (ROOT != file and ROOT not in file.parents):
+            self.wrong.append(f"{page.relative_to(ROOT)}: the link to {target} leads nowhere")
+            return words
+        if file.is_dir():
+            return f"`{words}`"
+        here = (self.pages / self.names[page]).parent
+        place = os.path.relpath(self.pages / self.place_of(file), here).replace(os.sep, "/")
+        return f"{picture}[{words}]({place}{hash_sign}{heading})"
+
+    def text_of(self, page):
+        parts = FENCE.split(page.read_text())
+        for number, part in enumerate(parts):
+            if part.startswith("```"):
+                parts[number] = part.replace("```sql error", "```sql", 1)
+            else:
+                parts[number] = LINK.sub(lambda link: self.linked(page, *link.groups()), COMMENT.sub("", part))
+        return "".join(parts)
+
+    def nav(self):
+        left = sorted(set(self.names.values()))
+
+        def taken(pattern):
+            found = [name for name in left if Path(name[:-3]).match(pattern) and name[:-3].count("/") == pattern.count("/")]
+            for name in found:
+                left.remove(name)
+            return found
+
+        nav = [{title: [name for pattern in patterns for name in taken(pattern)]} for title, patterns in NAV]
+        return [entry for entry in [*nav, {"More": left}] if any(entry.values())]
+
+    def write(self):
+        shutil.rmtree(self.folder, ignore_errors=True)
+        for page, name in self.names.items():
+            place = self.pages / name
+            place.parent.mkdir(parents=True, exist_ok=True)
+            place.write_text(self.text_of(page))
+        if self.wrong:
+            sys.exit("\n".join(self.wrong))
+        shutil.copyfile(Path(__file__).parent / "extra.css", self.pages / "extra.css")
+        settings = (Path(__file__).parent / "mkdocs.yml").read_text()
+        (self.folder / "mkdocs.yml").write_text(settings + "nav: " + json.dumps(self.nav()) + "\n")
+
+
+if __name__ == "__main__":
+    Site(Path(sys.argv[1]).resolve()).write()
