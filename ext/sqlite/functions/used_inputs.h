@@ -1,7 +1,7 @@
 // What does a call use for its inputs that were left out? So that SELECT now, tbl FROM predictive_join(60)
 // tells.
 //
-//   used.number(in_now, 100);       // by the call, once it knows
+//   used.keep(in_now, 100.0);       // by the call, once it knows
 //   used.output(in_now, context);   // for who reads the hidden column
 //
 // An input that was given is not asked for here: it reads back as given, since SQLite may compare it once
