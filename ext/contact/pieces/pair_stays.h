@@ -14,6 +14,7 @@
 #include "contact/certain/advancement.h"
 #include "contact/certain/certain_motion.h"
 #include "contact/pieces/tree_walk.h"
+#include "numbers/dyadic.h"
 
 namespace foresee::contact {
 

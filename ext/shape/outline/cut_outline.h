@@ -12,7 +12,6 @@
 
 #include "shape/form.h"
 #include "shape/outline/convex_pieces.h"
-#include "shape/outline/turn.h"
 #include "shape/outline/validity.h"
 #include "shape/outline/wkt_writer.h"
 
@@ -31,13 +30,7 @@ class CutOutline final : public Form {
   }
   /// Turned by `heading` degrees (turn.h). Throws Error if that is no outline, or beyond the largest double.
   /// Requires: -360 <= heading <= 360.
-  Outline as_it_lies(double heading) const {
-    if (heading == 0) return outline_;
-    std::call_once(touched_, [this] { edge_touch_ = edge_touch_of(outline_); });
-    Outline lies = turned(outline_, heading);
-    check_turned(outline_, edge_touch_, lies, heading);
-    return lies;
-  }
+  Outline as_it_lies(double heading) const;
   ConvexPieces pieces_as_it_lies(double heading) const {
     return turned_pieces(pieces(), as_it_lies(heading));
   }
