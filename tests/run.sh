@@ -48,5 +48,5 @@ for preset in "${presets[@]}"; do
   cmake --preset "$preset" -DFORESEE_TESTS=ON -DFORESEE_SQLITE_AMALGAMATION="$amalgamation"
   cmake --build --preset "$preset"
   echo "Built $preset in $((SECONDS - started)) s"
-  ctest --preset "$preset" --parallel "$(nproc)"
+  ctest --preset "$preset" -LE hosts --parallel "$(nproc)"
 done

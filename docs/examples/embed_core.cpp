@@ -1,5 +1,6 @@
-// foresee without SQLite: a scene in memory, the join as a library call. Links foresee_core alone.
+// foresee without SQLite: a scene in memory, the join as a library call.
 //
+// Build: c++ -std=c++20 embed_core.cpp $(pkg-config --cflags --libs foresee-core)     (docs/hosts/c.md)
 // Prints:  Anna and Bruno touch after 95 s
 #include <cstdio>
 #include <memory>

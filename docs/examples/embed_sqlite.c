@@ -1,14 +1,12 @@
 /* foresee linked into an application that has SQLite already: no file to load, one call for each connection.
 **
-** Build: link foresee_static (build/release/ext/libforesee_static.a, libforesee_core.a), SQLite and the C++
-*runtime.
+** Build: cc embed_sqlite.c $(pkg-config --cflags --libs foresee)     (docs/hosts/c.md)
 ** Prints:  Anna and Bruno touch after 95 s
 */
+#include <foresee.h>
 #include <sqlite3.h>
 #include <stdio.h>
 #include <stdlib.h>
-
-#include "sqlite/foresee.h"
 
 static const char* const harbour =
     "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y, vx, vy, r, +name TEXT);"
