@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2034
-# What must be on the machine before foresee can be built, and how it gets there. Sourced by sql/demo.sh and
-# tests/run.sh:
+# What must be on the machine before foresee can be built, and how it gets there. Sourced by sql/demo.sh, tests/run.sh and
+# ext/hosts/pack.sh:
 #
 #   need_packages "${build_packages[@]}"
 #
@@ -48,6 +48,7 @@ is_there() {
     command) command -v "$1" >/dev/null 2>&1 ;;
     header) has_header "$@" ;;
     sanitizers) has_sanitizers ;;
+    python) /usr/bin/python3 -c "import $1" >/dev/null 2>&1 ;;
   esac
 }
 

@@ -4,6 +4,7 @@
 #   bash tests/run.sh            # the GCC release build, then the Clang build with sanitizers
 #   bash tests/run.sh release    # one of them
 #   bash tests/run.sh dev
+#   bash tests/run.sh hosts      # packs foresee for its hosts (ext/hosts/pack.sh) and tests what was packed
 #
 # Ends with ctest's summary; the status is 0 only if every test of every build passed.
 set -euo pipefail
@@ -14,9 +15,9 @@ presets=("$@")
 [ ${#presets[@]} -gt 0 ] || presets=(release dev)
 for preset in "${presets[@]}"; do
   case $preset in
-    release | dev) ;;
+    release | dev | hosts) ;;
     *)
-      echo "usage: bash tests/run.sh [release] [dev]" >&2
+      echo "usage: bash tests/run.sh [release] [dev] [hosts]" >&2
       exit 2
       ;;
   esac
@@ -43,7 +44,21 @@ else
   echo "SKIPPED: the tests against the newest SQLite, because npm could not fetch better-sqlite3 ($newest/npm.log)"
 fi
 
+# The packages are those of the release build. What a test of a host lacks on this machine it says.
+test_hosts() {
+  cmake --preset release -DFORESEE_TESTS=ON
+  bash ext/hosts/pack.sh all
+  local status=0
+  ctest --preset release -L hosts || status=$?
+  grep -h '^SKIPPED' build/release/Testing/Temporary/LastTest.log || true
+  return $status
+}
+
 for preset in "${presets[@]}"; do
+  if [ "$preset" = hosts ]; then
+    test_hosts
+    continue
+  fi
   started=$SECONDS
   cmake --preset "$preset" -DFORESEE_TESTS=ON -DFORESEE_SQLITE_AMALGAMATION="$amalgamation"
   cmake --build --preset "$preset"

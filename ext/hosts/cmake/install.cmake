@@ -59,3 +59,4 @@ install(SCRIPT ${hosts}/cmake/install_headers.cmake COMPONENT dev)
 
 install(CODE "set(libdir \"${CMAKE_INSTALL_LIBDIR}\")" COMPONENT module)
 install(SCRIPT ${hosts}/cmake/say_how_to_load.cmake COMPONENT module)
+include(${hosts}/cmake/debian.cmake)
