@@ -2,6 +2,7 @@
 # Packs foresee for its hosts: installs what is missing (Debian), builds where needed, writes build/packages/.
 #
 #   bash ext/hosts/pack.sh deb      # libsqlite3-mod-foresee and libforesee-dev
+#   bash ext/hosts/pack.sh wheel    # Python's
 #   bash ext/hosts/pack.sh all      # each of them
 #
 # The build is build/release, which is only brought up to date where it is there already; FORESEE_BUILD names another folder.
@@ -9,7 +10,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 . sql/packages.sh
 
-everything=(deb)
+everything=(deb wheel)
 usage() {
   echo "usage: bash ext/hosts/pack.sh $(IFS='|' && echo "${everything[*]}")|all" >&2
   exit 2
@@ -22,9 +23,12 @@ for host in "${wanted[@]}"; do
 done
 
 deb_packages=("dpkg-dev: command dpkg-shlibdeps" "file: command file" "gzip: command gzip")
+wheel_packages=("python3-build: python build" "python3-wheel: python wheel" "python3-setuptools: python setuptools"
+  "python3-venv: python ensurepip" "binutils: command strip")
 
 build=${FORESEE_BUILD:-build/release}
 packages=$PWD/build/packages
+version=$(sed -n 's/^project(foresee VERSION \([0-9.]*\).*/\1/p' CMakeLists.txt)
 mkdir -p "$packages"
 
 # bring_up_to_date TARGET...: builds them in the build folder, which is made if it is not there.
@@ -43,8 +47,29 @@ pack_deb() {
   rm -rf "$packages/deb"
 }
 
+# staged HOST: a copy of ext/hosts/HOST with the licence, where packing leaves its traces.
+staged() {
+  local stage=$packages/stage/$1
+  rm -rf "$stage"
+  mkdir -p "$stage"
+  cp -r "ext/hosts/$1/." LICENSE "$stage"
+  echo "$stage"
+}
+
+pack_wheel() {
+  need_packages "${wheel_packages[@]}"
+  bring_up_to_date foresee
+  local stage
+  stage=$(staged python)
+  strip --strip-unneeded -o "$stage/foresee.so" "$build/foresee.so"
+  rm -f "$packages"/foresee-*.whl
+  FORESEE_MODULE=$stage/foresee.so FORESEE_VERSION=$version \
+    /usr/bin/python3 -m build --wheel --no-isolation --outdir "$packages" "$stage"
+}
+
 for host in "${wanted[@]}"; do
   "pack_$host"
 done
+rm -rf "$packages/stage"
 echo "Packed:"
-ls -l "$packages" | sed '1d; s/^/  /'
+(cd "$packages" && du -h -- *)

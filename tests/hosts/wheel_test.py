@@ -1,0 +1,95 @@
+"""Python's wheel in a fresh venv: the examples of docs/hosts/python.md, and what a Python without extensions is told."""
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import zipfile
+from pathlib import Path
+
+from hosts import ROOT, Host, fenced_and_hidden, main, packed, run, skip, version
+
+PYTHON = "/usr/bin/python3"
+
+
+class Wheel(Host):
+    @classmethod
+    def setUpClass(cls):
+        cls.wheel = packed("the wheel", "foresee-*.whl")
+        if not Path(PYTHON).exists() or subprocess.run([PYTHON, "-c", "import ensurepip"], capture_output=True).returncode != 0:
+            skip("the wheel", f"there is no {PYTHON} with python3-venv")
+
+        venv = Path(tempfile.mkdtemp(prefix="foresee-hosts-"))
+        cls.addClassCleanup(shutil.rmtree, venv)
+        cls.python = venv / "bin/python"
+        run(PYTHON, "-m", "venv", venv)
+        run(cls.python, "-m", "pip", "install", "--no-index", "--quiet", "--disable-pip-version-check", "--no-deps", cls.wheel)
+
+    def say(self, program, python=None, **environment):
+        return run(python or self.python, "-c", program, folder=self.folder, **environment)
+
+    def examples(self, kind):
+        page = fenced_and_hidden((ROOT / "docs/hosts/python.md").read_text())
+        return [(block.text, after.text) for block, after in zip(page, page[1:]) if block.kind == kind]
+
+    def test_the_examples_of_the_page(self):
+        found = self.examples("python")
+        self.assertEqual(len(found), 3)
+        for program, printed in found:
+            self.assertEqual(self.say(program), printed)
+
+    def test_the_examples_with_numpy(self):
+        if subprocess.run([PYTHON, "-c", "import numpy"], capture_output=True).returncode != 0:
+            skip("the page's example with numpy", f"{PYTHON} has no numpy (python3-numpy)")
+        site = self.say("import foresee, os; print(os.path.dirname(os.path.dirname(foresee.__file__)))").strip()
+        for program, printed in self.examples("python numpy"):
+            self.assertEqual(self.say(program, PYTHON, PYTHONPATH=site), printed)
+
+    def test_one_version_everywhere(self):
+        said = self.say("import foresee; print(foresee.__version__, foresee.connect(':memory:').execute('SELECT foresee_version()').fetchone()[0])")
+        package, module = said.split()[:2]
+        self.assertEqual((package, module.split("+")[0]), (version(), version()))
+
+    def test_loading_is_off_afterwards_and_the_connection_comes_back(self):
+        self.say("""import foresee, sqlite3
+db = sqlite3.connect(':memory:')
+assert foresee.load(db) is db
+assert foresee.load(db) is db
+try:
+    db.load_extension(foresee.loadable_path())
+except sqlite3.OperationalError as error:
+    assert 'not authorized' in str(error), error
+else:
+    raise AssertionError('extensions may still be loaded')
+assert foresee.connect(':memory:', isolation_level=None).isolation_level is None""")
+
+    def test_an_interpreter_without_extensions_is_told_three_ways_out(self):
+        said = self.say("""import foresee
+class Connection: pass
+try:
+    foresee.load(Connection())
+except RuntimeError as error:
+    print(error)""")
+        self.assertIn(str(self.python), said)
+        for way in ("/usr/bin/python3", "pysqlite3-binary", "--enable-loadable-sqlite-extensions"):
+            self.assertIn(way, said)
+
+    def test_the_shell_loads_it_too(self):
+        path = self.say("import foresee; print(foresee.loadable_path())").strip()
+        self.assertRegex(run("sqlite3", ":memory:", f".load {path}", "SELECT foresee_version()"), r"^\d")
+
+    def test_it_serves_every_python_of_machines_that_have_its_libraries(self):
+        tag = re.search(r"-py3-none-manylinux_2_(\d+)_x86_64\.whl$", self.wheel.name)
+        self.assertIsNotNone(tag, self.wheel.name)
+        with zipfile.ZipFile(self.wheel) as wheel:
+            names = wheel.namelist()
+            module = wheel.read("foresee/foresee.so")
+        asked = max(int(n) for n in re.findall(rb"GLIBC_2\.(\d+)\0", module))
+        self.assertGreaterEqual(int(tag.group(1)), asked)
+        self.assertIn("foresee/py.typed", names)
+        self.assertTrue(any(name.endswith("LICENSE") for name in names), names)
+        self.assertEqual([name for name in names if os.path.basename(name) in ("setup.py", "pyproject.toml")], [])
+
+
+if __name__ == "__main__":
+    main()
