@@ -26,6 +26,10 @@ test_packages=(
   "clang-format: command clang-format"
   "binutils: command nm"
 )
+host_packages=(
+  "pkg-config: command pkg-config"
+  "groff-base: command groff"
+)
 
 # Is one of the headers found by the C++ compiler?
 has_header() {

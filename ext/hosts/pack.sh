@@ -3,6 +3,7 @@
 #
 #   bash ext/hosts/pack.sh deb      # libsqlite3-mod-foresee and libforesee-dev
 #   bash ext/hosts/pack.sh wheel    # Python's
+#   bash ext/hosts/pack.sh npm      # Node's
 #   bash ext/hosts/pack.sh all      # each of them
 #
 # The build is build/release, which is only brought up to date where it is there already; FORESEE_BUILD names another folder.
@@ -10,7 +11,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 . sql/packages.sh
 
-everything=(deb wheel)
+everything=(deb wheel npm)
 usage() {
   echo "usage: bash ext/hosts/pack.sh $(IFS='|' && echo "${everything[*]}")|all" >&2
   exit 2
@@ -25,6 +26,7 @@ done
 deb_packages=("dpkg-dev: command dpkg-shlibdeps" "file: command file" "gzip: command gzip")
 wheel_packages=("python3-build: python build" "python3-wheel: python wheel" "python3-setuptools: python setuptools"
   "python3-venv: python ensurepip" "binutils: command strip")
+npm_packages=("npm: command npm" "binutils: command strip")
 
 build=${FORESEE_BUILD:-build/release}
 packages=$PWD/build/packages
@@ -65,6 +67,20 @@ pack_wheel() {
   rm -f "$packages"/foresee-*.whl
   FORESEE_MODULE=$stage/foresee.so FORESEE_VERSION=$version \
     /usr/bin/python3 -m build --wheel --no-isolation --outdir "$packages" "$stage"
+}
+
+pack_npm() {
+  need_packages "${npm_packages[@]}"
+  bring_up_to_date foresee
+  local stage
+  stage=$(staged npm)
+  strip --strip-unneeded -o "$stage/foresee.so" "$build/foresee.so"
+  rm -f "$packages"/foresee-*.tgz
+  (
+    cd "$stage"
+    npm pkg set version="$version"
+    npm pack --silent --pack-destination "$packages"
+  )
 }
 
 for host in "${wanted[@]}"; do
