@@ -29,6 +29,7 @@ test_packages=(
 host_packages=(
   "pkg-config: command pkg-config"
   "groff-base: command groff"
+  "chromium: command chromium"
 )
 
 # Is one of the headers found by the C++ compiler?

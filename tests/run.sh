@@ -10,6 +10,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 . sql/packages.sh
+. sql/newest_sqlite.sh
 
 presets=("$@")
 [ ${#presets[@]} -gt 0 ] || presets=(release dev)
@@ -25,30 +26,19 @@ done
 
 need_packages "${build_packages[@]}" "${test_packages[@]}"
 
-# The newest SQLite, as a second one to test against: the amalgamation inside an npm package, kept in build/.
-newest=build/sqlite_newest
-fetch_newest_sqlite() {
-  [ -f $newest/sqlite3.c ] && return 0
-  mkdir -p $newest
-  (
-    cd $newest
-    timeout 120 npm pack --silent --fetch-retries=1 --fetch-retry-mintimeout=1000 better-sqlite3 >/dev/null 2>npm.log || exit 1
-    tar -xzf better-sqlite3-*.tgz --strip-components=3 package/deps/sqlite3
-  )
-}
 amalgamation=
 if fetch_newest_sqlite; then
-  amalgamation=$PWD/$newest
-  echo "Newest SQLite: $(sed -n 's/^#define SQLITE_VERSION  *"\(.*\)"/\1/p' $newest/sqlite3.h)"
+  amalgamation=$PWD/$newest_sqlite
+  echo "Newest SQLite: $(sed -n 's/^#define SQLITE_VERSION  *"\(.*\)"/\1/p' $newest_sqlite/sqlite3.h)"
 else
-  echo "SKIPPED: the tests against the newest SQLite, because npm could not fetch better-sqlite3 ($newest/npm.log)"
+  echo "SKIPPED: the tests against the newest SQLite, because npm could not fetch better-sqlite3 ($newest_sqlite/npm.log)"
 fi
 
 # The packages are those of the release build. What a test of a host lacks on this machine it says.
 test_hosts() {
   need_packages "${host_packages[@]}"
   cmake --preset release -DFORESEE_TESTS=ON
-  bash ext/hosts/pack.sh all
+  FORESEE_PAGE_FLAGS=-O1 bash ext/hosts/pack.sh all
   local status=0
   ctest --preset release -L hosts || status=$?
   grep -oh 'SKIPPED: .*' build/release/Testing/Temporary/LastTest.log || true

@@ -4,6 +4,8 @@
 #   bash ext/hosts/pack.sh deb      # libsqlite3-mod-foresee and libforesee-dev
 #   bash ext/hosts/pack.sh wheel    # Python's
 #   bash ext/hosts/pack.sh npm      # Node's
+#   bash ext/hosts/pack.sh page     # SQLite and foresee in one HTML file for browsers (installs emscripten, 800 MB)
+#   bash ext/hosts/pack.sh docs     # the pages as a site
 #   bash ext/hosts/pack.sh all      # each of them
 #
 # The build is build/release, which is only brought up to date where it is there already; FORESEE_BUILD names another folder.
@@ -11,7 +13,7 @@ set -euo pipefail
 cd "$(dirname "$0")/../.."
 . sql/packages.sh
 
-everything=(deb wheel npm)
+everything=(deb wheel npm page docs)
 usage() {
   echo "usage: bash ext/hosts/pack.sh $(IFS='|' && echo "${everything[*]}")|all" >&2
   exit 2
@@ -81,6 +83,14 @@ pack_npm() {
     npm pkg set version="$version"
     npm pack --silent --pack-destination "$packages"
   )
+}
+
+pack_page() {
+  bash ext/hosts/browser/pack_page.sh
+}
+
+pack_docs() {
+  bash ext/hosts/docs/build.sh
 }
 
 for host in "${wanted[@]}"; do

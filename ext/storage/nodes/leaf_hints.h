@@ -92,7 +92,8 @@ class LeafHints {
     const std::uint64_t hash = (static_cast<std::uint64_t>(id) / line) * 0x9e3779b97f4a7c15;
     const std::size_t part = hash >> (64 - part_bits);
     const std::size_t at = (hash << part_bits >> 1) >> (63 - std::countr_zero(parts_[part].size() / line));
-    return {part, at * line + (static_cast<std::uint64_t>(id) + hash / (std::uint64_t{1} << 32)) % line};
+    const std::uint64_t in_line = (static_cast<std::uint64_t>(id) + hash / (std::uint64_t{1} << 32)) % line;
+    return {part, at * line + static_cast<std::size_t>(in_line)};
   }
 
   void make_parts() {

@@ -32,7 +32,8 @@ std::optional<std::int64_t> ShapeRows::find(std::span<const std::byte> blob) {
   run.bind(1, std::int64_t{checksum_of_form(blob)});
   for (std::optional<std::int64_t> last; run.step();) {
     last = number_of(last, run);
-    if (std::ranges::equal(run.blob(1), blob)) return last;
+    const auto stored = run.blob(1);
+    if (std::equal(stored.begin(), stored.end(), blob.begin(), blob.end())) return last;
   }
   return std::nullopt;
 }
