@@ -1,0 +1,118 @@
+#include "numbers/turned_vector.h"
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace foresee::numbers {
+namespace {
+
+/// Beyond so many bits only what is exactly between two doubles stays in doubt.
+constexpr int longest = 4 * first_length;
+
+Midrad number(double value, int bits) {
+  return {Dyadic(value), bits};
+}
+
+/// Of Taylor's series, nested from its end: beyond, at 45 degrees, 2^-60 is left.
+constexpr std::size_t series_terms = 9;
+constexpr std::array<double, series_terms> factors(int beside) {
+  std::array<double, series_terms> factors{};
+  for (std::size_t i = 0; i < series_terms; ++i) {
+    const int n = 18 - 2 * static_cast<int>(i);
+    factors[i] = 1.0 / (n * (n + beside));
+  }
+  return factors;
+}
+constexpr std::array<double, series_terms> sine_factors = factors(1), cosine_factors = factors(-1);
+
+/// degrees = 90 quarters + rest, |rest| <= 45; exact, as the rest has no bits that degrees has not.
+struct Angle {
+  int quarters;
+  double rest;
+};
+Angle angle_of(double degrees) {
+  const double quarters = std::rint(degrees / 90);
+  return {static_cast<int>(quarters) & 3, degrees - 90 * quarters};
+}
+
+/// The same turned by so many quarters clockwise.
+template <class T>
+void turn_quarters(T& x, T& y, int quarters) {
+  for (int i = 0; i < quarters; ++i) {
+    const T east = x;
+    x = y, y = -east;
+  }
+}
+
+/// Where all of it rounds to one double.
+std::optional<double> rounded_if_known(const Midrad128& value) {
+  const double low = value.low().rounded(), high = value.high().rounded();
+  if (low != high) return std::nullopt;
+  return low + 0.0;
+}
+
+/// enclosure(bits), rounded as soon as all of it rounds to one double.
+template <class Enclosure>
+double rounded_in_the_end(const Enclosure& enclosure) {
+  for (int bits = first_length;; bits *= 2) {
+    const Midrad value = enclosure(bits);
+    const double low = rounded(value.low()), high = rounded(value.high());
+    if (low == high) return low + 0.0;
+    if (bits >= longest) return rounded(value.middle()) + 0.0;
+  }
+}
+
+}  // namespace
+
+Turned turned_clockwise(double x, double y, double degrees) {
+  const Angle angle = angle_of(degrees);
+  turn_quarters(x, y, angle.quarters);
+  if (angle.rest == 0 || (x == 0 && y == 0)) return {x + 0.0, y + 0.0};
+  const SineCosine<Midrad128> quick = sine_cosine(angle.rest);
+  const auto component = [&](double along, double across) {
+    const Midrad128 rough = Midrad128(along) * quick.cosine + Midrad128(across) * quick.sine;
+    if (const auto known = rounded_if_known(rough)) return *known;
+    return rounded_in_the_end([&](int bits) {
+      const SineCosine<Midrad> at = sine_cosine(angle.rest, bits);
+      return number(along, bits) * at.cosine + number(across, bits) * at.sine;
+    });
+  };
+  return {component(x, y), component(y, -x)};
+}
+
+double rounded_quotient(const Dyadic& a, const Dyadic& b) {
+  if (a.sign() == 0) return 0;
+  if (const auto known = rounded_if_known(Midrad128(a) / Midrad128(b))) return *known;
+  const Midrad quotient = Midrad(a, longest) / Midrad(b, longest);
+  const double low = rounded(quotient.low()), high = rounded(quotient.high());
+  if (low == high) return low + 0.0;
+  if (!std::isfinite(low) || !std::isfinite(high)) return rounded(quotient.middle());
+  // Something lies halfway between two doubles, or next to it.
+  const Dyadic between = half_of(Dyadic(low) + Dyadic(high));
+  const int side = (a - between * b).sign();
+  return (side < 0 ? low : side > 0 ? high : rounded(between)) + 0.0;
+}
+
+double rounded_root(const Dyadic& a) {
+  if (a.sign() == 0) return 0;
+  if (const auto known = rounded_if_known(sqrt(Midrad128(a)))) return *known;
+  return rounded_in_the_end([&](int bits) { return sqrt(Midrad(a, bits)); });
+}
+
+SineCosine<double> quick_sine_cosine(double degrees) {
+  constexpr double radians_of_degree = 0.017453292519943295;
+  const Angle angle = angle_of(degrees);
+  const double x = angle.rest * radians_of_degree, square = x * x;
+  double sine = 1, cosine = 1;
+  for (std::size_t i = 0; i < series_terms; ++i) {
+    sine = 1 - square * sine_factors[i] * sine;
+    cosine = 1 - square * cosine_factors[i] * cosine;
+  }
+  sine *= x;
+  // A quarter turn makes (sine, cosine) into (cosine, -sine).
+  turn_quarters(sine, cosine, angle.quarters);
+  return {sine, cosine};
+}
+
+}  // namespace foresee::numbers

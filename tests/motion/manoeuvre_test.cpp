@@ -1,0 +1,91 @@
+// The five manoeuvres, and that a set of changed motions holds each of them.
+#include "motion/manoeuvre.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "motion/motion_set.h"
+#include "scenes.h"
+
+namespace foresee::motion {
+namespace {
+
+using testing::Random;
+
+OwnMotion drone(Random& random) {
+  OwnMotion motion;
+  motion.t = random.in(-5, 5), motion.until = motion.t + 30;
+  for (std::size_t j = 0; j < 3; ++j)
+    motion.x[j] = random.in(-9, 9), motion.v[j] = random.in(-3, 3), motion.a[j] = random.in(-1, 1);
+  return motion;
+}
+
+constexpr Manoeuvre all[] = {Manoeuvre::turn, Manoeuvre::speed, Manoeuvre::climb, Manoeuvre::accelerate,
+                             Manoeuvre::delay};
+
+TEST(Manoeuvre, ChangesNothingByZero) {
+  Random random(1);
+  const OwnMotion base = drone(random);
+  for (const Manoeuvre manoeuvre : all) EXPECT_EQ(changed(base, {manoeuvre, speed_of(base)}, 0), base);
+}
+
+TEST(Manoeuvre, ChangesWhatItSays) {
+  OwnMotion ship;
+  ship.t = 10, ship.v = {3, 4, 0};
+  EXPECT_EQ(speed_of(ship), 5);
+  EXPECT_EQ(changed(ship, {Manoeuvre::turn, 5}, 90).v, (std::array<double, 3>{4, -3, 0}));
+  EXPECT_EQ(changed(ship, {Manoeuvre::speed, 5}, 5).v, (std::array<double, 3>{6, 8, 0}));
+  const OwnMotion stopped = changed(ship, {Manoeuvre::speed, 5}, -5);
+  EXPECT_EQ(stopped.v, (std::array<double, 3>{0, 0, 0}));
+  EXPECT_EQ(changed(ship, {Manoeuvre::climb, 5}, 2).v[2], 2);
+  EXPECT_EQ(changed(ship, {Manoeuvre::accelerate, 5}, 0.5).a, (std::array<double, 3>{0.3, 0.4, 0}));
+  EXPECT_EQ(changed(ship, {Manoeuvre::delay, 5}, 7).t, 17);
+  ship.mass = 2, ship.force = {2, 0, 0}, ship.a = {1, 0, 0};
+  const OwnMotion pushed = changed(ship, {Manoeuvre::accelerate, 5}, 0.5);
+  EXPECT_EQ(pushed.force, (std::array<double, 3>{2.6, 0.8, 0}));
+  EXPECT_EQ(pushed.a, (std::array<double, 3>{1.3, 0.4, 0}));
+}
+
+TEST(Manoeuvre, IsAsOfTheMomentOfTheChange) {
+  OwnMotion motion;
+  motion.x = {1, 0, 0}, motion.v = {2, 0, 0}, motion.a = {1, 0, 0};
+  const OwnMotion from = motion_from(motion, 4);
+  EXPECT_EQ(from.t, 4);
+  EXPECT_EQ(from.x[0], 17);
+  EXPECT_EQ(from.v[0], 6);
+}
+
+TEST(MotionSet, HoldsEachOfItsMotions) {
+  Random random(2);
+  for (int i = 0; i < 2000; ++i) {
+    const OwnMotion base = drone(random);
+    const Manoeuvre manoeuvre = all[i % 5];
+    const Change change{manoeuvre, speed_of(base)};
+    const double width = std::exp2(random.in(-40, 2)) * (manoeuvre == Manoeuvre::turn ? 90 : 1);
+    const double p = random.in(-2, 2), q = p + width;
+    const MotionSet<3> set = motions_between<3>(base, change, p, q);
+    const double k = i % 3 == 0 ? p : i % 3 == 1 ? q : p + width * random.unit();
+    const OwnMotion one = changed(base, change, k);
+    Vec<3> n;
+    for (double& part : n) part = random.in(-1, 1);
+    const double tau = random.in(0, 20);
+    double there = 0, speed = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto j = static_cast<std::size_t>(axis);
+      const double s = tau - (one.t - base.t);
+      there += n[axis] * (one.x[j] - base.x[j] + one.v[j] * s + 0.5 * one.a[j] * s * s);
+      speed += n[axis] * one.v[j];
+    }
+    const double most =
+        set.place.most(n) + set.velocity.most(n) * tau + 0.5 * set.acceleration.most(n) * tau * tau;
+    EXPECT_LE(there, most + 1e-13 * (1 + std::abs(most))) << name_of(manoeuvre);
+    if (manoeuvre != Manoeuvre::delay) {
+      EXPECT_LE(speed, set.velocity.most(n));
+    }
+    EXPECT_GE(set.velocity.most(n), -set.velocity.most(-n));
+  }
+}
+
+}  // namespace
+}  // namespace foresee::motion
