@@ -24,10 +24,10 @@ PAGE_INTERFACE = {"index/pages.h", "index/tpr_tree/tpr_tree.h"}
 SEES_SQLITE = {"storage", "sqlite"}
 # The rooms inside a room: each may include those to its right.
 INSIDE = {
-    "contact": ["mesh", "outline", "pieces", "boxes", "exact", "certain", "set"],
+    "contact": ["growing", "mesh", "outline", "pieces", "boxes", "exact", "certain", "set"],
     "index": ["paper_grid", "gpcd_grid", "tpr_tree"],
     "shape": ["mesh", "outline"],
-    "query": ["watch", "join", "window", "nearest", "position"],
+    "query": ["avoid", "watch", "join", "window", "nearest", "position"],
     "storage": ["watch", "table", "nodes", "rows", "format"],
     "sqlite": ["watch", "functions", "names", "table"],
 }

@@ -1,0 +1,55 @@
+// All motions of a range of changes, for proofs, and some of them, for guesses.
+//
+//   const ChangedWays<2> turns = changed_ways<2>(base, change, 10, 20);      // 10 to 20 degrees to starboard
+//
+// What is rough is a motion in plain doubles, near the one that would be stored: where to look, never a
+// proof. Cost: some hundred ns.
+#pragma once
+
+#include "contact/growing/encounter.h"
+#include "motion/motion_set.h"
+
+namespace foresee::contact {
+
+/// Of a bent path, in looking for a moment: none is proven by that.
+inline constexpr int moments_looked_at = 32;
+/// What is taken for touching: relative to the lengths at hand, more than a proof at any width asks for.
+inline constexpr double touching_share = 0x1p-42;
+
+/// One motion, roughly: as of the change, the place as seen from the base's own, and when it exists.
+template <int D>
+struct RoughWay {
+  Vec<D> x, v, a;
+  double begin = 0, end = 0;
+};
+
+/// The changed motions of a range, and some of them.
+template <int D>
+struct ChangedWays {
+  MotionSet<D> all;
+  RoughWay<D> middle, first, last;
+  Vec<D> most[3], least[3];  ///< of places, velocities and accelerations along each axis
+  double turned[3];   ///< how far an arc of these leaves its chord at most; 0: what does not turn is straight
+  bool bends;         ///< any of them is accelerated
+  bool one_interval;  ///< what is not bent touches for the changes of one interval
+};
+
+template <int D>
+ChangedWays<D> changed_ways(const OwnMotion& base, const Change& change, double p, double q);
+
+template <int D>
+RoughWay<D> rough_way(const OwnMotion& base, const Change& change, double k);
+
+/// The two seen from each other, roughly.
+template <int D>
+RoughWay<D> relative(const Encounter<D>& met, const RoughWay<D>& own) {
+  return {met.x - own.x, met.v - own.v, met.a - own.a, std::max(met.begin, own.begin),
+          std::min(met.end, own.end)};
+}
+
+template <int D>
+Vec<D> place_at(const RoughWay<D>& way, double tau) {
+  return way.x + tau * (way.v + (0.5 * tau) * way.a);
+}
+
+}  // namespace foresee::contact

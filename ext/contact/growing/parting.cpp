@@ -1,0 +1,113 @@
+#include "contact/growing/parting.h"
+
+#include "contact/growing/separation_case.h"
+
+namespace foresee::contact {
+namespace {
+
+/// A ball, or upright a disc: no box is within.
+template <int D>
+bool rounds_alone(const PairExtents<D>& extents) {
+  for (int axis = 0; axis < extents.round_axes; ++axis)
+    if (extents.half[axis] != 0) return false;
+  return true;
+}
+
+/// Does the distance of the centres never shrink, on paths that are not bent? Its slope grows with time, so
+/// that at the first moment decides.
+template <int D>
+Judgement judge_straight_parting(const Encounter<D>& met, const ChangedWays<D>& ways) {
+  const auto& own = ways.all.velocity;
+  const double along = (met.x * met.v).sum(), most = own.most(met.x);
+  const Vec<D> v = ways.most[1].abs().max(ways.least[1].abs()) + met.v.abs();
+  // What is 0 has no error: side by side at the same speed, nothing shrinks.
+  double error = 0;
+  for (int axis = 0; axis < D; ++axis)
+    error += met.ex[axis] * v[axis] + std::abs(met.x[axis]) * met.ev[axis] +
+             8 * unit_roundoff * std::abs(met.x[axis]) * v[axis];
+  const double least = along - most;
+  if (least - error >= 0) return Judgement::clear;
+  const double greatest = along + own.most(-met.x), slack = touching_share * (met.x.abs() * v).sum();
+  return greatest <= slack ? Judgement::blocked : Judgement::open;
+}
+
+/// The least value of x y, each within its ends.
+double least_product(double x0, double x1, double y0, double y1) {
+  const double least = std::min({x0 * y0, x0 * y1, x1 * y0, x1 * y1});
+  return least - 4 * unit_roundoff * std::abs(least);
+}
+
+/// Place times velocity on one axis, at least, during [begin, end].
+template <int D>
+double least_turn(const Encounter<D>& met, const ChangedWays<D>& ways, int axis, double begin, double end) {
+  const double ev = met.ev[axis];
+  const double v0 = met.v[axis] - ev - ways.most[1][axis], v1 = met.v[axis] + ev - ways.least[1][axis];
+  const double a0 = met.a[axis] - ways.most[2][axis], a1 = met.a[axis] - ways.least[2][axis];
+  const double slow = v0 + std::min(begin * a0, end * a0), fast = v1 + std::max(begin * a1, end * a1);
+  const double low = met.x[axis] + begin * (v0 + 0.5 * begin * a0) + std::min(0.0, (end - begin) * slow);
+  const double high = met.x[axis] + begin * (v1 + 0.5 * begin * a1) + std::max(0.0, (end - begin) * fast);
+  const double speed = std::abs(v0) + std::abs(v1) + end * (std::abs(a0) + std::abs(a1));
+  const double pad = met.ex[axis] + 16 * unit_roundoff * (std::abs(met.x[axis]) + end * speed),
+               speed_pad = 16 * unit_roundoff * speed;
+  return least_product(low - pad, high + pad, slow - speed_pad, fast + speed_pad);
+}
+
+/// The same where paths bend: place times velocity, as intervals, over ever shorter times. A ball is left for
+/// good where the sum does not shrink; a box or cylinder, if no part of it does.
+template <int D>
+bool never_shrinks(const Encounter<D>& met, const ChangedWays<D>& ways, double begin, double end, int cuts) {
+  const bool rounds = rounds_alone(met.extents);
+  double round = 0, least = 0;
+  for (int axis = 0; axis < D; ++axis) {
+    const double turn = least_turn<D>(met, ways, axis, begin, end);
+    if (rounds && axis < met.extents.round_axes)
+      round += turn;
+    else
+      least = std::min(least, turn);
+  }
+  if (least >= 0 && round >= 0) return true;
+  if (cuts == 0) return false;
+  const double middle = 0.5 * (begin + end);
+  return never_shrinks<D>(met, ways, begin, middle, cuts - 1) &&
+         never_shrinks<D>(met, ways, middle, end, cuts - 1);
+}
+
+/// What never_shrinks() asks for fails at some moment, or may as well. Roughly.
+template <int D>
+bool shrinks(const Encounter<D>& met, const RoughWay<D>& own, double end) {
+  const RoughWay<D> way = relative<D>(met, own);
+  const double step = end / moments_looked_at;
+  for (int i = 0; i <= moments_looked_at; ++i) {
+    const double tau = i * step;
+    const Vec<D> turn = place_at<D>(way, tau) * (way.v + tau * way.a);
+    const double slack = touching_share * turn.abs().sum();
+    const int round_axes = rounds_alone(met.extents) ? met.extents.round_axes : 0;
+    double round = 0;
+    for (int axis = 0; axis < round_axes; ++axis) round += turn[axis];
+    if (round_axes > 0 && round <= slack) return true;
+    for (int axis = round_axes; axis < D; ++axis)
+      if (turn[axis] < -slack || (turn[axis] <= slack && way.a[axis] != 0)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+template <int D>
+Judgement judge_parting(const Encounter<D>& met, const ChangedWays<D>& ways) {
+  const SeparationCase<D> question(met, ways);
+  if (question.never_together() || question.end() <= 0) return Judgement::clear;
+  if (!question.is_finite()) return Judgement::blocked;
+  if (!question.bends()) return judge_straight_parting<D>(met, ways);
+  if (never_shrinks<D>(met, ways, 0, question.end(), 6)) return Judgement::clear;
+  const bool all_shrink = shrinks(met, ways.first, question.end()) &&
+                          shrinks(met, ways.middle, question.end()) &&
+                          shrinks(met, ways.last, question.end());
+  return all_shrink ? Judgement::blocked : Judgement::open;
+}
+
+template Judgement judge_parting<1>(const Encounter<1>&, const ChangedWays<1>&);
+template Judgement judge_parting<2>(const Encounter<2>&, const ChangedWays<2>&);
+template Judgement judge_parting<3>(const Encounter<3>&, const ChangedWays<3>&);
+
+}  // namespace foresee::contact

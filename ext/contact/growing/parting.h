@@ -1,0 +1,17 @@
+// Does an object part from another that it touches when it changes its motion, whichever change of a range it
+// makes? Where no path is bent the slope of the distance grows with time, so that of the first moment
+// decides; else place times velocity is looked at as intervals.
+#pragma once
+
+#include "contact/growing/separation.h"
+
+namespace foresee::contact {
+
+/// About an object that is touched when the change is made. A change is clear of it if the distance
+/// of the two centres never shrinks; then what is convex is never touched again. Between bent paths this
+/// asks for more than it must: that it does not shrink as long as both exist, for boxes and cylinders on no
+/// axis.
+template <int D>
+Judgement judge_parting(const Encounter<D>& met, const ChangedWays<D>& ways);
+
+}  // namespace foresee::contact

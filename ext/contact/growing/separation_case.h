@@ -1,0 +1,200 @@
+// One question about a range of changes: an encounter, the changed motions, and the moments of both, looked
+// at for proofs and for whom all of them touch.
+#pragma once
+
+#include <array>
+
+#include "contact/growing/plane.h"
+#include "contact/growing/straight_approach.h"
+
+namespace foresee::contact {
+
+/// What a guess has come to.
+enum class Look : std::uint8_t { proven, touches, open };
+
+/// One question: an encounter, a range of changes, and the moments of both.
+template <int D>
+class SeparationCase {
+ public:
+  SeparationCase(const Encounter<D>& met, const ChangedWays<D>& ways)
+      : met_(met),
+        ways_(ways),
+        begin_(std::max(met.begin, ways.all.begin)),
+        end_(std::min(met.end, ways.all.end)),
+        bends_(ways.bends || met.bends()) {}
+
+  bool never_together() const { return begin_ > end_; }
+  /// Doubles hold all that is to be computed.
+  bool is_finite() const { return std::isfinite(scale_at(end_)) && std::isfinite(width_at(end_)); }
+  bool bends() const { return bends_; }
+  double begin() const { return begin_; }
+  double end() const { return end_; }
+
+  /// Is there a plane, guessed from one of the motions? `tau`: where that touches, or is near.
+  Look look(const RoughWay<D>& own, double& tau) const {
+    const RoughWay<D> way = relative(met_, own);
+    return bends_ ? look_at_bent(way, tau) : look_at_straight(way, tau);
+  }
+
+  bool touches(const RoughWay<D>& own) const {
+    const RoughWay<D> way = relative(met_, own);
+    if (!(way.begin <= way.end)) return false;
+    const auto near = straight_approach<D>(met_.extents, way.x, way.v, way.begin, way.end);
+    return near.gap <= touching_share * scale_at(near.tau);
+  }
+
+  /// Do all motions of the range touch at tau, or at the moment nearest to it at which all are there? On one
+  /// axis also if all pass the other. Roughly.
+  bool all_touch_about(double tau) const {
+    const double first = std::max(begin_, ways_.last.begin), last = std::min(end_, ways_.first.end);
+    if (first > last) return false;
+    tau = std::clamp(tau, first, last);
+    if constexpr (D == 1)
+      if (all_pass(first, last, tau)) return true;
+    return all_touch_at(tau);
+  }
+
+  /// The same, where all places of the range at one moment lie on a segment, or on an arc near one: what is
+  /// convex holds all of a segment whose ends it holds.
+  bool ends_touch_about(double tau) const {
+    const double first = std::max(begin_, ways_.last.begin), last = std::min(end_, ways_.first.end);
+    if (first > last) return false;
+    tau = std::clamp(tau, first, last);
+    const double beside = ways_.turned[0] + tau * (ways_.turned[1] + 0.5 * tau * ways_.turned[2]) -
+                          touching_share * scale_at(tau);
+    Vec<D> ignored;
+    for (const RoughWay<D>* end : {&ways_.first, &ways_.last})
+      if (!(depth_in<D>(met_.extents, place_at<D>(relative(met_, *end), tau), ignored) <= -beside))
+        return false;
+    return true;
+  }
+
+  /// When one of the motions is nearest, on a path that is not bent.
+  double nearest_moment(const RoughWay<D>& own) const {
+    const RoughWay<D> way = relative(met_, own);
+    if (!(way.begin <= way.end)) return begin_;
+    return straight_approach<D>(met_.extents, way.x, way.v, way.begin, way.end).tau;
+  }
+
+ private:
+  /// All are on one side at one moment and on the other at another.
+  bool all_pass(double first, double last, double tau) const {
+    bool below = side_at(tau)<0, above = side_at(tau)> 0;
+    const auto look_at = [&](double at) {
+      const int side = side_at(std::clamp(at, first, last));
+      below = below || side < 0, above = above || side > 0;
+    };
+    for (const double at : {first, last}) look_at(at);
+    for (const RoughWay<D>* own : {&ways_.first, &ways_.middle, &ways_.last}) {
+      const RoughWay<D> way = relative(met_, *own);
+      if (way.a[0] != 0) look_at(-way.v[0] / way.a[0]);  // where it turns round
+    }
+    return below && above;
+  }
+
+  /// On which side of the other all are: 1 or -1; 0: not on one.
+  int side_at(double tau) const {
+    const double most = place_of(ways_.least, 0, tau), least = place_of(ways_.most, 0, tau);
+    return least >= 0 ? 1 : most <= 0 ? -1 : 0;
+  }
+
+  bool all_touch_at(double tau) const {
+    const double slack = touching_share * scale_at(tau);
+    double square = 0;
+    for (int axis = 0; axis < D; ++axis) {
+      const double far = farthest(axis, tau) - met_.extents.half[axis];
+      if (axis >= met_.extents.round_axes) {
+        if (!(far <= slack)) return false;
+      } else if (far > 0) {
+        square += far * far;
+      }
+    }
+    return std::sqrt(square) <= met_.extents.radius + slack;
+  }
+
+  /// The other on one axis, seen from an end of the range's places, velocities and accelerations.
+  double place_of(const Vec<D> (&end)[3], int axis, double tau) const {
+    const auto at = [&](double x, double v, double a) { return x + tau * (v + 0.5 * tau * a); };
+    return at(met_.x[axis], met_.v[axis], met_.a[axis]) - at(end[0][axis], end[1][axis], end[2][axis]);
+  }
+  /// How far from the origin on one axis anything of the range is at tau.
+  double farthest(int axis, double tau) const {
+    return std::max(std::abs(place_of(ways_.most, axis, tau)), std::abs(place_of(ways_.least, axis, tau)));
+  }
+
+  double scale_at(double tau) const {
+    const Vec<D> v = ways_.most[1].abs().max(ways_.least[1].abs()) + met_.v.abs();
+    return (met_.x.abs() + met_.extents.half + tau * v).maxCoeff() + met_.extents.radius;
+  }
+
+  Look look_at_straight(const RoughWay<D>& way, double& tau) const {
+    const auto near = straight_approach<D>(met_.extents, way.x, way.v, begin_, end_);
+    tau = near.tau;
+    if (!(near.gap > 0)) return Look::touches;
+    return plane_proves<D>(met_, ways_.all, near.normal, begin_, end_) ? Look::proven : Look::open;
+  }
+
+  /// Part by part of the time, each taken for straight.
+  Look look_at_bent(const RoughWay<D>& way, double& tau) const {
+    struct Part {
+      double begin, end;
+    };
+    std::array<Part, 64> parts;
+    std::size_t count = 0;
+    parts[count++] = {begin_, end_};
+    for (int looks = 0; count > 0; ++looks) {
+      const Part part = parts[--count];
+      const double middle = 0.5 * (part.begin + part.end), length = part.end - part.begin;
+      const Vec<D> v = way.v + middle * way.a, x = place_at<D>(way, middle) - middle * v;
+      const auto near = straight_approach<D>(met_.extents, x, v, part.begin, part.end);
+      tau = near.tau;
+      if (near.gap > 0 && plane_proves<D>(met_, ways_.all, near.normal, part.begin, part.end)) continue;
+      Vec<D> ignored;
+      if (!(depth_in<D>(met_.extents, place_at<D>(way, tau), ignored) > 0)) {
+        tau = deepest_moment(way, tau);
+        return Look::touches;
+      }
+      const double bend = 0.125 * length * length * way.a.abs().sum();
+      if (looks > 200 || !(bend > 0.5 * width_at(part.end))) return Look::open;
+      parts[count++] = {middle, part.end};
+      parts[count++] = {part.begin, middle};
+      if (count + 2 > parts.size()) return Look::open;
+    }
+    return Look::proven;
+  }
+
+  /// Where a bent path is deepest within, or about there: the best of some moments and `tau`, then between
+  /// its neighbours.
+  double deepest_moment(const RoughWay<D>& way, double tau) const {
+    Vec<D> ignored;
+    const auto depth = [&](double at) { return depth_in<D>(met_.extents, place_at<D>(way, at), ignored); };
+    double best = tau, least = depth(tau), step = (end_ - begin_) / moments_looked_at;
+    const auto look_at = [&](double at) {
+      const double here = depth(at);
+      if (here < least) best = at, least = here;
+    };
+    for (int i = 0; i <= moments_looked_at; ++i) look_at(std::min(begin_ + i * step, end_));
+    for (int look = 0; look < 12; ++look) {
+      step *= 0.5;
+      const double middle = best;
+      look_at(std::max(begin_, middle - step)), look_at(std::min(end_, middle + step));
+    }
+    return best;
+  }
+
+  /// How far apart two of the range can be at tau.
+  double width_at(double tau) const {
+    return ((ways_.most[0] - ways_.least[0]) +
+            tau * ((ways_.most[1] - ways_.least[1]) + 0.5 * tau * (ways_.most[2] - ways_.least[2])))
+        .sum();
+  }
+
+  const Encounter<D>& met_;
+  const ChangedWays<D>& ways_;
+  double begin_, end_;
+  bool bends_;
+};
+
+/// Does the distance of the centres never shrink, on paths that are not bent? Its slope grows with time, so
+
+}  // namespace foresee::contact

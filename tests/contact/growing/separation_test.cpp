@@ -1,0 +1,93 @@
+// The certificate and what it is made of: planes between a path and a set, and judgements by hand.
+#include "contact/growing/separation.h"
+
+#include <gtest/gtest.h>
+
+#include "contact/growing/blocked_end.h"
+#include "contact/growing/parting.h"
+#include "contact/growing/straight_approach.h"
+#include "scenes.h"
+
+namespace foresee::contact {
+namespace {
+
+using testing::Random;
+
+TEST(StraightApproach, FindsTheNearestMomentAndAPlane) {
+  Random random(6);
+  int apart = 0;
+  for (int i = 0; i < 4000; ++i) {
+    PairExtents<3> extents{
+        {random.in(0, 2), random.in(0, 2), random.in(0, 2)}, random.in(0, 2), i % 2 ? 3 : 2};
+    if (i % 5 == 0) extents.half.setZero();
+    if (i % 7 == 0) extents.radius = 0, extents.round_axes = 3;
+    const Vec<3> x{random.in(-9, 9), random.in(-9, 9), random.in(-9, 9)},
+        v{random.in(-2, 2), random.in(-2, 2), random.in(-2, 2)};
+    const double begin = random.in(0, 2), end = begin + random.in(0, 9);
+    const auto near = straight_approach<3>(extents, x, v, begin, end);
+    Vec<3> ignored;
+    double least = HUGE_VAL;
+    for (int j = 0; j <= 1000; ++j)
+      least = std::min(least, depth_in<3>(extents, x + (begin + (end - begin) * j / 1000) * v, ignored));
+    EXPECT_LE(near.gap, least + 0.05 * std::abs(least) + 1e-9);
+    if (least <= 0.01) continue;
+    ++apart;
+    for (const double tau : {begin, end})
+      EXPECT_GT((near.normal * (x + tau * v)).sum(), extents.most(near.normal)) << i;
+  }
+  EXPECT_GT(apart, 1000);
+}
+
+struct Meeting {
+  OwnMotion base;
+  Encounter<2> met;
+
+  Meeting() {
+    base.v = {0, 10, 0};
+    met = {{0, 1000}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {{0, 0}, 20, 2}, 0, 200};
+  }
+  Judgement turn(double p, double q) const {
+    return judge<2>(met, changed_ways<2>(base, {Manoeuvre::turn, 10}, p, q));
+  }
+};
+
+TEST(Separation, TellsClearBlockedAndOpenApart) {
+  const Meeting stone;  // 1000 ahead, of radius 20: asin(0.02) is 1.146 degrees
+  EXPECT_EQ(stone.turn(1.146, 180), Judgement::clear);
+  EXPECT_EQ(stone.turn(-180, -1.146), Judgement::clear);
+  EXPECT_EQ(stone.turn(-1.1459, 1.1459), Judgement::blocked);
+  EXPECT_EQ(stone.turn(1, 2), Judgement::open);
+  EXPECT_NEAR(*end_between<2>(stone.met, stone.base, {Manoeuvre::turn, 10}, 0, 9, 1e-11), 1.1459919983885926,
+              1e-10);
+  EXPECT_FALSE(end_between<2>(stone.met, stone.base, {Manoeuvre::turn, 10}, 2, 9, 1e-11));
+}
+
+TEST(Separation, ProvesAWholeRangeBesideOneThatTouches) {
+  const Meeting stone;
+  const auto speeds = changed_ways<2>(stone.base, {Manoeuvre::speed, 10}, -10, -5.1000001);
+  EXPECT_EQ(judge<2>(stone.met, speeds), Judgement::clear);  // 980 in 200 s
+  EXPECT_EQ(judge<2>(stone.met, changed_ways<2>(stone.base, {Manoeuvre::speed, 10}, -5, 10)),
+            Judgement::blocked);
+}
+
+TEST(Separation, BelievesNothingThatIsNotFinite) {
+  Meeting far;
+  far.met.x[0] = HUGE_VAL;
+  EXPECT_EQ(far.turn(0, 1), Judgement::blocked);
+  far.met.x[0] = std::nan("");
+  EXPECT_EQ(far.turn(0, 1), Judgement::blocked);
+}
+
+TEST(Parting, NeedsADistanceThatNeverShrinks) {
+  Meeting beside;
+  beside.met.x = {15, 0};
+  const auto parting = [&](double p, double q) {
+    return judge_parting<2>(beside.met, changed_ways<2>(beside.base, {Manoeuvre::turn, 10}, p, q));
+  };
+  EXPECT_EQ(parting(-179, -1), Judgement::clear);
+  EXPECT_EQ(parting(1, 179), Judgement::blocked);
+  EXPECT_EQ(parting(-1, 1), Judgement::open);
+}
+
+}  // namespace
+}  // namespace foresee::contact
