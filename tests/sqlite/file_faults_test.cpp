@@ -110,6 +110,7 @@ TEST_P(FileFaults, Questions) {
   run("SELECT * FROM predictive_position(10, 'ships')");
   run("SELECT count(*) FROM predictive_window(10, 'ships', 20, 60)");
   run("SELECT * FROM predictive_nearest(10, 'ships', 9, 50, 50)");
+  run("SELECT * FROM predictive_avoid(10, 'ships', 5, 1)");
 }
 
 INSTANTIATE_TEST_SUITE_P(JournalModes, FileFaults, ::testing::Values("delete", "wal"),

@@ -115,6 +115,7 @@ TEST_F(TableMemoryFaults, SmallQuestions) {
   run("SELECT * FROM predictive_window(10, 'ships', 0, 2.5)");
   run("SELECT * FROM predictive_nearest(10, 'ships', 2, 0, 0)");
   run("SELECT * FROM predictive_join(10, 'ships', 5) WHERE a = 1");
+  run("SELECT * FROM predictive_avoid(10, 'ships', 1, 1)");
   run("BEGIN; UPDATE ships SET x = 0 WHERE id = 3; SELECT * FROM predictive_window(10, 'ships', 0); COMMIT");
 }
 

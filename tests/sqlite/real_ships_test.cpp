@@ -95,5 +95,35 @@ TEST_F(RealShips, MeetAsBoxesAsExhaustiveSearchFound) {
     expect_rows("predictive_join(600, 'ships', 0, NULL, 600, '" + method + "')", expected);
 }
 
+/// Every ship that would come within 200 m of another is advised; each advice that is taken keeps it clear of
+/// all but those that it was near at first.
+TEST_F(RealShips, KeepClearOnceAdvised) {
+  build("", "");
+  db.exec(
+      "CREATE TEMP TABLE meets AS SELECT a AS id FROM predictive_join(600, 'ships', 200) WHERE dt > 0 "
+      "UNION SELECT b FROM predictive_join(600, 'ships', 200) WHERE dt > 0;"
+      "CREATE TEMP TABLE near AS SELECT a, b FROM predictive_join(0, 'ships', 200);"
+      "CREATE TEMP TABLE advice AS SELECT m.id, v.manoeuvre, v.clear, v.t, v.x, v.y, v.vx, v.vy "
+      "FROM meets m, predictive_avoid(600, 'ships', m.id, 200) v WHERE v.clear");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM meets"), "183");
+  EXPECT_EQ(db.rows("SELECT count(DISTINCT id) FROM advice"), "70");
+  sqlite3_stmt* all = nullptr;
+  ASSERT_EQ(sqlite3_prepare_v2(db.handle(), "SELECT rowid, id FROM advice", -1, &all, nullptr), SQLITE_OK);
+  while (sqlite3_step(all) == SQLITE_ROW) {
+    const std::string row = std::to_string(sqlite3_column_int64(all, 0)),
+                      id = std::to_string(sqlite3_column_int64(all, 1));
+    db.exec(
+        "SAVEPOINT advised; UPDATE ships SET (t, x, y, vx, vy) = (SELECT t, x, y, vx, vy FROM advice WHERE "
+        "rowid = " +
+        row + ") WHERE id = " + id);
+    EXPECT_EQ(db.rows("SELECT a, b FROM predictive_join(600, 'ships', 200) WHERE a = " + id +
+                      " OR b = " + id + " EXCEPT SELECT a, b FROM near"),
+              "")
+        << "advice " << row;
+    db.exec("ROLLBACK TO advised; RELEASE advised");
+  }
+  sqlite3_finalize(all);
+}
+
 }  // namespace
 }  // namespace foresee::testing

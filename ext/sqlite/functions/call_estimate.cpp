@@ -17,8 +17,8 @@ constexpr double joined_object = 12, joined_row = 2;
 constexpr double search = 500, found_object = 50, nearest_object = 300;
 constexpr double probe = 100, probed_level = 50;  // of one object, by the binary logarithm of all
 
-constexpr double moments = 60, moved_object = 2;        // of a track
-constexpr double window_rows = 100, nearest_rows = 10;  // where nobody says
+constexpr double moments = 60, moved_object = 2;                         // of a track
+constexpr double window_rows = 100, nearest_rows = 10, avoid_rows = 10;  // where nobody says
 
 /// What the statement says about one of a function's inputs.
 class WrittenInputs {
@@ -81,6 +81,11 @@ CallEstimate estimate_window(const CallSizes& sizes) {
 CallEstimate estimate_nearest(const CallSizes& sizes) {
   const double rows = std::clamp(sizes.k.value_or(nearest_rows), 0.0, sizes.objects);
   return {search + nearest_object * rows, rows};
+}
+
+CallEstimate estimate_avoid(const CallSizes& sizes) {
+  const CallEstimate one = estimate_pairs_of_one(sizes, true);
+  return {4 * one.cost, avoid_rows};
 }
 
 CallEstimate estimate_join(const CallSizes& sizes) {

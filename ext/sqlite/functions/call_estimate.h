@@ -38,6 +38,8 @@ CallEstimate estimate_track(const CallSizes& sizes, bool by_first);
 /// A few nodes of the tree, and some objects.
 CallEstimate estimate_window(const CallSizes& sizes);
 CallEstimate estimate_nearest(const CallSizes& sizes);
+/// The objects near one, each looked at for every range of changes.
+CallEstimate estimate_avoid(const CallSizes& sizes);
 /// The whole join: its pairs, or the stages that explain it.
 CallEstimate estimate_join(const CallSizes& sizes);
 CallEstimate estimate_stages(const CallSizes& sizes);

@@ -129,9 +129,12 @@ std::string described(const FunctionPlan& plan, int output_count) {
 
 constexpr int order_length_at = 16, order_at = 20;  // in idxNum
 
-/// The bits of the outputs of which a call is told whether they are read: the first sixteen.
+/// The bits of the outputs of which a call is told whether they are read: all, or of a function with orders
+/// the first sixteen.
 std::uint32_t outputs_told(const TableFunction& function) {
-  return (1u << std::min(output_count(function), order_length_at)) - 1;
+  constexpr int most = 30;
+  const int told = function.orders.empty() ? most : order_length_at;
+  return (1u << std::min(output_count(function), told)) - 1;
 }
 
 /// If ORDER BY is one of the function's orders, or the beginning of one, rows come in that order and SQLite
@@ -183,6 +186,7 @@ std::uint32_t planned_outputs(const TableFunction& function, int plan) {
 }
 
 std::span<const int> planned_order(const TableFunction& function, int plan) {
+  if (function.orders.empty()) return {};
   const int length = plan >> order_length_at & 0xf;
   if (length == 0) return {};
   return std::span(function.orders[static_cast<std::size_t>(plan >> order_at)])

@@ -1,7 +1,7 @@
 // In what way will SQLite call a table-valued function? From xBestIndex to xFilter.
 //
-//   idxNum   the outputs that the statement reads, one bit each; from bit 16 on the order that rows must come
-//            in: how many of its outputs, and from bit 20 on which of the function's orders
+//   idxNum   the outputs that the statement reads, one bit each; of a function with orders from bit 16 on
+//            the one that rows must come in: how many of its outputs, and from bit 20 on which of them
 //   idxStr   two letters per argument: 'A' + column, then the comparison ('=' '>' 'G' '<' 'L'), or '!' for an
 //            input that SQLite compares once more, or '@' and 'n' or 'o': row_limit.h
 //

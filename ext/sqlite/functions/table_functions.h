@@ -9,6 +9,7 @@ const TableFunction& geo_to_plane();  // geo_plane.cpp
 const TableFunction& plane_to_geo();
 const TableFunction& geo_to_globe();  // geo_globe.cpp
 const TableFunction& globe_to_geo();
+const TableFunction& predictive_avoid();     // predictive_avoid.cpp
 const TableFunction& predictive_join();      // predictive_join.cpp
 const TableFunction& predictive_explain();   // predictive_explain.cpp
 const TableFunction& predictive_nearest();   // predictive_nearest.cpp

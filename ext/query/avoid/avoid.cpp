@@ -1,0 +1,229 @@
+#include "query/avoid/avoid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+
+#include "base/axes.h"
+#include "base/float_environment.h"
+#include "motion/life.h"
+#include "query/avoid/clear_ranges.h"
+#include "query/avoid/intruders.h"
+#include "query/avoid/touched.h"
+#include "query/join/question.h"
+
+namespace foresee::query {
+namespace {
+
+constexpr double least_number = std::numeric_limits<double>::denorm_min();
+
+/// One manoeuvre of one question, step by step.
+class Manoeuvring {
+ public:
+  Manoeuvring(const AvoidQuestion& question, const OwnMotion& stored, const OwnMotion& base,
+              const AskedChanges& asked, Interrupt& interrupt)
+      : question_(question),
+        stored_(stored),
+        base_(base),
+        asked_(asked),
+        change_{asked.manoeuvre, speed_of(base)},
+        interrupt_(interrupt),
+        touched_(question, scenes(), interrupt) {}
+
+  std::vector<AvoidRow> rows() {
+    if (asked_.lo == asked_.hi || changes_nothing()) {
+      const double k = asked_.lo == asked_.hi ? asked_.lo : 0;
+      add_row(is_clear(k), asked_.lo, asked_.hi);
+    } else {
+      tile(clear_ranges());
+    }
+    if (question_.wants_ends) find_ends();
+    return std::move(rows_);
+  }
+
+ private:
+  Touched::Scenes scenes() {
+    Touched::Scenes near;
+    const auto look = [&](const Searched& others, std::optional<std::int64_t> itself) {
+      near.push_back(
+          intruders(question_, base_, change_, asked_, others, itself, reach_to(others), interrupt_));
+    };
+    look(question_.others, question_.own->ids[0]);
+    if (question_.also) look(*question_.also, std::nullopt);
+    near_ = near;
+    return near;
+  }
+
+  Contact::Reach reach_to(const Searched& others) const {
+    Scene none;
+    none.layout = others.layout();
+    return make_contact(question_.own->bodies(), none.bodies(),
+                        {{question_.now, question_.h}, question_.within, question_.within_z},
+                        question_.own->name, others.name)
+        ->reach();
+  }
+
+  /// Who does not move cannot turn: all changes are one.
+  bool changes_nothing() const {
+    const auto none = [](const std::array<double, 3>& v) { return v[0] == 0 && v[1] == 0; };
+    return asked_.manoeuvre == Manoeuvre::turn && none(base_.v) && none(base_.a);
+  }
+
+  OwnMotion motion_at(double k) const { return k == 0 ? stored_ : changed(base_, change_, k); }
+  std::vector<double> record_at(double k) const {
+    if (k == 0) return question_.record;
+    return Touched::with_motion(question_.own->layout, question_.record, motion_at(k));
+  }
+
+  /// Those that make the change touch, exactly.
+  std::vector<Intruder> touched_by(double k) {
+    const bool delayed = asked_.manoeuvre == Manoeuvre::delay && k != 0;
+    if (!delayed) return touched_.by(record_at(k));
+    static const std::vector<Intruder> nobody;
+    if (question_.touching == Touching::part) return touched_.by(record_at(k), &nobody);
+    const std::vector<Intruder> first = touched_.at_first(question_.record);
+    return touched_.by(record_at(k), &first);
+  }
+  bool is_clear(double k) { return is_finite(motion_at(k)) && touched_by(k).empty(); }
+
+  /// What is proven, and the exact word on 0.
+  std::vector<KRange> clear_ranges() {
+    std::vector<KRange> clear;
+    if (is_finite(base_))
+      clear = with_axes(question_.own->layout.axes, [&]<int D>(Axes<D>) { return proven<D>(); });
+    if (asked_.lo > 0 || asked_.hi < 0) return clear;
+    const auto after = std::find_if(clear.begin(), clear.end(), [](const KRange& r) { return r.to >= 0; });
+    const bool has_0 = after != clear.end() && after->from <= 0;
+    if (is_clear(0) == has_0) return clear;
+    if (!has_0) {
+      clear.insert(after, {0, 0});
+      return clear;
+    }
+    const KRange around = *after;
+    auto place = clear.erase(after);
+    if (around.to > 0) place = clear.insert(place, {least_number, around.to});
+    if (around.from < 0) clear.insert(place, {around.from, -least_number});
+    return clear;
+  }
+
+  template <int D>
+  std::vector<KRange> proven() {
+    const bool delayed = asked_.manoeuvre == Manoeuvre::delay;
+    std::vector<std::vector<std::uint8_t>> first;
+    for (const auto& near : near_) first.emplace_back(near->size());
+    for (const Intruder& intruder : touched_.at_first(
+             Touched::with_motion(question_.own->layout, question_.record, delayed ? stored_ : base_)))
+      first[static_cast<std::size_t>(intruder.table)][intruder.row] = 1;
+    struct Ordered {
+      double nearness;
+      std::size_t table;
+      std::int64_t id;
+      MetIntruder<D> met;
+    };
+    std::vector<Ordered> ordered;
+    const Bodies own = question_.own->bodies();
+    for (std::size_t table = 0; table < near_.size(); ++table) {
+      const Bodies others = near_[table]->bodies();
+      const ExtentsRule rule(own.layout, others.layout, question_.within, question_.within_z);
+      for (std::size_t i = 0; i < others.count; ++i) {
+        if (i % 4096 == 0) interrupt_.check();
+        const bool touches = first[table][i] != 0;
+        if (touches && question_.touching == Touching::ignore) continue;
+        const auto met = encounter_of<D>(base_, {question_.now, question_.h}, others, others.row(i),
+                                         rule.pair<D>(own.row(0), others.row(i)));
+        if (met.begin > met.end) continue;
+        const double far = (met.x.abs() - met.extents.half).maxCoeff() - met.extents.radius;
+        ordered.push_back({far, table, near_[table]->ids[i], {met, touches && !delayed}});
+      }
+    }
+    std::sort(ordered.begin(), ordered.end(), [](const Ordered& a, const Ordered& b) {
+      return std::tie(a.nearness, a.table, a.id) < std::tie(b.nearness, b.table, b.id);
+    });
+    std::vector<MetIntruder<D>> met;
+    for (const Ordered& one : ordered) met.push_back(one.met);
+    return ClearRanges<D>(base_, change_, std::move(met), interrupt_).between(asked_.lo, asked_.hi);
+  }
+
+  /// Clear ranges and what lies between them.
+  void tile(const std::vector<KRange>& clear) {
+    double from = asked_.lo;
+    for (const KRange& range : clear) {
+      if (range.from > from) add_row(false, from, range.from);
+      add_row(true, range.from, range.to);
+      from = range.to;
+    }
+    if (from < asked_.hi || clear.empty()) add_row(false, from, asked_.hi);
+  }
+
+  void add_row(bool clear, double from, double to) {
+    const double k = from > 0 ? from : to < 0 ? to : 0;
+    rows_.push_back({asked_.manoeuvre, clear, from, to, k, {}, {}, {}});
+    if (question_.wants_motion) rows_.back().record = record_at(k);
+  }
+
+  /// Of a blocked row both ends, of a clear one those that it shares with a blocked one.
+  void find_ends() {
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      AvoidRow& row = rows_[i];
+      if (row.clear) continue;
+      const bool shares_from = i > 0, shares_to = i + 1 < rows_.size();
+      row.below = blocker(row.k_from, row.k_to, shares_from);
+      row.above = blocker(row.k_to, row.k_from, shares_to);
+      if (shares_from) rows_[i - 1].above = row.below;
+      if (shares_to) rows_[i + 1].below = row.above;
+    }
+  }
+
+  /// Who is touched first, as changes go from one end of a blocked row towards the other.
+  std::optional<Blocker> blocker(double end, double other, bool end_is_clear) {
+    const auto at = [&](double k) -> std::optional<Blocker> {
+      if (!is_finite(motion_at(k))) return std::nullopt;
+      const std::vector<Intruder> touched = touched_by(k);
+      return touched.empty() ? std::nullopt : touched_.first_of(record_at(k), touched);
+    };
+    if (!end_is_clear)
+      if (auto found = at(end)) return found;
+    const double room = std::abs(other - end), way = other > end ? 1 : -1;
+    bool passed_0 = end == 0 || (end > 0) == (other > 0);
+    for (double step = (asked_.hi - asked_.lo) * 0x1p-42; step < room; step *= 2) {
+      const double k = end + way * step;
+      if (!passed_0 && (k > 0) != (end > 0)) {
+        passed_0 = true;
+        if (auto found = at(0)) return found;
+      }
+      if (auto found = at(k)) return found;
+    }
+    if (!passed_0)
+      if (auto found = at(0)) return found;
+    return std::nullopt;
+  }
+
+  const AvoidQuestion& question_;
+  const OwnMotion &stored_, &base_;
+  AskedChanges asked_;
+  Change change_;
+  Interrupt& interrupt_;
+  Touched::Scenes near_;
+  Touched touched_;
+  std::vector<AvoidRow> rows_;
+};
+
+}  // namespace
+
+std::vector<AvoidRow> avoid(const AvoidQuestion& question, Interrupt& interrupt) {
+  const FloatEnvironment environment;
+  require_valid(question);
+  std::vector<AvoidRow> rows;
+  if (question.own->size() == 0) return rows;
+  const OwnMotion stored = Touched::motion_in(question.own->layout, question.record);
+  if (life_of(stored.t, stored.until, {question.now, question.h}).none) return rows;
+  const OwnMotion base = motion_from(stored, std::max(question.now, stored.t));
+  for (const AskedChanges& asked : asked_changes(question, stored, base)) {
+    std::vector<AvoidRow> some = Manoeuvring(question, stored, base, asked, interrupt).rows();
+    std::move(some.begin(), some.end(), std::back_inserter(rows));
+  }
+  return rows;
+}
+
+}  // namespace foresee::query

@@ -1,0 +1,114 @@
+#include "query/avoid/clear_ranges.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "contact/growing/blocked_end.h"
+#include "contact/growing/parting.h"
+
+namespace foresee::query {
+namespace {
+
+constexpr double nowhere = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+template <int D>
+ClearRanges<D>::ClearRanges(const OwnMotion& base, const Change& change,
+                            std::vector<MetIntruder<D>> intruders, Interrupt& interrupt)
+    : base_(base), change_(change), intruders_(std::move(intruders)), step_(interrupt) {}
+
+template <int D>
+std::vector<KRange> ClearRanges<D>::between(double lo, double hi) {
+  width_ = hi - lo;
+  least_change_ = least_change(base_, change_, lo, hi);
+  clear_.clear();
+  open_.resize(intruders_.size());
+  std::iota(open_.begin(), open_.end(), 0U);
+  search(lo, hi, 0, open_.size(), nowhere);
+  return std::move(clear_);
+}
+
+/// The usual end is found in some hundred looks; a graze takes hundred thousands.
+template <int D>
+double ClearRanges<D>::narrowest() const {
+  constexpr std::uint64_t usual = 1 << 20;
+  return std::max(least_change_, width_ * (looks_ < usual       ? 0x1p-40
+                                           : looks_ < 4 * usual ? 0x1p-22
+                                                                : 0x1p-12));
+}
+
+/// Parting on bent paths is proven by intervals, which leave a little in doubt at any width.
+template <int D>
+double ClearRanges<D>::narrowest_for(const MetIntruder<D>& intruder) const {
+  const bool bends =
+      intruder.met.bends() || std::any_of(base_.a.begin(), base_.a.end(), [](double a) { return a != 0; });
+  return intruder.touches_first && (bends || change_.manoeuvre == Manoeuvre::accelerate) ? width_ * 0x1p-14
+                                                                                         : 0;
+}
+
+template <int D>
+void ClearRanges<D>::search(double from, double to, std::size_t begin, std::size_t end, double near) {
+  const ChangedWays<D> ways = changed_ways<D>(base_, change_, from, to);
+  const std::size_t first_open = open_.size();
+  for (std::size_t i = begin; i < end; ++i) {
+    step_.costly(16);
+    if (begin > 0) ++looks_;
+    const MetIntruder<D>& intruder = intruders_[open_[i]];
+    const Judgement judgement =
+        intruder.touches_first ? judge_parting<D>(intruder.met, ways) : judge<D>(intruder.met, ways);
+    const bool given_up = judgement == Judgement::open && to - from <= narrowest_for(intruder);
+    if (judgement == Judgement::open && !given_up) open_.push_back(open_[i]);
+    if (judgement != Judgement::blocked && !given_up) continue;
+    std::swap(open_[i], open_[begin]);  // who blocks here probably does so next to it
+    open_.resize(first_open);
+    return;
+  }
+  const std::size_t last_open = open_.size();
+  const double middle = from + 0.5 * (to - from);
+  if (last_open == first_open) {
+    if (!clear_.empty() && clear_.back().to == from)
+      clear_.back().to = to;
+    else
+      clear_.push_back({from, to});
+  } else if (to - from > narrowest() && from < middle && middle < to) {
+    cut(from, to, first_open, last_open, near);
+  }
+  open_.resize(first_open);
+}
+
+template <int D>
+void ClearRanges<D>::cut(double from, double to, std::size_t begin, std::size_t end, double near) {
+  const double least = narrowest(), aside = 0.25 * least;
+  const auto found = guessed_end(from, to, begin, end);
+  if (found && !(std::abs(*found - near) < 4 * least) && from < *found - aside && *found + aside < to) {
+    search(from, *found - aside, begin, end, *found);
+    search(*found - aside, *found + aside, begin, end, *found);
+    search(*found + aside, to, begin, end, *found);
+    return;
+  }
+  double middle = from + 0.5 * (to - from);
+  const double first = std::max(std::abs(from - near), least), last = std::max(std::abs(to - near), least);
+  if (near <= from && last > 8 * first) middle = near + std::sqrt(first) * std::sqrt(last);
+  if (near >= to && first > 8 * last) middle = near - std::sqrt(first) * std::sqrt(last);
+  if (!(from < middle && middle < to)) return;
+  search(from, middle, begin, end, near);
+  search(middle, to, begin, end, near);
+}
+
+/// The end that the intruder in front makes, if it makes one.
+template <int D>
+std::optional<double> ClearRanges<D>::guessed_end(double from, double to, std::size_t begin,
+                                                  std::size_t end) const {
+  constexpr std::size_t few = 4;
+  if (end - begin > few || intruders_[open_[begin]].touches_first) return std::nullopt;
+  return end_between<D>(intruders_[open_[begin]].met, base_, change_, from, to, 0.25 * narrowest());
+}
+
+template class ClearRanges<1>;
+template class ClearRanges<2>;
+template class ClearRanges<3>;
+
+}  // namespace foresee::query

@@ -1,0 +1,65 @@
+// Which changes of a range are clear of all intruders? Ranges of k, proven by certificate and halving.
+//
+//   ClearRanges<2> search(base, change, met, interrupt);
+//   for (const KRange& range : search.between(-180, 180)) …
+//
+// Guarantee: every double of an answered range is clear (contact/growing/separation.h), with its ends; the
+// ranges rise and are apart. What lies between them is not proven clear.
+//
+// All intruders together go down by halves: a range that is certainly clear of one of them is so for both
+// halves, and one that touches anybody is left alone, so that each intruder is looked at only where it
+// matters: near the ends that it makes. A range too narrow to halve (2^-40 of all, or what rounding hides) is
+// not clear. Where more is in doubt than usual, as along a path that grazes, narrow ranges are given up
+// earlier: 10^-6 of all at first. Cost: one certificate an intruder, some 100 for each end. Memory: four
+// bytes for each intruder on the way down.
+#pragma once
+
+#include <vector>
+
+#include "base/steps.h"
+#include "contact/growing/separation.h"
+
+namespace foresee::query {
+
+struct KRange {
+  double from, to;
+};
+
+/// An intruder as it is seen from the change.
+template <int D>
+struct MetIntruder {
+  Encounter<D> met;
+  bool touches_first;  ///< must part
+};
+
+template <int D>
+class ClearRanges {
+ public:
+  /// The intruders in the order in which they are looked at: near ones first.
+  ClearRanges(const OwnMotion& base, const Change& change, std::vector<MetIntruder<D>> intruders,
+              Interrupt& interrupt);
+
+  /// Requires: lo < hi.
+  std::vector<KRange> between(double lo, double hi);
+
+ private:
+  /// `near`: an end that is known, beside the range, or infinite.
+  void search(double from, double to, std::size_t begin, std::size_t end, double near);
+  /// In two: at the end that an intruder makes, if one is guessed; near a known end, where ever less room is
+  /// in doubt, at the mean of the distances from it as numbers of digits; else in the middle.
+  void cut(double from, double to, std::size_t begin, std::size_t end, double near);
+  std::optional<double> guessed_end(double from, double to, std::size_t begin, std::size_t end) const;
+  double narrowest() const;
+  double narrowest_for(const MetIntruder<D>& intruder) const;
+
+  const OwnMotion& base_;
+  Change change_;
+  std::vector<MetIntruder<D>> intruders_;
+  Steps step_;
+  double width_ = 0, least_change_ = 0;
+  std::uint64_t looks_ = 0;          ///< beyond the first at each intruder
+  std::vector<std::uint32_t> open_;  ///< of each range on the way down, its intruders in doubt
+  std::vector<KRange> clear_;
+};
+
+}  // namespace foresee::query

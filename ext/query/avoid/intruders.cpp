@@ -1,0 +1,101 @@
+#include "query/avoid/intruders.h"
+
+#include "base/axes.h"
+#include "index/tpr_tree/window_walk.h"
+#include "query/join/question.h"
+#include "shape/swept_boxes.h"
+
+namespace foresee::query {
+namespace {
+
+/// A box around all changed motions, and when any of them is there.
+template <int D>
+MovingBox<D> box_around(const AvoidQuestion& question, const OwnMotion& base, const MotionSet<D>& all,
+                        const Vec<D>& margin) {
+  const Extents<D> extents = extents_of<D>(question.own->bodies(), 0);
+  const Horizon horizon{question.now, question.h};
+  Bounds<D> bounds;
+  for (int axis = 0; axis < D; ++axis) {
+    const double x = base.x[static_cast<std::size_t>(axis)];
+    bounds.x_lower[axis] = x + (all.place.least(axis) + extents.lower[axis] - margin[axis]);
+    bounds.x_upper[axis] = x + (all.place.greatest(axis) + extents.upper[axis] + margin[axis]);
+    bounds.v_lower[axis] = all.velocity.least(axis), bounds.v_upper[axis] = all.velocity.greatest(axis);
+    bounds.a_lower[axis] = all.acceleration.least(axis),
+    bounds.a_upper[axis] = all.acceleration.greatest(axis);
+  }
+  const auto pad = [](const Vec<D>& value) { return Vec<D>(value.abs() * rounding_pad + smallest_pad); };
+  Vec<D> size = pad(bounds.x_lower) + pad(bounds.x_upper) + pad(reach_of(extents) + margin);
+  for (int axis = 0; axis < D; ++axis)
+    size[axis] += rounding_pad * std::abs(base.x[static_cast<std::size_t>(axis)]);
+  bounds.x_lower = lower_end<D>(bounds.x_lower, size), bounds.x_upper = upper_end<D>(bounds.x_upper, size);
+  bounds.v_lower = lower_end<D>(bounds.v_lower, pad(bounds.v_lower));
+  bounds.v_upper = upper_end<D>(bounds.v_upper, pad(bounds.v_upper));
+  bounds.a_lower = lower_end<D>(bounds.a_lower, pad(bounds.a_lower));
+  bounds.a_upper = upper_end<D>(bounds.a_upper, pad(bounds.a_upper));
+  const auto moment = [&](double after, double outward) {
+    return base.t + after + outward * rounding_pad * (std::abs(base.t) + std::abs(after));
+  };
+  const double begin = moment(all.begin, -1), end = std::isfinite(all.end) ? moment(all.end, 1) : all.end;
+  if (!is_finite(base)) bounds = Bounds<D>::everything();
+  return moving_box<D>(bounds, base.t, span_between(begin, end, horizon), horizon);
+}
+
+void append_row(Scene& near, const double* row, std::int64_t id) {
+  near.ids.push_back(id);
+  near.rows.insert(near.rows.end(), row, row + row_offsets(near.layout).size);
+}
+
+template <int D>
+void walk_tree(NodeSource& tree, const MovingBox<D>& box, const Horizon& horizon,
+               std::optional<std::int64_t> itself, Interrupt& interrupt, Scene& near) {
+  WindowWalk<D> walk(tree, box, horizon, Vec<D>::Zero(), interrupt);
+  const auto record_size = static_cast<std::size_t>(record_offsets(near.layout).size);
+  std::vector<double> row(static_cast<std::size_t>(row_offsets(near.layout).size));
+  for (LeafHits hits; walk.next(hits);)
+    for (const std::uint32_t slot : hits.slots) {
+      const std::int64_t id = hits.leaf->keys[slot];
+      if (id == itself) continue;
+      row_from_record(near.layout, hits.leaf->values.data() + slot * record_size, row.data());
+      append_row(near, row.data(), id);
+    }
+}
+
+/// The same objects as of a tree: those whose own boxes meet the box.
+template <int D>
+void walk_scene(const Scene& all, MovingBox<D> box, const Horizon& horizon,
+                std::optional<std::int64_t> itself, Interrupt& interrupt, Scene& near) {
+  box.lower = lower_end<D>(box.lower, box.lower.abs() * rounding_pad);
+  box.upper = upper_end<D>(box.upper, box.upper.abs() * rounding_pad);
+  const Bodies bodies = all.bodies();
+  for (std::size_t i = 0; i < bodies.count; ++i) {
+    if (i % 1024 == 0) interrupt.check();
+    const MovingBox<D> other =
+        moving_box<D>(motion_of<D>(bodies, i), extents_of<D>(bodies, i), horizon, Vec<D>::Zero());
+    TimeSpan span = shared_span(other, box);
+    if (all.ids[i] != itself && !span.is_empty() && narrow_to_contact(other, box, span))
+      append_row(near, bodies.row(i), all.ids[i]);
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const OwnMotion& base,
+                                       const Change& change, const AskedChanges& asked,
+                                       const Searched& others, std::optional<std::int64_t> itself,
+                                       const Contact::Reach& reach, Interrupt& interrupt) {
+  auto near = std::make_shared<Scene>();
+  near->name = others.name, near->layout = others.layout();
+  const Horizon horizon{question.now, question.h};
+  with_axes(near->layout.axes, [&]<int D>(Axes<D>) {
+    const MotionSet<D> all = motions_between<D>(base, change, asked.lo, asked.hi);
+    const Vec<D> margin = 2 * margin_of<D>(reach);  // of both together
+    const MovingBox<D> box = box_around<D>(question, base, all, margin);
+    if (others.scene)
+      walk_scene<D>(*others.scene, box, horizon, itself, interrupt, *near);
+    else
+      walk_tree<D>(*others.tree, box, horizon, itself, interrupt, *near);
+  });
+  return near;
+}
+
+}  // namespace foresee::query

@@ -1,0 +1,141 @@
+#include "query/avoid/question.h"
+
+#include <cmath>
+
+#include "base/error.h"
+#include "base/shown.h"
+#include "query/join/question.h"
+#include "query/require.h"
+
+namespace foresee::query {
+namespace {
+
+void require_range(const AvoidQuestion& question) {
+  const auto& [lo, hi] = std::pair(question.lo, question.hi);
+  if (lo.has_value() != hi.has_value())
+    throw Error(std::string(lo ? "hi" : "lo") + " is missing: give lo and hi together, or leave out both");
+  if (!lo) return;
+  if (!question.how)
+    throw Error(
+        "lo and hi are those of one manoeuvre: write how, 'turn', 'speed', 'climb', 'accelerate' or 'delay'");
+  require_finite("lo", *lo);
+  require_finite("hi", *hi);
+  require_order("lo", *lo, "hi", *hi);
+  if (question.how == Manoeuvre::turn && (*lo < -360 || *hi > 360))
+    throw Error("a turn is asked in degrees from -360 to 360: lo is " + shown(*lo) + ", hi is " + shown(*hi));
+}
+
+void require_range_given(const AvoidQuestion& question, const char* example) {
+  if (!question.lo)
+    throw Error("'" + std::string(name_of(*question.how)) +
+                "' has no range of its own: give lo and hi, as in " + example);
+}
+
+/// That the table can hold what the manoeuvre changes.
+void require_columns(const AvoidQuestion& question) {
+  const Layout& layout = question.own->layout;
+  const std::string& name = question.own->name;
+  const auto how = question.how;
+  if (!how) return;
+  if (*how == Manoeuvre::turn && layout.axes < 2)
+    throw Error("a turn needs x and y: " + name + " has one axis; ask 'speed'");
+  if (*how == Manoeuvre::climb) {
+    require_range_given(question, "'climb', -5, 5");
+    if (layout.axes < 3) throw Error("'climb' changes vz: " + name + " has no z");
+    if (layout.law == Law::rest) throw Error("'climb' changes vz: declare vx, vy, vz in " + name);
+  }
+  if (*how == Manoeuvre::accelerate) {
+    require_range_given(question, "'accelerate', -1, 1");
+    if (layout.law != Law::accelerated && layout.law != Law::forced)
+      throw Error("'accelerate' changes an acceleration or a force: declare ax … or fx … with m in " + name);
+  }
+  if (*how == Manoeuvre::delay) {
+    require_range_given(question, "'delay', 0, 600");
+    if (!layout.has_t) throw Error("'delay' changes t: declare t in " + name);
+    if (!question.now_given)
+      throw Error("'delay' needs now: the newest t stored, which is its default, may be a start to come");
+  }
+}
+
+void require_simple_shapes(const AvoidQuestion& question) {
+  const auto require = [](const std::string& name, const Layout& layout) {
+    if (is_stored_apart(layout.shape))
+      throw Error("predictive_avoid answers for points, discs, balls, boxes and cylinders, not yet for " +
+                  name + ", which declares shape: ask about a table with r, or hx and hy, around each");
+  };
+  require(question.own->name, question.own->layout);
+  if (question.also) require(question.also->name, question.also->layout());
+}
+
+/// What a join of the two would refuse.
+void require_join(const AvoidQuestion& question, const Searched& others) {
+  auto none = std::make_shared<Scene>();
+  none->name = others.name, none->layout = others.layout();
+  JoinQuestion join{.a = question.own, .b = none};
+  join.now = question.now, join.h = question.h;
+  join.within = question.within, join.within_z = question.within_z;
+  require_valid(join);
+  contact_of(join);
+}
+
+}  // namespace
+
+Manoeuvre manoeuvre_of(std::string_view name) {
+  for (const Manoeuvre known :
+       {Manoeuvre::turn, Manoeuvre::speed, Manoeuvre::climb, Manoeuvre::accelerate, Manoeuvre::delay})
+    if (name == name_of(known)) return known;
+  throw Error("how must be 'turn', 'speed', 'climb', 'accelerate' or 'delay', not '" + std::string(name) +
+              "'");
+}
+
+Touching touching_of(std::string_view name) {
+  if (name == "part") return Touching::part;
+  if (name == "ignore") return Touching::ignore;
+  throw Error("touching must be 'part' or 'ignore', not '" + std::string(name) + "'");
+}
+
+void require_valid(const AvoidQuestion& question) {
+  require_range(question);
+  require_columns(question);
+  require_simple_shapes(question);
+  require_join(question, question.others);
+  if (question.also) require_join(question, *question.also);
+  if (!question.own->layout.has_t && question.now != 0)
+    throw Error("now must be 0 in a table without t: a change from " + shown(question.now) +
+                " on cannot be stored in " + question.own->name + "; declare t");
+}
+
+std::vector<AskedChanges> asked_changes(const AvoidQuestion& question, const OwnMotion& stored,
+                                        const OwnMotion& base) {
+  const double m = speed_of(base);
+  std::vector<AskedChanges> asked;
+  const auto add = [&](Manoeuvre manoeuvre, double lo, double hi) {
+    asked.push_back({manoeuvre, question.lo.value_or(lo), question.hi.value_or(hi)});
+  };
+  const bool moves = m > 0 && std::isfinite(m);
+  if (!question.how && question.own->layout.axes > 1) add(Manoeuvre::turn, -180, 180);
+  if (!question.how && moves) add(Manoeuvre::speed, -m, m);
+  if (!question.how) return asked;
+  switch (*question.how) {
+    case Manoeuvre::turn:
+      add(Manoeuvre::turn, -180, 180);
+      break;
+    case Manoeuvre::speed:
+    case Manoeuvre::accelerate:
+      if (moves) add(*question.how, -m, m);
+      break;
+    case Manoeuvre::climb:
+      add(Manoeuvre::climb, 0, 0);
+      break;
+    case Manoeuvre::delay:
+      if (stored.t < question.now) break;
+      if (*question.lo < question.now - stored.t)
+        throw Error("lo must not be less than now - t = " + shown(question.now - stored.t) +
+                    ": nothing begins before now; lo is " + shown(*question.lo));
+      add(Manoeuvre::delay, 0, 0);
+      break;
+  }
+  return asked;
+}
+
+}  // namespace foresee::query

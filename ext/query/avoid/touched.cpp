@@ -1,0 +1,183 @@
+#include "query/avoid/touched.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "base/axes.h"
+#include "contact/growing/parting.h"
+#include "contact/set/relative_motion.h"
+#include "numbers/dyadic.h"
+#include "query/join/question.h"
+
+namespace foresee::query {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t pairs_at_once = 4096;
+
+/// The distance of the centres never shrinks: on straight paths its slope grows, so that the first decides.
+template <int D>
+bool parts_exactly(const Setup& setup, const double* own, const double* other) {
+  const auto way = relative_motion_of<Dyadic, D>(setup, own, other);
+  Dyadic slope;
+  for (int axis = 0; axis < D; ++axis) slope = slope + way.x[axis] * way.v[axis];
+  return slope.sign() >= 0;
+}
+
+bool bends(const Bodies& bodies, const double* row) {
+  if (bodies.at.a == Offsets::absent) return false;
+  return std::any_of(row + bodies.at.a, row + bodies.at.a + bodies.layout.axes,
+                     [](double a) { return a != 0; });
+}
+
+/// The places of a record that a motion has, and where they stand in it.
+template <class Record, class Motion, class Use>
+void with_places(const Layout& layout, Record& record, Motion& motion, Use&& use) {
+  const Offsets at = record_offsets(layout);
+  const auto vector = [&](int place, auto& numbers) {
+    if (place == Offsets::absent) return;
+    for (int axis = 0; axis < layout.axes; ++axis)
+      use(record[static_cast<std::size_t>(place + axis)], numbers[static_cast<std::size_t>(axis)]);
+  };
+  const auto number = [&](int place, auto& value) {
+    if (place != Offsets::absent) use(record[static_cast<std::size_t>(place)], value);
+  };
+  number(at.t, motion.t), number(at.until, motion.until), number(at.mass, motion.mass);
+  vector(at.x, motion.x), vector(at.v, motion.v), vector(at.a, motion.a), vector(at.force, motion.force);
+}
+
+}  // namespace
+
+OwnMotion Touched::motion_in(const Layout& layout, const std::vector<double>& record) {
+  OwnMotion motion;
+  with_places(layout, record, motion, [](double stored, double& number) { number = stored; });
+  if (motion.mass != 0)
+    for (std::size_t j = 0; j < 3; ++j) motion.a[j] = motion.force[j] / motion.mass;
+  return motion;
+}
+
+std::vector<double> Touched::with_motion(const Layout& layout, std::vector<double> record,
+                                         const OwnMotion& motion) {
+  with_places(layout, record, motion, [](double& stored, double number) { stored = number; });
+  return record;
+}
+
+Touched::Touched(const AvoidQuestion& question, Scenes near, Interrupt& interrupt)
+    : question_(question), interrupt_(interrupt), near_(std::move(near)) {
+  own_.name = question.own->name, own_.layout = question.own->layout;
+  own_.ids = {0};
+  own_.rows.resize(static_cast<std::size_t>(row_offsets(own_.layout).size));
+  take(question.record);
+  for (std::size_t table = 0; table < near_.size(); ++table)
+    contacts_.push_back(contact(table, {question.now, question.h}));
+  at_first_.resize(near_.size());
+}
+
+Touched::~Touched() = default;
+
+void Touched::take(const std::vector<double>& record) {
+  row_from_record(own_.layout, record.data(), own_.rows.data());
+  const double t = value_or(own_.rows.data(), row_offsets(own_.layout).t, 0);
+  const double first = std::max(question_.now, t);
+  if (first == first_moment_) return;
+  first_moment_ = first;
+  for (auto& contact : at_first_) contact.reset();
+}
+
+std::unique_ptr<Contact> Touched::contact(std::size_t table, const Horizon& horizon) const {
+  const Scene& near = *near_[table];
+  return make_contact(own_.bodies(), near.bodies(), {horizon, question_.within, question_.within_z},
+                      own_.name, near.name);
+}
+
+std::vector<Intruder> Touched::at_first(const std::vector<double>& record) {
+  take(record);
+  std::vector<Intruder> touched;
+  if (!(first_moment_ - question_.now <= question_.h)) return touched;
+  for (std::size_t table = 0; table < near_.size(); ++table) {
+    if (!at_first_[table]) at_first_[table] = contact(table, {first_moment_, 0});
+    std::vector<Pair> pairs, hits;
+    const auto count = static_cast<std::uint32_t>(near_[table]->size());
+    for (std::uint32_t row = 0; row < count;) {
+      interrupt_.check();
+      pairs.clear();
+      for (; row < count && pairs.size() < pairs_at_once; ++row) pairs.push_back({0, row});
+      at_first_[table]->decide(pairs, hits);
+    }
+    for (const Pair& hit : hits) touched.push_back({static_cast<int>(table), hit.b});
+  }
+  return touched;
+}
+
+bool Touched::parts(const Intruder& intruder) const {
+  const Scene& near = *near_[static_cast<std::size_t>(intruder.table)];
+  const Bodies own = own_.bodies(), others = near.bodies();
+  const double *own_row = own.row(0), *row = others.row(intruder.row);
+  const Moments moments = moments_of({own, others, {question_.now, question_.h}}, own_row, row);
+  if (moments.none || (moments.t_begin == moments.t_end && moments.dt_begin == moments.dt_end)) return true;
+  const Horizon first{first_moment_, 0};
+  return with_axes(own.layout.axes, [&]<int D>(Axes<D>) {
+    if (!bends(own, own_row) && !bends(others, row))
+      return parts_exactly<D>({own, others, first}, own_row, row);
+    OwnMotion motion;
+    motion.t = value_or(own_row, own.at.t, 0), motion.until = value_or(own_row, own.at.until, infinity);
+    for (int axis = 0; axis < D; ++axis) {
+      const AxisMotion<double> one = axis_motion(own, own_row, axis);
+      const auto j = static_cast<std::size_t>(axis);
+      motion.x[j] = one.x, motion.v[j] = one.v, motion.a[j] = one.a;
+    }
+    const OwnMotion base = motion_from(motion, std::max(first_moment_, motion.t));
+    const ExtentsRule rule(own.layout, others.layout, question_.within, question_.within_z);
+    const auto met =
+        encounter_of<D>(base, {question_.now, question_.h}, others, row, rule.pair<D>(own_row, row));
+    return judge_parting<D>(met, changed_ways<D>(base, {Manoeuvre::speed, 1}, 0, 0)) == Judgement::clear;
+  });
+}
+
+std::vector<Intruder> Touched::by(const std::vector<double>& record, const std::vector<Intruder>* spared) {
+  const std::vector<Intruder> first = at_first(record);
+  std::vector<Intruder> touched;
+  for (std::size_t table = 0; table < near_.size(); ++table) {
+    std::vector<std::uint8_t> left_out(near_[table]->size());
+    for (const Intruder& intruder : spared ? *spared : first)
+      if (static_cast<std::size_t>(intruder.table) == table) left_out[intruder.row] = 1;
+    std::vector<Pair> pairs, hits;
+    const auto count = static_cast<std::uint32_t>(left_out.size());
+    for (std::uint32_t row = 0; row < count;) {
+      interrupt_.check();
+      pairs.clear();
+      for (; row < count && pairs.size() < pairs_at_once; ++row)
+        if (!left_out[row]) pairs.push_back({0, row});
+      contacts_[table]->decide(pairs, hits);
+    }
+    for (const Pair& hit : hits) touched.push_back({static_cast<int>(table), hit.b});
+  }
+  if (!spared && question_.touching == Touching::part)
+    for (const Intruder& intruder : first)
+      if (!parts(intruder)) touched.push_back(intruder);
+  return touched;
+}
+
+std::optional<Blocker> Touched::first_of(const std::vector<double>& record,
+                                         const std::vector<Intruder>& touched) {
+  take(record);
+  std::optional<Blocker> first;
+  std::vector<Pair> pairs, hits;
+  std::vector<ContactTimes> times;
+  for (std::size_t table = 0; table < near_.size(); ++table) {
+    pairs.clear(), hits.clear(), times.clear();
+    for (const Intruder& intruder : touched)
+      if (static_cast<std::size_t>(intruder.table) == table) pairs.push_back({0, intruder.row});
+    contacts_[table]->first_contacts(pairs, TimesWanted::begins, hits, times);
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      const Blocker blocker{near_[table]->ids[hits[i].b], static_cast<int>(table), times[i].t};
+      if (!first ||
+          std::tie(blocker.t, blocker.table, blocker.id) < std::tie(first->t, first->table, first->id))
+        first = blocker;
+    }
+  }
+  return first;
+}
+
+}  // namespace foresee::query

@@ -1,0 +1,186 @@
+// predictive_avoid(h, tbl, id, …) in SQL: the object is looked up, the others are asked for in the tree.
+#include "index/tpr_tree/tpr_tree.h"
+#include "query/avoid/avoid.h"
+#include "sqlite/functions/table_functions.h"
+#include "sqlite/names/open_table.h"
+#include "storage/rows/text.h"
+
+namespace foresee::sqlite {
+namespace {
+
+enum AvoidOutput {
+  out_manoeuvre,
+  out_clear,
+  out_k_from,
+  out_k_to,
+  out_k,
+  out_t,
+  out_until,
+  out_x,
+  out_v = out_x + 3,
+  out_a = out_v + 3,
+  out_f = out_a + 3,
+  out_heading = out_f + 3,
+  out_below,
+  out_below_tbl,
+  out_t_below,
+  out_above,
+  out_above_tbl,
+  out_t_above
+};
+enum AvoidInput {
+  in_h,
+  in_tbl,
+  in_id,
+  in_within,
+  in_how,
+  in_lo,
+  in_hi,
+  in_now,
+  in_also,
+  in_within_z,
+  in_touching,
+  in_schema
+};
+
+class AvoidRows final : public FunctionRows {
+ public:
+  AvoidRows(std::vector<AvoidRow> rows, const Layout& layout, std::array<std::string, 2> tables)
+      : rows_(std::move(rows)), layout_(layout), at_(record_offsets(layout)), tables_(std::move(tables)) {}
+
+  bool next() override { return next_++ < rows_.size(); }
+
+  void output(sqlite3_context* context, int output) const override {
+    const AvoidRow& row = rows_[next_ - 1];
+    switch (output) {
+      case out_manoeuvre:
+        return result_text(context, name_of(row.manoeuvre));
+      case out_clear:
+        return sqlite3_result_int64(context, row.clear);
+      case out_k_from:
+        return sqlite3_result_double(context, row.k_from);
+      case out_k_to:
+        return sqlite3_result_double(context, row.k_to);
+      case out_k:
+        return sqlite3_result_double(context, row.k);
+      case out_below:
+      case out_below_tbl:
+      case out_t_below:
+        return result_blocker(context, row.below, output - out_below);
+      case out_above:
+      case out_above_tbl:
+      case out_t_above:
+        return result_blocker(context, row.above, output - out_above);
+      default:
+        return result_stored(context, row, output);
+    }
+  }
+
+ private:
+  static void result_text(sqlite3_context* context, std::string_view text) {
+    sqlite3_result_text(context, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
+  }
+
+  void result_blocker(sqlite3_context* context, const std::optional<Blocker>& blocker, int column) const {
+    if (!blocker) return;
+    if (column == 0) return sqlite3_result_int64(context, blocker->id);
+    if (column == 2) return sqlite3_result_double(context, blocker->t);
+    result_text(context, tables_[static_cast<std::size_t>(blocker->table)]);
+  }
+
+  /// What the table has a column for; for ever is NULL.
+  void result_stored(sqlite3_context* context, const AvoidRow& row, int output) const {
+    const int place = place_of(output);
+    if (place == Offsets::absent) return;
+    const double value = row.record[static_cast<std::size_t>(place)];
+    if (std::isfinite(value)) sqlite3_result_double(context, value);
+  }
+  int place_of(int output) const {
+    if (output == out_t) return at_.t;
+    if (output == out_until) return at_.until;
+    const auto on_axis = [&](int first, int place) {
+      const int axis = output - first;
+      return place == Offsets::absent || axis >= layout_.axes ? Offsets::absent : place + axis;
+    };
+    if (output < out_v) return on_axis(out_x, at_.x);
+    if (output < out_a) return on_axis(out_v, at_.v);
+    if (output < out_f) return on_axis(out_a, at_.a);
+    if (output < out_heading) return on_axis(out_f, at_.force);
+    return at_.heading;
+  }
+
+  std::vector<AvoidRow> rows_;
+  Layout layout_;
+  Offsets at_;
+  std::array<std::string, 2> tables_;
+  std::size_t next_ = 0;
+};
+
+bool reads_any(const FunctionCall& call, int first, int last) {
+  for (int output = first; output <= last; ++output)
+    if (call.reads(output)) return true;
+  return false;
+}
+
+Searched searched(const Connection::OpenTable& table) {
+  return {table.table, nullptr, table.store->take_snapshot()};
+}
+
+void read_numbers(const FunctionCall& call, AvoidQuestion& question) {
+  question.h = call.required_number(in_h);
+  question.within = call.number(in_within).value_or(0);
+  question.within_z = call.number(in_within_z);
+  if (const auto how = call.text(in_how)) question.how = manoeuvre_of(without_nul(*how));
+  question.lo = call.number(in_lo), question.hi = call.number(in_hi);
+  if (const auto touching = call.text(in_touching)) question.touching = touching_of(without_nul(*touching));
+}
+
+std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
+  Connection& connection = call.connection();
+  AvoidQuestion question;
+  read_numbers(call, question);
+  const std::int64_t id = call.required_integer(in_id);
+  const auto given_now = call.number(in_now);
+  const AskedTable tbl{call.text(in_tbl), call.text(in_schema)};
+  const auto table = open_table(connection, tbl);
+  std::array<std::string, 2> tables{table.table, ""};
+  question.others = searched(table);
+  double newest = read_newest_t(*question.others.tree);
+  if (const auto also = call.text(in_also)) {
+    const auto second = open_table(connection, {also, tbl.schema});
+    question.also = searched(second);
+    tables[1] = second.table;
+    newest = std::max(newest, read_newest_t(*question.also->tree));
+  }
+  question.now = given_now.value_or(newest), question.now_given = given_now.has_value();
+  if (auto record = table.store->read(id)) question.record = std::move(*record);
+  question.own = Connection::load_object(table, id);
+  question.wants_motion = reads_any(call, out_t, out_heading);
+  question.wants_ends = reads_any(call, out_below, out_t_above);
+  std::vector<AvoidRow> rows = avoid(question, connection.interrupt());
+  if (const auto clear = call.only(out_clear))
+    std::erase_if(rows, [&](const AvoidRow& row) { return *clear != (row.clear ? 1 : 0); });
+  return std::make_unique<AvoidRows>(std::move(rows), question.own->layout, std::move(tables));
+}
+
+}  // namespace
+
+const TableFunction& predictive_avoid() {
+  static const TableFunction function = {
+      .name = "predictive_avoid",
+      .outputs = {"manoeuvre TEXT", "clear INTEGER",  "k_from REAL",  "k_to REAL",     "k REAL",
+                  "t REAL",         "until REAL",     "x REAL",       "y REAL",        "z REAL",
+                  "vx REAL",        "vy REAL",        "vz REAL",      "ax REAL",       "ay REAL",
+                  "az REAL",        "fx REAL",        "fy REAL",      "fz REAL",       "heading REAL",
+                  "below INTEGER",  "below_tbl TEXT", "t_below REAL", "above INTEGER", "above_tbl TEXT",
+                  "t_above REAL"},
+      .inputs = {"h", "tbl", "id", "within", "how", "lo", "hi", "now", "also", "within_z", "touching",
+                 "schema"},
+      .key = "manoeuvre, k_from, clear",
+      .hinted = 1u << out_clear,
+      .estimate = estimate_avoid,
+      .start = start};
+  return function;
+}
+
+}  // namespace foresee::sqlite

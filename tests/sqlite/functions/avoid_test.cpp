@@ -1,0 +1,175 @@
+// predictive_avoid in SQL: what is written back keeps clear, a second table, errors, NULLs where a table has
+// no column.
+#include "sqlite/database.h"
+
+namespace foresee::testing {
+namespace {
+
+struct AvoidInSql : ::testing::Test {
+  AvoidInSql() {
+    db.exec(
+        "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, r, +name);"
+        "INSERT INTO ships VALUES (1, 0, 0, 0, 0, 10, 10, 'Ada'), (2, 0, 0, 1000, 0, -10, 10, 'Bob'),"
+        "  (3, 0, 500, 500, -8, 0, 10, 'Eve'), (4, 0, 9000, 9000, 1, 1, 10, 'Far')");
+  }
+  std::string error(const std::string& call) { return db.error_of("SELECT * FROM " + call); }
+
+  Database db;
+};
+
+TEST_F(AvoidInSql, TilesTheRange) {
+  EXPECT_EQ(db.rows("SELECT manoeuvre, clear, round(k_from, 6), round(k_to, 6), round(k, 6), below, above "
+                    "FROM predictive_avoid(60, 'ships', 1, 50)"),
+            "turn|1|-180.0|-8.027974|-8.027974|NULL|2\n"
+            "turn|0|-8.027974|20.22329|0.0|2|3\n"
+            "turn|1|20.22329|180.0|20.22329|3|NULL\n"
+            "speed|1|-10.0|-4.5|-4.5|NULL|2\n"
+            "speed|0|-4.5|10.0|0.0|2|2");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_avoid(60, 'ships', 1, 50) WHERE clear = 1"), "3");
+}
+
+TEST_F(AvoidInSql, KeepsClearOnceItIsWrittenBack) {
+  const std::string write =
+      "UPDATE ships SET (t, x, y, vx, vy) = (SELECT t, x, y, vx, vy FROM predictive_avoid(60, 'ships', 1, "
+      "50, ";
+  EXPECT_EQ(db.rows("SELECT a, b FROM predictive_join(60, 'ships', 50) WHERE a = 1 ORDER BY b"), "1|2");
+  db.exec(write + "'turn') WHERE clear ORDER BY abs(k) LIMIT 1) WHERE id = 1");
+  EXPECT_EQ(db.rows("SELECT a, b FROM predictive_join(60, 'ships', 50) WHERE a = 1 OR b = 1"), "");
+  EXPECT_EQ(db.rows("SELECT round(sqrt(vx * vx + vy * vy), 9), name FROM ships WHERE id = 1"), "10.0|Ada");
+}
+
+TEST_F(AvoidInSql, ChangesNothingWhereNothingIsClear) {
+  EXPECT_EQ(
+      db.error_of("UPDATE ships SET (t, x, y, vx, vy) = (SELECT t, x, y, vx, vy FROM predictive_avoid(60, "
+                  "'ships', 1, 50, 'turn', 0, 1) WHERE clear ORDER BY abs(k) LIMIT 1) WHERE id = 1"),
+      "ships.t of row 1 is NULL: a declared reference time is needed; write the moment at which the position "
+      "holds");
+  EXPECT_EQ(db.rows("SELECT t, x, y, vx, vy FROM ships WHERE id = 1"), "0.0|0.0|0.0|0.0|10.0");
+}
+
+TEST_F(AvoidInSql, JoinsToAllPairs) {
+  EXPECT_EQ(db.rows("SELECT j.a, j.b, m.manoeuvre, count(*) FROM predictive_join(60, 'ships', 50) j, "
+                    "predictive_avoid(60, 'ships', j.a, 50) m WHERE j.dt > 0 AND m.clear GROUP BY 1, 2, 3"),
+            "1|2|speed|1\n1|2|turn|2");
+}
+
+TEST_F(AvoidInSql, AvoidsASecondTableAsWell) {
+  db.exec(
+      "CREATE VIRTUAL TABLE shelves USING moving_objects(id, x, y, hx, hy);"
+      "INSERT INTO shelves VALUES (1, -300, 300, 20, 20)");
+  const std::string sql =
+      "SELECT clear, round(k_from), round(k_to), below, below_tbl FROM predictive_avoid(60, "
+      "'ships', 1, 50, 'turn', -90, 0, NULL, 'shelves')";
+  EXPECT_EQ(db.rows(sql),
+            "1|-90.0|-57.0|NULL|NULL\n0|-57.0|-33.0|1|shelves\n1|-33.0|-8.0|1|shelves\n0|-8.0|0.0|2|ships");
+}
+
+TEST_F(AvoidInSql, GivesBackTheStoredRowAtZero) {
+  db.exec("UPDATE ships SET t = -0.7, x = 0.1, vx = 0.3 WHERE id = 4");
+  EXPECT_EQ(db.rows("SELECT t, x, y, vx, vy, z, ax, fx, heading, until FROM predictive_avoid(9, 'ships', 4, "
+                    "0, 'turn', -1, 1)"),
+            "-0.7|0.1|9000.0|0.3|1.0|NULL|NULL|NULL|NULL|NULL");
+  EXPECT_EQ(db.rows("SELECT t, x, y, vx, vy FROM predictive_avoid(9, 'ships', 4, 0, 'turn', 90, 90)"),
+            "0.0|0.31|9000.7|1.0|-0.3");
+}
+
+TEST_F(AvoidInSql, StopsExactlyAndDelays) {
+  EXPECT_EQ(
+      db.rows("SELECT vx, vy FROM predictive_avoid(60, 'ships', 4, 0, 'speed', NULL, NULL) WHERE k_from < 0"),
+      "1.0|1.0");
+  EXPECT_EQ(db.rows("SELECT vx, vy FROM predictive_avoid(60, 'ships', 1, 0, 'speed', -10, -10)"), "0.0|0.0");
+  db.exec("INSERT INTO ships VALUES (5, 30, 0, -1000, 0, 20, 10, 'Kim')");
+  EXPECT_EQ(db.rows("SELECT clear, t FROM predictive_avoid(60, 'ships', 5, 0, 'delay', 5, 5, 0)"), "1|35.0");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_avoid(60, 'ships', 1, 0, 'delay', 5, 5, 0)"), "1");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_avoid(60, 'ships', 1, 0, 'delay', 5, 5, 10)"), "0");
+}
+
+TEST_F(AvoidInSql, DoesNotDependOnTheOrderOfInsertion) {
+  const std::string columns = "id, t, x, y, vx, vy, r";
+  const std::string ask =
+      "SELECT manoeuvre, clear, k_from, k_to, vx, vy, below, t_below, above FROM predictive_avoid(60, '";
+  db.exec("CREATE VIRTUAL TABLE one USING moving_objects(" + columns +
+          ");"
+          "CREATE VIRTUAL TABLE two USING moving_objects(" +
+          columns +
+          ");"
+          "WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 300) INSERT INTO one "
+          "SELECT i, 0, i * 7919 % 2003, i * 104729 % 1999, i % 21 - 10, i * 13 % 21 - 10, 10 FROM n;"
+          "INSERT INTO two SELECT * FROM one ORDER BY id * 31 % 307;"
+          "DELETE FROM two WHERE id = 299; INSERT INTO two SELECT * FROM one WHERE id = 299");
+  for (const char* id : {"1", "2", "3", "50", "299"})
+    EXPECT_EQ(db.rows(ask + "one', " + id + ", 20)"), db.rows(ask + "two', " + id + ", 20)"));
+}
+
+TEST_F(AvoidInSql, IsInterrupted) {
+  sqlite3_progress_handler(
+      db.handle(), 1, [](void*) { return 1; }, nullptr);
+  EXPECT_NE(db.error_of("SELECT * FROM predictive_avoid(60, 'ships', 1, 50)"), "");
+  sqlite3_progress_handler(db.handle(), 0, nullptr, nullptr);
+}
+
+TEST_F(AvoidInSql, HasNoRowsForWhoIsNotThere) {
+  EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_avoid(60, 'ships', 99)"), "0");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_avoid(60, 'ships', 1, 0, NULL, NULL, NULL, -100)"), "0");
+}
+
+TEST_F(AvoidInSql, SaysWhatToWrite) {
+  const std::string name = "predictive_avoid", usage =
+                                                   "write predictive_avoid(h, tbl, id, within, how, lo, hi, "
+                                                   "now, also, within_z, touching, schema)";
+  EXPECT_EQ(error(name), name + ": h is missing or NULL: " + usage);
+  EXPECT_EQ(error(name + "(60, 'ships')"), name + ": id is missing or NULL: " + usage);
+  EXPECT_EQ(error(name + "(60, 'ships', 1.5)"), name + ": id must be a whole number, not 1.5");
+  EXPECT_EQ(error(name + "(-1, 'ships', 1)"), name + ": h must be a finite number >= 0, not -1");
+  EXPECT_EQ(error(name + "(60, 'ships', 1, -1)"), name + ": within must be a finite number >= 0, not -1");
+  EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'jump')"),
+            name + ": how must be 'turn', 'speed', 'climb', 'accelerate' or 'delay', not 'jump'");
+  EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'turn', 5)"),
+            name + ": hi is missing: give lo and hi together, or leave out both");
+  EXPECT_EQ(error(name + "(60, 'ships', 1, 0, NULL, 1, 5)"),
+            name +
+                ": lo and hi are those of one manoeuvre: write how, 'turn', 'speed', 'climb', 'accelerate' "
+                "or 'delay'");
+  EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'turn', 5, 1)"),
+            name + ": lo must not be greater than hi: lo is 5, hi is 1");
+  EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'turn', -9e999, 1)"),
+            name + ": lo must be a finite number, not -inf");
+  EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'turn', -361, 0)"),
+            name + ": a turn is asked in degrees from -360 to 360: lo is -361, hi is 0");
+  EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'climb')"),
+            name + ": 'climb' has no range of its own: give lo and hi, as in 'climb', -5, 5");
+  EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'climb', -5, 5)"),
+            name + ": 'climb' changes vz: ships has no z");
+  EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'accelerate', -1, 1)"),
+            name + ": 'accelerate' changes an acceleration or a force: declare ax … or fx … with m in ships");
+  EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'delay', 0, 1)"),
+            name + ": 'delay' needs now: the newest t stored, which is its default, may be a start to come");
+  EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'delay', -1, 1, 0)"),
+            name + ": lo must not be less than now - t = 0: nothing begins before now; lo is -1");
+  EXPECT_EQ(error(name + "(60, 'ships', 1, 0, NULL, NULL, NULL, NULL, NULL, NULL, 'push')"),
+            name + ": touching must be 'part' or 'ignore', not 'push'");
+  EXPECT_EQ(error(name + "(60, 'ships', 1, 0, NULL, NULL, NULL, NULL, NULL, 5)"),
+            name + ": within_z is for tables with x, y and z; leave it out here (within covers every axis)");
+}
+
+TEST_F(AvoidInSql, RefusesWhatATableCannotHold) {
+  db.exec(
+      "CREATE VIRTUAL TABLE trains USING moving_objects(id, x, vx);"
+      "CREATE VIRTUAL TABLE hulls USING moving_objects(id, x, y, vx, vy, shape)");
+  const std::string name = "predictive_avoid: ";
+  EXPECT_EQ(error("predictive_avoid(60, 'trains', 1, 0, 'turn')"),
+            name + "a turn needs x and y: trains has one axis; ask 'speed'");
+  EXPECT_EQ(
+      error("predictive_avoid(60, 'trains', 1, 0, NULL, NULL, NULL, 5)"),
+      name + "now must be 0 in a table without t: a change from 5 on cannot be stored in trains; declare t");
+  EXPECT_EQ(error("predictive_avoid(60, 'trains', 1, 0, 'delay', 0, 1, 0)"),
+            name + "'delay' changes t: declare t in trains");
+  EXPECT_EQ(
+      error("predictive_avoid(60, 'hulls', 1)"),
+      name +
+          "predictive_avoid answers for points, discs, balls, boxes and cylinders, not yet for hulls, which "
+          "declares shape: ask about a table with r, or hx and hy, around each");
+}
+
+}  // namespace
+}  // namespace foresee::testing
