@@ -1,0 +1,171 @@
+// Measures to avoid collision through SQL, beside a join of the same id.
+//
+//   bench_sql_avoid [--quick] [FILE]
+//
+//   uniform  one disc of radius 10 for each (100 m)^2, |v| <= 10 an axis, 60 s: 10^3 to 10^5 objects
+//   crowd    10^4 discs in one spot
+//   FILE     ships: id, t, x, y, vx, vy of a CSV file, those that would come within 200 m of another in 600 s
+//
+// For each: turn and speed of one object, predictive_join of the same id, and, as one would do without, its
+// 361 turned copies joined with the table. Processor time a question, medians; ratios are of the same
+// repetition.
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "measure.h"
+#include "program.h"
+#include "sql_ours.h"
+
+namespace foresee::bench {
+namespace {
+
+struct Scene {
+  std::string name;
+  double h, within;
+  std::vector<std::int64_t> asked;
+};
+
+void make_table(Database& db) {
+  register_foresee(db);
+  db.run(
+      "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, r);"
+      "CREATE VIRTUAL TABLE turned USING moving_objects(id, t, x, y, vx, vy, r)");
+}
+
+Scene fill_uniform(Database& db, std::size_t count, double side, const std::string& name) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> place(0, side), speed(-10, 10);
+  db.run("BEGIN");
+  Statement insert(db, "INSERT INTO ships VALUES (?1, 0, ?2, ?3, ?4, ?5, 10)");
+  for (std::size_t i = 0; i < count; ++i) {
+    insert.bind(1, static_cast<std::int64_t>(i) + 1);
+    for (int place_of = 2; place_of <= 3; ++place_of) insert.bind(place_of, place(random));
+    for (int place_of = 4; place_of <= 5; ++place_of) insert.bind(place_of, speed(random));
+    insert.step_all();
+  }
+  db.run("COMMIT");
+  Scene scene{name, 60, 0, {}};
+  for (std::size_t i = 0; i < 40; ++i) scene.asked.push_back(static_cast<std::int64_t>(i * count / 40) + 1);
+  return scene;
+}
+
+Scene fill_ships(Database& db, const std::string& path) {
+  std::ifstream file(path);
+  std::string line, cell;
+  std::getline(file, line);  // the header
+  db.run("BEGIN");
+  Statement insert(db, "INSERT INTO ships VALUES (?1, ?2, ?3, ?4, ?5, ?6, 0)");
+  while (std::getline(file, line)) {
+    std::istringstream cells(line);
+    for (int place = 1; place <= 6 && std::getline(cells, cell, ','); ++place) {
+      if (place == 1)
+        insert.bind(place, static_cast<std::int64_t>(std::stoll(cell)));
+      else
+        insert.bind(place, std::stod(cell));
+    }
+    insert.step_all();
+  }
+  db.run("COMMIT");
+  Scene scene{"ships", 600, 200, {}};
+  Statement meets(
+      db,
+      "SELECT id FROM ships WHERE vx * vx + vy * vy > 0 AND id IN (SELECT a FROM predictive_join(600, "
+      "'ships', 200) WHERE dt > 0 UNION SELECT b FROM predictive_join(600, 'ships', 200) WHERE dt > 0)");
+  while (meets.step()) scene.asked.push_back(meets.integer(0));
+  return scene;
+}
+
+/// Seconds a question: each asked id bound as ?1.
+double seconds_a_question(Statement& statement, const Scene& scene, std::int64_t& rows) {
+  rows = 0;
+  return seconds_of([&] {
+           for (const std::int64_t id : scene.asked) {
+             statement.bind(1, id);
+             rows += statement.step_all();
+           }
+         }) /
+         static_cast<double>(scene.asked.size());
+}
+
+/// One object's 361 turned copies, written and joined with the table.
+double seconds_of_copies(Database& db, const Scene& scene, std::int64_t id) {
+  Statement write(
+      db,
+      "WITH RECURSIVE d(k) AS (SELECT -180 UNION ALL SELECT k + 1 FROM d WHERE k < 180) INSERT INTO "
+      "turned SELECT k + 181, t, x, y, vx * cos(k * 0.017453292519943295) + vy * sin(k * "
+      "0.017453292519943295), vy * cos(k * 0.017453292519943295) - vx * sin(k * "
+      "0.017453292519943295), r FROM ships, d WHERE id = ?1");
+  const std::string join = "SELECT a, count(*) FROM predictive_join(" + std::to_string(scene.h) +
+                           ", 'turned', " + std::to_string(scene.within) +
+                           ", 'ships') WHERE b <> ?1 GROUP BY a";
+  Statement ask(db, join);
+  return seconds_of([&] {
+    db.run("DELETE FROM turned");
+    write.bind(1, id);
+    write.step_all();
+    ask.bind(1, id);
+    ask.step_all();
+  });
+}
+
+void measure(Database& db, const Scene& scene, int repetitions) {
+  const std::string numbers = std::to_string(scene.h) + ", 'ships'", within = std::to_string(scene.within);
+  Statement avoid(
+      db, "SELECT manoeuvre, clear, k_from, k_to FROM predictive_avoid(" + numbers + ", ?1, " + within + ")");
+  Statement all(db, "SELECT * FROM predictive_avoid(" + numbers + ", ?1, " + within + ")");
+  Statement join(db, "SELECT a, b, t FROM predictive_join WHERE h = " + std::to_string(scene.h) +
+                         " AND tbl = 'ships' AND within = " + within + " AND (a = ?1 OR b = ?1)");
+  std::vector<double> ours, joined, whole, ratios, copies;
+  std::int64_t rows = 0, pairs = 0, ignored = 0;
+  for (int i = 0; i < repetitions; ++i) {
+    ours.push_back(seconds_a_question(avoid, scene, rows));
+    whole.push_back(seconds_a_question(all, scene, ignored));
+    joined.push_back(seconds_a_question(join, scene, pairs));
+    ratios.push_back(ours.back() / joined.back());
+    copies.push_back(
+        seconds_of_copies(db, scene, scene.asked[static_cast<std::size_t>(i) % scene.asked.size()]));
+  }
+  const double asked = static_cast<double>(scene.asked.size());
+  std::printf(
+      "%-16s turn and speed %8.1f us (all columns %8.1f, %.1f rows), join of the id %7.1f us (%.1f pairs): "
+      "%5.1f times; 361 copies %9.1f us: %5.1f times ours\n",
+      scene.name.c_str(), median(ours) * 1e6, median(whole) * 1e6, static_cast<double>(rows) / asked,
+      median(joined) * 1e6, static_cast<double>(pairs) / asked, median(ratios), median(copies) * 1e6,
+      median(copies) / median(ours));
+}
+
+int main_of(const Options& options) {
+  const bool quick = options.has("--quick");
+  const int repetitions = quick ? 3 : 9;
+  for (const std::size_t count : {1000, 10000, 100000}) {
+    Database db(":memory:");
+    make_table(db);
+    measure(db,
+            fill_uniform(db, count, 100 * std::sqrt(static_cast<double>(count)),
+                         "uniform " + std::to_string(count)),
+            repetitions);
+  }
+  {
+    Database db(":memory:");
+    make_table(db);
+    Scene crowd = fill_uniform(db, 10000, 100, "crowd 10000");
+    crowd.asked.resize(4);
+    measure(db, crowd, repetitions);
+  }
+  for (const std::string& path : options.names({})) {
+    Database db(":memory:");
+    make_table(db);
+    measure(db, fill_ships(db, path), repetitions);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace foresee::bench
+
+int main(int count, char** arguments) {
+  return foresee::bench::run_program(count, arguments, foresee::bench::main_of);
+}
