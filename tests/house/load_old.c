@@ -68,6 +68,7 @@ static int works(Entry entry, const sqlite3_api_routines* table) {
   good &= gives(db, "SELECT * FROM predictive_window(300, 'ships', 500, 700)", 2);
   good &= gives(db, "SELECT * FROM predictive_nearest(300, 'ships', 2, 600)", 2);
   good &= gives(db, "SELECT * FROM predictive_position(0)", 3);
+  good &= gives(db, "SELECT *, tbl FROM predictive_track(0, 60, 60) ORDER BY t, id", 6);
   good &= gives(db, "SELECT foresee_version(), foresee_debug()", 1);
   good &= gives(db, "BEGIN; SAVEPOINT a; DELETE FROM ships WHERE id = 1; ROLLBACK TO a; COMMIT", 0);
   good &= gives(db, "INSERT INTO ships(ships) VALUES ('rebuild'), ('integrity-check'); DROP TABLE ships", 0);

@@ -43,6 +43,7 @@ class Staged(unittest.TestCase):
         for wanted in ("(sql_reference.md)", "(pictures/harbour.svg)", "(sources/sql/import_ais.sql.txt)", "(contributing.md)"):
             self.assertIn(wanted, index)
         self.assertNotIn("](docs/", index)
+        self.assertNotIn("```sql error", (self.folder / "site/pages/sql_reference.md").read_text())
         self.assertTrue((self.folder / "site/pages/sources/sql/import_ais.sql.txt").exists())
 
     def test_a_link_that_leads_nowhere_is_told(self):

@@ -39,7 +39,10 @@ std::vector<std::uint64_t> answers(const std::function<void()>& host) {
            .count = 600,
            .seed = 5}));
   auto bits = bits_of(db, "SELECT * FROM predictive_join(3) WHERE method = 'grid' ORDER BY a, b", host);
-  const auto positions = bits_of(db, "SELECT * FROM predictive_position(0) ORDER BY id", host);
+  auto positions = bits_of(db, "SELECT * FROM predictive_position(0) ORDER BY id", host);
+  const auto tracks = bits_of(db, "SELECT * FROM predictive_track(0, 1, 0.375) ORDER BY t, id", host);
+  EXPECT_GT(tracks.size(), 3 * positions.size());
+  positions.insert(positions.end(), tracks.begin(), tracks.end());
   EXPECT_GT(bits.size(), 9u * 100);
   EXPECT_GT(positions.size(), 7u * 100);
   bits.insert(bits.end(), positions.begin(), positions.end());

@@ -161,6 +161,7 @@ TEST_F(TableMemoryFaults, ExplainCountsTheSameAfterwards) {
 TEST_F(TableMemoryFaults, Join) {
   run("SELECT * FROM predictive_join(10, 'ships', 5)");
   run("SELECT * FROM predictive_position(10)");
+  run("SELECT *, tbl FROM predictive_track(0, 10, 5) ORDER BY t, id");
 }
 
 }  // namespace

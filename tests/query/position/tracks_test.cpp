@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
+#include <limits>
+
 #include "base/error.h"
 
 namespace foresee::query {
@@ -58,6 +61,12 @@ TEST(Tracks, RoundEachMomentOnce) {
   const auto fine = moments_of({0, 1, 0.1});
   EXPECT_EQ(fine[3], 0.1 * 3);
   EXPECT_EQ(fine.size(), 11u);
+  for (int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO}) {
+    std::fesetround(mode);
+    const auto same = moments_of({0, 1, 0.1});
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(same, fine) << "whatever the host's rounding is";
+  }
 }
 
 TEST(Tracks, GiveMomentsThatRoundAlikeOnce) {

@@ -46,6 +46,14 @@ TEST_F(TrackTest, FeedsItsOwnTableAndEnds) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM ships WHERE id > 10"), "6");
 }
 
+TEST_F(TrackTest, IsStoppedByAnInterruptAlsoWhereNothingExists) {
+  int calls = 0;
+  sqlite3_progress_handler(
+      db.handle(), 1, [](void* count) { return ++*static_cast<int*>(count) > 500 ? 1 : 0; }, &calls);
+  EXPECT_EQ(db.code_of("SELECT * FROM predictive_track(-1e15, -1, 1, 'ships')"), SQLITE_INTERRUPT);
+  sqlite3_progress_handler(db.handle(), 0, nullptr, nullptr);
+}
+
 struct UsedInputsTest : Harbour {};
 
 TEST_F(UsedInputsTest, ReadBackWhereTheyWereLeftOut) {
