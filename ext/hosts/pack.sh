@@ -90,7 +90,7 @@ pack_page() {
 }
 
 pack_docs() {
-  bash ext/hosts/docs/build.sh
+  bash ext/hosts/docs/build.sh "$packages/docs"
 }
 
 for host in "${wanted[@]}"; do
