@@ -19,9 +19,10 @@ MAY_INCLUDE = {room: set(ORDER[i + 1:]) for i, room in enumerate(ORDER)}
 MAY_INCLUDE["storage"] = {"shape", "motion", "base"}
 MAY_INCLUDE["geography"] = {"base"}
 MAY_INCLUDE["sqlite"] = {"storage", "geography", *ORDER}
+MAY_INCLUDE["hosts"] = {"sqlite"}
 # What the index asks of a place to keep pages, which storage supplies; and the tree that it makes of them.
 PAGE_INTERFACE = {"index/pages.h", "index/tpr_tree/tpr_tree.h"}
-SEES_SQLITE = {"storage", "sqlite"}
+SEES_SQLITE = {"storage", "sqlite", "hosts"}
 # The rooms inside a room: each may include those to its right.
 INSIDE = {
     "contact": ["growing", "mesh", "outline", "pieces", "boxes", "exact", "certain", "set"],

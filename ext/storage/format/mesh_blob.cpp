@@ -91,7 +91,8 @@ const char* decode_mesh(std::span<const std::byte> blob, Mesh& mesh) {
   mesh = welded(*kind, std::move(corners));
   // Nothing is normalised on the way in: what would be read back otherwise is not what was written.
   const std::vector<std::byte> normal = encode_mesh(mesh);
-  if (!std::equal(normal.begin(), normal.end(), blob.begin(), blob.end())) return "its corners are not those of its triangles";
+  if (!std::equal(normal.begin(), normal.end(), blob.begin(), blob.end()))
+    return "its corners are not those of its triangles";
   return is_sound(mesh) ? nullptr : "a triangle has no area, or its surface is not closed";
 }
 
