@@ -55,7 +55,7 @@ class Debian(Host):
             self.assertGreater(len(run("dpkg-deb", "-f", package, "Description").splitlines()), 3)
         self.unpack(self.module)
         documents = self.folder / "root/usr/share/doc" / MODULE
-        self.assertIn("Unreleased", gzip.decompress((documents / "changelog.gz").read_bytes()).decode())
+        self.assertEqual(gzip.decompress((documents / "changelog.gz").read_bytes()), (ROOT / "CHANGELOG.md").read_bytes())
         self.assertIn("Permission is hereby granted", (documents / "copyright").read_text())
 
     def test_the_module_is_stripped(self):

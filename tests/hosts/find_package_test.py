@@ -3,7 +3,7 @@ import os
 import re
 from concurrent.futures import ThreadPoolExecutor
 
-from hosts import ROOT, blocks, main, run
+from hosts import ROOT, blocks, main, run, version
 from installed import Installed
 
 
@@ -24,11 +24,12 @@ class FindPackage(Installed):
 
     def test_a_component_asks_for_no_more_than_it_needs(self):
         project = "cmake_minimum_required(VERSION 3.21)\nproject(p LANGUAGES C CXX)\n"
+        minor = version().rsplit(".", 1)[0]
         no_eigen = "set(CMAKE_DISABLE_FIND_PACKAGE_Eigen3 ON)\n"
-        self.configure(project + no_eigen + "find_package(foresee 0.1 CONFIG REQUIRED)")
-        said = self.configure(project + no_eigen + "find_package(foresee 0.1 CONFIG REQUIRED COMPONENTS core)", fails=True)
+        self.configure(project + no_eigen + f"find_package(foresee {minor} CONFIG REQUIRED)")
+        said = self.configure(project + no_eigen + "find_package(foresee CONFIG REQUIRED COMPONENTS core)", fails=True)
         self.assertIn("Eigen3", said)
-        said = self.configure(project + "find_package(foresee 0.1 CONFIG REQUIRED COMPONENTS tiles)", fails=True)
+        said = self.configure(project + "find_package(foresee CONFIG REQUIRED COMPONENTS tiles)", fails=True)
         self.assertIn("has the components module, static and core", said)
         said = self.configure(project + "find_package(foresee 7 CONFIG REQUIRED)", fails=True)
         self.assertIn('compatible with requested version "7"', " ".join(said.split()))
