@@ -75,15 +75,20 @@ std::span<TableCursor* const> Connection::cursors(const Store* store) const noex
   return open->second;
 }
 
-std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, bool with_levels) {
+std::shared_ptr<const Scene> Connection::find_scene(const OpenTable& table, bool with_levels) {
   const ContentVersion version = table.store->read_version();
   const auto cached = scenes_.find(table.store.get());
-  if (cached != scenes_.end() && cached->second.version == version &&
-      (!with_levels || cached->second.scene->levels)) {
-    cached->second.used = ++last_use_;
-    return cached->second.scene;
-  }
-  if (cached != scenes_.end()) scenes_.erase(cached);  // before the next one is decoded: memory holds one
+  if (cached == scenes_.end() || cached->second.version != version ||
+      (with_levels && !cached->second.scene->levels))
+    return nullptr;
+  cached->second.used = ++last_use_;
+  return cached->second.scene;
+}
+
+std::shared_ptr<const Scene> Connection::load_scene(const OpenTable& table, bool with_levels) {
+  if (auto scene = find_scene(table, with_levels)) return scene;
+  const ContentVersion version = table.store->read_version();
+  scenes_.erase(table.store.get());  // before the next one is decoded: memory holds one
   auto scene = std::make_shared<Scene>();
   scene->name = table.table;
   scene->layout = table.store->declaration().layout;

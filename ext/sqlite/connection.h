@@ -81,6 +81,9 @@ class Connection {
   /// is at hand, else all rows are read and decoded.
   std::shared_ptr<const Scene> load_scene(const OpenTable& table, bool with_levels = false);
 
+  /// The same where this version's scene is at hand, and null elsewhere: nothing is decoded.
+  std::shared_ptr<const Scene> find_scene(const OpenTable& table, bool with_levels = false);
+
   /// A scene of the object of this id alone, or of none, as it is now; without its outline or mesh. Cost: a
   /// look-up.
   static std::shared_ptr<Scene> load_object(const OpenTable& table, std::int64_t id);

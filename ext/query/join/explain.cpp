@@ -9,6 +9,8 @@
 #include "index/paper_grid/thread_clock.h"
 #include "query/join/join_candidates.h"
 #include "query/join/join_plan.h"
+#include "query/tile/ownership.h"
+#include "query/tile/tile_scenes.h"
 
 namespace foresee::query {
 namespace {
@@ -16,9 +18,11 @@ namespace {
 constexpr const char* test_names[paper_stage_count] = {"projection overlap", "centre point", "time interval",
                                                        "trajectory intersection"};
 
+/// In a tile: pairs of the objects that it needs.
 std::uint64_t pairs_asked_about(const JoinQuestion& question) {
-  const std::uint64_t a = question.a->size();
-  return question.b ? a * question.b->size() : a * (a - 1) / 2;
+  const auto pairs = [&](std::uint64_t a, std::uint64_t b) { return question.b ? a * b : a * (a - 1) / 2; };
+  if (question.own) return pairs(question.own->needed_a, question.own->needed_b);
+  return pairs(question.a->size(), question.b ? question.b->size() : 0);
 }
 
 /// A question's stages, and what they have counted so far.
@@ -70,11 +74,15 @@ class Explanation {
     const bool between = question_.b != nullptr;
     const double begin = thread_seconds();
     if (to_the_letter())
-      candidates_ = make_paper_grid<D>(a, b, between, horizon, margin, interrupt_);
+      candidates_ = owned(make_paper_grid<D>(a, b, between, horizon, margin, interrupt_));
     else
       candidates_ = join_candidates(question_, plan_.method, horizon, contact_->reach(), interrupt_);
     candidates_count_.seconds = thread_seconds() - begin;
     stages_ = make_paper_stages<D>(a, b, between, horizon, margin, interrupt_);
+  }
+
+  std::unique_ptr<Candidates> owned(std::unique_ptr<Candidates> all) const {
+    return question_.own ? owned_candidates(std::move(all), question_.own) : std::move(all);
   }
 
   bool next_candidates(std::vector<Pair>& pairs) {
@@ -183,12 +191,12 @@ class Explanation {
 
 std::vector<ExplainRow> explain_join(const JoinQuestion& asked, Interrupt& interrupt) {
   const FloatEnvironment environment;
-  require_valid(asked);
-  JoinQuestion question = asked;
+  JoinQuestion question = in_tile(asked, interrupt);
   question.only_a = question.only_b = {};
   question.asked_t = question.asked_dt = {};
   Explanation explanation(question, interrupt);
   if (question.a->size() == 0 || (question.b && question.b->size() == 0)) return {};
+  if (question.own && (question.own->needed_a == 0 || question.own->needed_b == 0)) return {};
   explanation.run();
   return explanation.rows();
 }

@@ -8,13 +8,14 @@
 #include "query/join/join_plan.h"
 #include "query/join/slab_helpers.h"
 #include "query/join/sorted_hits.h"
+#include "query/tile/tile_scenes.h"
 
 namespace foresee::query {
 
 /// A question and how far it is answered.
 struct Join::Progress {
   Progress(JoinQuestion asked, Interrupt& interrupt)
-      : question(with_space(std::move(asked))),
+      : question(with_space(in_tile(std::move(asked), interrupt))),
         interrupt(interrupt),
         stage(question, interrupt),
         plan(plan_join(question, stage.reach())),
@@ -26,9 +27,8 @@ struct Join::Progress {
     question.space->trim();
   }
 
-  /// The question, found to be in order, with a space of its own if it brings none.
+  /// The question, with a space of its own if it brings none.
   static JoinQuestion with_space(JoinQuestion question) {
-    require_valid(question);
     if (!question.space) question.space = std::make_shared<GridSpace>();
     return question;
   }

@@ -9,6 +9,7 @@
 #include "index/one_with_all.h"
 #include "index/paper_grid/paper_candidates.h"
 #include "index/tpr_tree/tree_join.h"
+#include "query/tile/ownership.h"
 
 namespace foresee::query {
 namespace {
@@ -65,19 +66,9 @@ std::unique_ptr<DividedCandidates> divided(const JoinQuestion& question, const H
   return make_divided_grid<D>(a, &b, question.helpers, interrupt, question.space);
 }
 
-}  // namespace
-
-std::unique_ptr<DividedCandidates> divided_candidates(const JoinQuestion& question, const Horizon& horizon,
-                                                      const Contact::Reach& reach, Interrupt& interrupt) {
-  const FloatEnvironment environment;
-  return with_axes(question.a->layout.axes,
-                   [&]<int D>(Axes<D>) { return divided<D>(question, horizon, reach, interrupt); });
-}
-
-std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMethod method,
-                                            const Horizon& horizon, const Contact::Reach& reach,
-                                            Interrupt& interrupt) {
-  const FloatEnvironment environment;
+std::unique_ptr<Candidates> all_candidates(const JoinQuestion& question, JoinMethod method,
+                                           const Horizon& horizon, const Contact::Reach& reach,
+                                           Interrupt& interrupt) {
   const Scene& a = *question.a;
   const Scene& b = question.b ? *question.b : a;
   if (question.only_a) return one_row(a, *question.only_a, Side::a, b.size(), interrupt);
@@ -85,6 +76,24 @@ std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMe
   if (method == JoinMethod::scan) return scan(a, question.b.get(), interrupt);
   return with_axes(a.layout.axes,
                    [&]<int D>(Axes<D>) { return by_index<D>(question, method, horizon, reach, interrupt); });
+}
+
+}  // namespace
+
+std::unique_ptr<DividedCandidates> divided_candidates(const JoinQuestion& question, const Horizon& horizon,
+                                                      const Contact::Reach& reach, Interrupt& interrupt) {
+  const FloatEnvironment environment;
+  auto all = with_axes(question.a->layout.axes,
+                       [&]<int D>(Axes<D>) { return divided<D>(question, horizon, reach, interrupt); });
+  return question.own ? owned_candidates(std::move(all), question.own) : std::move(all);
+}
+
+std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMethod method,
+                                            const Horizon& horizon, const Contact::Reach& reach,
+                                            Interrupt& interrupt) {
+  const FloatEnvironment environment;
+  auto all = all_candidates(question, method, horizon, reach, interrupt);
+  return question.own ? owned_candidates(std::move(all), question.own) : std::move(all);
 }
 
 }  // namespace foresee::query

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/shown.h"
 #include "query/require.h"
 
 namespace foresee::query {
@@ -11,6 +12,19 @@ namespace {
 std::string axes_of(const Scene& scene) {
   return scene.name + " has " + std::to_string(scene.layout.axes) +
          (scene.layout.axes == 1 ? " axis" : " axes");
+}
+
+void require_less(const char* lower_name, double lower, const char* upper_name, double upper) {
+  if (lower < upper) return;
+  throw Error(std::string(lower_name) + " must be less than " + upper_name + ": " + lower_name + " is " +
+              shown(lower) + ", " + upper_name + " is " + shown(upper));
+}
+
+void require_valid(const Tile& tile, const std::shared_ptr<const Scene>& scene) {
+  require_less("own_x0", tile.x0, "own_x1", tile.x1);
+  const char* const given_y = tile.y0 != Tile().y0 ? "own_y0" : tile.y1 != Tile().y1 ? "own_y1" : nullptr;
+  if (given_y && scene->layout.axes < 2) reject_axis({scene->name, scene, nullptr}, given_y);
+  require_less("own_y0", tile.y0, "own_y1", tile.y1);
 }
 
 }  // namespace
@@ -48,6 +62,7 @@ void require_valid(const JoinQuestion& question) {
   if (question.b && question.a->layout.axes != question.b->layout.axes)
     throw Error(axes_of(*question.a) + " and " + axes_of(*question.b) +
                 ": a join takes two tables with the same number of axes");
+  if (question.tile) require_valid(*question.tile, question.a);
 }
 
 std::unique_ptr<Contact> contact_of(const JoinQuestion& question, bool rectangles_for_outlines) {

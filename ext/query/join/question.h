@@ -16,6 +16,7 @@
 #include "contact/contact.h"
 #include "index/gpcd_grid/work_space.h"
 #include "query/scene.h"
+#include "query/tile/tile.h"
 
 namespace foresee::query {
 
@@ -49,6 +50,8 @@ enum class JoinOrder : std::uint8_t {
   by_t_and_ids,  ///< by t, a, b
 };
 
+struct Ownership;
+
 struct JoinQuestion {
   std::shared_ptr<const Scene> a;
   std::shared_ptr<const Scene> b = nullptr;  ///< null: pairs within a, each once
@@ -59,12 +62,15 @@ struct JoinQuestion {
   JoinMethod method = JoinMethod::automatic;  ///< tree: both scenes have levels
   std::optional<std::int64_t> only_a = {};  ///< only pairs whose column a has this id: linear in the objects
   std::optional<std::int64_t> only_b = {};
+  std::optional<Tile> tile = {};  ///< only pairs that it owns
   AskedTimes asked_t = {}, asked_dt = {};
   JoinOrder order = JoinOrder::any;
   std::size_t likely_rows = all_rows;  ///< that will be read; of more, in an order, some are found twice
   JoinWants wants = {};
   std::size_t helpers = 0;                     ///< threads that the grid may use beside the caller's
   std::shared_ptr<GridSpace> space = nullptr;  ///< memory kept between joins, not shared by two at a time
+  std::shared_ptr<const Ownership> own =
+      nullptr;  ///< of the tile, by in_tile() (query/tile); null: all pairs
 
   bool asks_about_all_times() const { return asked_t.are_all() && asked_dt.are_all(); }
 };
@@ -76,8 +82,8 @@ struct JoinRow {
   ClosestApproach approach;
 };
 
-/// Throws Error for h, within or within_z that is negative or not finite, for now that is not finite, and for
-/// different axes.
+/// Throws Error for h, within or within_z that is negative or not finite, for now that is not finite, for
+/// different axes, and for a tile that is empty or bounded on an axis that is not there.
 void require_valid(const JoinQuestion& question);
 
 /// The contact that decides this question's pairs: make_contact() with its scenes, which must outlive the

@@ -1,8 +1,10 @@
 #include "sqlite/functions/join_inputs.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "query/join/probe.h"
+#include "query/tile/tile_scenes.h"
 #include "sqlite/names/open_table.h"
 #include "storage/rows/text.h"
 
@@ -10,7 +12,20 @@ namespace foresee::sqlite {
 namespace {
 
 /// In the order of join_input_names().
-enum Input { in_h, in_tbl, in_within, in_other, in_now, in_method, in_within_z, in_schema };
+enum Input {
+  in_h,
+  in_tbl,
+  in_within,
+  in_other,
+  in_now,
+  in_method,
+  in_within_z,
+  in_schema,
+  in_own_x0,
+  in_own_x1,
+  in_own_y0,
+  in_own_y1
+};
 
 using OpenTable = Connection::OpenTable;
 
@@ -35,20 +50,44 @@ double newest_t_of(const JoinedTables& tables) {
   return tables.b ? std::max(newest, tables.b->store->read_newest_t()) : newest;
 }
 
-/// All objects of each side as they are now, with the tree's levels where the method is `tree`. The same
-/// table twice is one scene.
-void take_scenes(Connection& connection, const JoinedTables& tables, JoinQuestion& question) {
-  const auto scene = [&](const OpenTable& table) {
-    return connection.load_scene(table, question.method == JoinMethod::tree);
-  };
-  question.a = scene(tables.a);
-  if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b);
-}
-
 std::shared_ptr<Scene> empty_scene(const OpenTable& table) {
   auto scene = std::make_shared<Scene>();
   scene->name = table.table, scene->layout = table.store->declaration().layout;
   return scene;
+}
+
+/// Throws Error for what is wrong whatever objects there are.
+void require_valid_between(const JoinedTables& tables, JoinQuestion question) {
+  question.a = empty_scene(tables.a);
+  if (tables.b) question.b = empty_scene(*tables.b);
+  require_valid(question);
+}
+
+// Of all objects: above it the whole scene costs less than the nodes of a tile, one after another.
+constexpr double worth_a_scene = 0.5, worth_a_scene_at_hand = 0.1;
+
+/// What the question's tile needs and others, by the tree, which reads no more. Null where the tile is most
+/// of the table: whoever asks again then finds its scene at hand.
+std::shared_ptr<const Scene> scene_by_tree(Connection& connection, const OpenTable& table,
+                                           const JoinQuestion& question) {
+  const auto tree = table.store->take_snapshot();
+  const double share = share_in_tile(*tree, question, connection.interrupt());
+  if (share > (connection.find_scene(table) ? worth_a_scene_at_hand : worth_a_scene)) return nullptr;
+  return scene_of_tile(*tree, table.table, question, connection.interrupt());
+}
+
+/// All objects of each side as they are now, with the tree's levels where the method is `tree`; in a tile no
+/// fewer than it needs. The same table twice is one scene.
+void take_scenes(Connection& connection, const JoinedTables& tables, JoinQuestion& question) {
+  const bool with_levels = question.method == JoinMethod::tree;
+  const auto scene = [&](const OpenTable& table) {
+    std::shared_ptr<const Scene> in_tile;
+    if (question.tile && !with_levels) in_tile = scene_by_tree(connection, table, question);
+    return in_tile ? in_tile : connection.load_scene(table, with_levels);
+  };
+  if (question.tile) require_valid_between(tables, question);
+  question.a = scene(tables.a);
+  if (tables.b) question.b = tables.are_one() ? question.a : scene(*tables.b);
 }
 
 /// A scene of one object, or of none if nothing has this id.
@@ -80,10 +119,30 @@ void take_object_and_near(Connection& connection, const JoinedTables& tables, co
   if (by_a) question.only_b = ids.b;
 }
 
+/// What the inputs bound; none where no pair is left out. An infinity is no bound.
+std::optional<Tile> read_tile(const FunctionCall& call) {
+  Tile tile;
+  const char* first = nullptr;
+  const auto bound = [&](int input, double& of_tile) {
+    const auto number = call.number(input);
+    if (!number || std::isinf(*number)) return;
+    of_tile = *number;
+    if (!first) first = call.name_of(input);
+  };
+  bound(in_own_x0, tile.x0), bound(in_own_x1, tile.x1);
+  bound(in_own_y0, tile.y0), bound(in_own_y1, tile.y1);
+  if (!first) return {};
+  if (!call.number(in_now))
+    throw Error(std::string(first) +
+                " needs now: the newest t of a part is not that of the whole; write now = ...");
+  return tile;
+}
+
 }  // namespace
 
 std::vector<const char*> join_input_names() {
-  return {"h", "tbl", "within", "other", "now", "method", "within_z", "schema"};
+  return {"h",        "tbl",    "within", "other",  "now",    "method",
+          "within_z", "schema", "own_x0", "own_x1", "own_y0", "own_y1"};
 }
 
 JoinInputs read_join_inputs(const FunctionCall& call) {
@@ -96,6 +155,7 @@ JoinInputs read_join_inputs(const FunctionCall& call) {
   inputs.tbl.schema = call.text(in_schema);
   inputs.tbl.table = call.text(in_tbl);
   inputs.other = call.text(in_other);
+  inputs.tile = read_tile(call);
   return inputs;
 }
 
@@ -108,6 +168,7 @@ JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, c
   question.within = inputs.within;
   question.within_z = inputs.within_z;
   question.method = inputs.method;
+  question.tile = inputs.tile;
   call.used(in_tbl, tables.a.table), call.used(in_schema, tables.a.schema);
   call.used(in_now, question.now), call.used(in_within, question.within), call.used(in_method, "auto");
   const bool by_tree = question.method == JoinMethod::automatic || question.method == JoinMethod::tree;

@@ -25,6 +25,7 @@ struct JoinInputs {
   std::optional<double> now = {};         ///< none: the newest t stored
   JoinMethod method = {};                 ///< automatic
   std::optional<double> within_z = {};
+  std::optional<Tile> tile = {};  ///< own_x0, own_x1, own_y0, own_y1; none: all pairs
 };
 
 /// As SQL names them, in call order.

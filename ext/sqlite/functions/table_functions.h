@@ -14,6 +14,7 @@ const TableFunction& predictive_join();      // predictive_join.cpp
 const TableFunction& predictive_explain();   // predictive_explain.cpp
 const TableFunction& predictive_nearest();   // predictive_nearest.cpp
 const TableFunction& predictive_position();  // predictive_position.cpp
+const TableFunction& predictive_sweep();     // predictive_sweep.cpp
 const TableFunction& predictive_track();     // predictive_track.cpp
 const TableFunction& predictive_window();    // predictive_window.cpp
 

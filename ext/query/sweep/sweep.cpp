@@ -1,0 +1,98 @@
+#include "query/sweep/sweep.h"
+
+#include <algorithm>
+
+#include "base/axes.h"
+#include "base/float_environment.h"
+#include "index/tpr_tree/sweep_walk.h"
+#include "query/require.h"
+
+namespace foresee::query {
+namespace {
+
+/// What every box meets that has the corners asked for.
+template <int D>
+Box<D> met_by_all(const std::vector<AskedCorners>& asked) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  Box<D> box{Vec<D>::Constant(-inf), Vec<D>::Constant(inf)};
+  for (int axis = 0; axis < std::min(D, static_cast<int>(asked.size())); ++axis) {
+    const AskedCorners& corners = asked[static_cast<std::size_t>(axis)];
+    const double one = std::max(corners.lower_least, corners.upper_least),
+                 other = std::min(corners.lower_most, corners.upper_most);
+    box.lower[axis] = std::min(one, other), box.upper[axis] = std::max(one, other);
+  }
+  return box;
+}
+
+void require_valid_sweep(const SweepQuestion& question) {
+  require_not_negative("h", question.h);
+  require_not_negative("within", question.within);
+  if (question.within_z) require_not_negative("within_z", *question.within_z);
+  require_finite("now", question.now);
+  if (question.within_z && question.tree->layout().axes != 3)
+    throw Error("within_z is for tables with x, y and z; leave it out here (within covers every axis)");
+}
+
+}  // namespace
+
+class Sweep::Leaves {
+ public:
+  virtual ~Leaves() = default;
+  /// Appends the rows of one leaf; false once there is none left.
+  virtual bool next(std::vector<SweepRow>& rows) = 0;
+};
+
+template <int D>
+class Sweep::LeavesOfAxes final : public Sweep::Leaves {
+ public:
+  LeavesOfAxes(SweepQuestion question, Interrupt& interrupt)
+      : tree_(std::move(question.tree)),
+        horizon_{question.now, question.h},
+        margin_(sweep_margin<D>(question.within, question.within_z)),
+        asked_(met_by_all<D>(question.asked)),
+        walk_(*tree_, asked_, horizon_, margin_, interrupt),
+        leaf_bodies_(tree_->layout()) {}
+
+  bool next(std::vector<SweepRow>& rows) override {
+    const auto leaf = walk_.next();
+    if (!leaf) return false;
+    const Bodies bodies = leaf_bodies_.of(*leaf);
+    for (std::size_t i = 0; i < bodies.count; ++i) {
+      const Box<D> box = swept_box<D>(bodies, i, horizon_, margin_);
+      if (box.is_empty() || !box.meets(asked_)) continue;
+      SweepRow& row = rows.emplace_back();
+      row.id = leaf->keys[i];
+      std::copy_n(box.lower.data(), D, row.lower.data());
+      std::copy_n(box.upper.data(), D, row.upper.data());
+    }
+    return true;
+  }
+
+ private:
+  std::shared_ptr<NodeSource> tree_;
+  Horizon horizon_;
+  Vec<D> margin_;
+  Box<D> asked_;
+  SweepWalk<D> walk_;
+  LeafBodies leaf_bodies_;
+};
+
+Sweep::Sweep(SweepQuestion question, Interrupt& interrupt) {
+  const FloatEnvironment environment;
+  require_valid_sweep(question);
+  leaves_ = with_axes(question.tree->layout().axes, [&]<int D>(Axes<D>) -> std::unique_ptr<Leaves> {
+    return std::make_unique<LeavesOfAxes<D>>(std::move(question), interrupt);
+  });
+}
+
+Sweep::~Sweep() = default;
+
+std::span<const SweepRow> Sweep::next() {
+  const FloatEnvironment environment;
+  rows_.clear();
+  while (rows_.empty() && leaves_->next(rows_)) {
+  }
+  return rows_;
+}
+
+}  // namespace foresee::query

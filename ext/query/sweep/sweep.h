@@ -1,0 +1,68 @@
+// Where can each object be during the horizon? predictive_sweep as a library call, and the boxes by which
+// tiles own pairs (query/tile).
+//
+//   Sweep sweep({.tree = ships, .now = 600, .h = 600, .within = 926}, interrupt);
+//   while (auto rows = sweep.next(); !rows.empty())
+//     for (const SweepRow& row : rows) use(row.id, row.lower[0], row.upper[0]);
+//
+// Guarantee: every object that exists during [now, now + h] comes exactly once, with the box that
+// swept_box() gives for it and sweep_margin(): where two objects touch, their boxes meet, closed. A box
+// depends on the object's row and the question alone, whatever else the table holds. No corner is NaN; what
+// no double bounds is infinite. Bounds asked for leave out some or all of the objects outside, none of the
+// others. Cost: the nodes that can hold such objects. Memory: a leaf.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "query/join/question.h"
+#include "query/sweep/leaf_bodies.h"
+
+namespace foresee::query {
+
+/// By how much a box is grown on each side of every axis.
+template <int D>
+Vec<D> sweep_margin(double within, std::optional<double> within_z) {
+  return margin_of<D>({within, std::max(within, within_z.value_or(0))});
+}
+
+/// Between which numbers a box's corners are asked for, per axis: both ends included.
+struct AskedCorners {
+  double lower_least, lower_most, upper_least, upper_most;
+};
+
+struct SweepQuestion {
+  std::shared_ptr<NodeSource> tree;
+  double now = 0;
+  double h = 0;
+  double within = 0;
+  std::optional<double> within_z = {};
+  std::vector<AskedCorners> asked = {};  ///< of the first axes
+};
+
+struct SweepRow {
+  std::int64_t id;
+  std::array<double, 3> lower, upper;  ///< axes that are not declared: anything
+};
+
+class Sweep {
+ public:
+  /// Throws Error for h, within or within_z that is negative or not finite, now that is not finite, and
+  /// within_z without a z. `interrupt` must outlive the sweep.
+  Sweep(SweepQuestion question, Interrupt& interrupt);
+  ~Sweep();
+
+  /// The rows of the next leaf that has any; empty once there is none left. Valid until the next call.
+  std::span<const SweepRow> next();
+
+ private:
+  class Leaves;
+  template <int D>
+  class LeavesOfAxes;
+
+  std::unique_ptr<Leaves> leaves_;
+  std::vector<SweepRow> rows_;
+};
+
+}  // namespace foresee::query

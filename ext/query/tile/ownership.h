@@ -1,0 +1,32 @@
+// Which candidates does a join's tile own? One byte an object, one operation a candidate.
+//
+//   auto candidates = owned_candidates(make_gpcd_grid<2>(…), ownership);   // others never reach contact
+//
+// Guarantee: of the pairs that the inner candidates give, exactly those that the tile owns come, in order.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "index/candidates.h"
+#include "query/tile/tile.h"
+
+namespace foresee::query {
+
+/// How the tile sees the objects of both sides, by row number.
+struct Ownership {
+  std::vector<TileMarks> a, b;             ///< b: empty where both sides are one scene
+  std::size_t needed_a = 0, needed_b = 0;  ///< objects
+
+  bool owns(const Pair& pair) const {
+    const TileMarks other = b.empty() ? a[pair.b] : b[pair.b];
+    return (a[pair.a] | other) == Tile::owned;
+  }
+};
+
+std::unique_ptr<Candidates> owned_candidates(std::unique_ptr<Candidates> all,
+                                             std::shared_ptr<const Ownership> ownership);
+std::unique_ptr<DividedCandidates> owned_candidates(std::unique_ptr<DividedCandidates> all,
+                                                    std::shared_ptr<const Ownership> ownership);
+
+}  // namespace foresee::query

@@ -1,0 +1,128 @@
+#include "query/tile/tile_scenes.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/axes.h"
+#include "base/float_environment.h"
+#include "index/tpr_tree/sweep_walk.h"
+#include "query/sweep/sweep.h"
+#include "query/tile/ownership.h"
+
+namespace foresee::query {
+namespace {
+
+constexpr std::size_t objects_per_check = 4096;
+constexpr std::size_t worth_a_copy = 16;  // objects kept for each one that is left out
+
+template <int D>
+SweepWalk<D> walk_of(NodeSource& tree, const JoinQuestion& question, Interrupt& interrupt) {
+  return {tree,
+          question.tile->closed<D>(),
+          {question.now, question.h},
+          sweep_margin<D>(question.within, question.within_z),
+          interrupt};
+}
+
+template <int D>
+void read_tile(NodeSource& tree, const JoinQuestion& question, Interrupt& interrupt, Scene& scene) {
+  const Horizon horizon{question.now, question.h};
+  const Vec<D> margin = sweep_margin<D>(question.within, question.within_z);
+  SweepWalk<D> walk = walk_of<D>(tree, question, interrupt);
+  LeafBodies leaf_bodies(scene.layout);
+  while (const auto leaf = walk.next()) {
+    const Bodies bodies = leaf_bodies.of(*leaf);
+    for (std::size_t i = 0; i < bodies.count; ++i) {
+      if (question.tile->marks(swept_box<D>(bodies, i, horizon, margin)) & Tile::unneeded) continue;
+      scene.ids.push_back(leaf->keys[i]);
+      scene.rows.insert(scene.rows.end(), bodies.row(i), bodies.row(i) + bodies.at.size);
+    }
+  }
+}
+
+struct MarkedScene {
+  std::vector<TileMarks> marks;
+  std::size_t needed = 0;
+  bool owns_all = true;
+};
+
+template <int D>
+MarkedScene marked(const Scene& scene, const JoinQuestion& question, Interrupt& interrupt) {
+  const Horizon horizon{question.now, question.h};
+  const Vec<D> margin = sweep_margin<D>(question.within, question.within_z);
+  const Bodies bodies = scene.bodies();
+  MarkedScene all;
+  all.marks.resize(bodies.count);
+  for (std::size_t i = 0; i < bodies.count; ++i) {
+    if (i % objects_per_check == 0) interrupt.check();
+    const TileMarks marks = question.tile->marks(swept_box<D>(bodies, i, horizon, margin));
+    all.marks[i] = marks;
+    all.needed += !(marks & Tile::unneeded);
+    all.owns_all &= marks == Tile::owned;
+  }
+  return all;
+}
+
+/// Without what the tile does not need, where that is worth a copy of the rest. A tree's levels count rows,
+/// and forms are those of all rows: there all stay, and their marks say who is not needed.
+std::shared_ptr<const Scene> without_unneeded(std::shared_ptr<const Scene> scene, MarkedScene& marked) {
+  const std::size_t unneeded = scene->size() - marked.needed;
+  if (scene->levels || scene->forms || unneeded * worth_a_copy <= marked.needed) return scene;
+  const auto row_size = static_cast<std::size_t>(row_offsets(scene->layout).size);
+  auto needed = std::make_shared<Scene>();
+  needed->name = scene->name, needed->layout = scene->layout;
+  needed->ids.reserve(marked.needed), needed->rows.reserve(marked.needed * row_size);
+  for (std::size_t i = 0; i < scene->size(); ++i) {
+    if (marked.marks[i] & Tile::unneeded) continue;
+    marked.marks[needed->size()] = marked.marks[i];
+    needed->ids.push_back(scene->ids[i]);
+    const double* const row = scene->rows.data() + i * row_size;
+    needed->rows.insert(needed->rows.end(), row, row + row_size);
+  }
+  marked.marks.resize(marked.needed);
+  return needed;
+}
+
+template <int D>
+void mark(JoinQuestion& question, Interrupt& interrupt) {
+  const bool one_scene = !question.b || question.b == question.a;
+  MarkedScene a = marked<D>(*question.a, question, interrupt), b;
+  if (!one_scene) b = marked<D>(*question.b, question, interrupt);
+  if (a.owns_all && b.owns_all) return;
+  const bool itself = question.b == question.a;
+  auto ownership = std::make_shared<Ownership>();
+  ownership->needed_a = a.needed, ownership->needed_b = one_scene ? a.needed : b.needed;
+  question.a = without_unneeded(question.a, a);
+  if (itself) question.b = question.a;
+  if (!one_scene) question.b = without_unneeded(question.b, b);
+  ownership->a = std::move(a.marks), ownership->b = std::move(b.marks);
+  question.own = std::move(ownership);
+}
+
+}  // namespace
+
+std::shared_ptr<const Scene> scene_of_tile(NodeSource& tree, const std::string& name,
+                                           const JoinQuestion& question, Interrupt& interrupt) {
+  const FloatEnvironment environment;
+  auto scene = std::make_shared<Scene>();
+  scene->name = name, scene->layout = tree.layout();
+  with_axes(scene->layout.axes, [&]<int D>(Axes<D>) { read_tile<D>(tree, question, interrupt, *scene); });
+  scene->take_forms(tree.forms(), interrupt);
+  return scene;
+}
+
+double share_in_tile(NodeSource& tree, const JoinQuestion& question, Interrupt& interrupt) {
+  const FloatEnvironment environment;
+  return with_axes(tree.layout().axes,
+                   [&]<int D>(Axes<D>) { return walk_of<D>(tree, question, interrupt).likely_share(); });
+}
+
+JoinQuestion in_tile(JoinQuestion question, Interrupt& interrupt) {
+  require_valid(question);
+  if (!question.tile) return question;
+  const FloatEnvironment environment;
+  with_axes(question.a->layout.axes, [&]<int D>(Axes<D>) { mark<D>(question, interrupt); });
+  return question;
+}
+
+}  // namespace foresee::query
