@@ -125,6 +125,8 @@ void ask_and_write(Connection& db, FuzzBytes& bytes, const FuzzTable& table) {
   db.rows("SELECT * FROM ships");
   db.rows("SELECT * FROM ships WHERE id = " + fuzz_id(bytes));
   db.rows("SELECT * FROM predictive_position(" + literal(fuzz_number(bytes)) + ")");
+  db.rows("SELECT * FROM predictive_sweep(" + literal(fuzz_number(bytes)) +
+          ") WHERE x1 >= " + literal(fuzz_number(bytes)));
   db.run("INSERT INTO ships(ships) VALUES('integrity-check')");
   for (int i = 0; i < 6; ++i) {
     db.run(in_order(

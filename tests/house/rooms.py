@@ -28,7 +28,7 @@ INSIDE = {
     "contact": ["growing", "mesh", "outline", "pieces", "boxes", "exact", "certain", "set"],
     "index": ["paper_grid", "gpcd_grid", "tpr_tree"],
     "shape": ["mesh", "outline"],
-    "query": ["avoid", "watch", "join", "window", "nearest", "position"],
+    "query": ["avoid", "watch", "join", "tile", "sweep", "window", "nearest", "position"],
     "storage": ["watch", "table", "nodes", "rows", "format"],
     "sqlite": ["watch", "functions", "names", "table"],
 }

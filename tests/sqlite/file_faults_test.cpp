@@ -109,6 +109,7 @@ TEST_P(FileFaults, Questions) {
   run("SELECT count(*) FROM predictive_join(10, 'ships')");
   run("SELECT * FROM predictive_position(10, 'ships')");
   run("SELECT * FROM predictive_track(0, 10, 5, 'ships')");
+  run("SELECT * FROM predictive_sweep(10, 'ships')");
   run("SELECT count(*) FROM predictive_window(10, 'ships', 20, 60)");
   run("SELECT * FROM predictive_nearest(10, 'ships', 9, 50, 50)");
   run("SELECT * FROM predictive_avoid(10, 'ships', 5, 1)");

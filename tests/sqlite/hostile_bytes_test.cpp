@@ -14,6 +14,8 @@ constexpr const char* questions[] = {
     "SELECT id, x FROM ships WHERE id = 17",
     "SELECT a, b, t FROM predictive_join(20, 'ships') ORDER BY a, b",
     "SELECT * FROM predictive_position(10, 'ships') ORDER BY id",
+    "SELECT * FROM predictive_sweep(10, 'ships') WHERE x1 >= 0 ORDER BY id",
+    "SELECT a, b FROM predictive_join(10, 'ships', 0, NULL, 0, NULL, NULL, NULL, -1, 9) ORDER BY a, b",
 };
 
 std::vector<std::string> answers(Database& db) {

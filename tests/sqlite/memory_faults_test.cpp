@@ -162,6 +162,8 @@ TEST_F(TableMemoryFaults, Join) {
   run("SELECT * FROM predictive_join(10, 'ships', 5)");
   run("SELECT * FROM predictive_position(10)");
   run("SELECT *, tbl FROM predictive_track(0, 10, 5) ORDER BY t, id");
+  run("SELECT * FROM predictive_sweep(10)");
+  run("SELECT a, b FROM predictive_join WHERE h = 10 AND now = 0 AND own_x0 = 1");
 }
 
 }  // namespace

@@ -33,7 +33,7 @@ Box<D> swept_bounds(const Node& inner, std::size_t slot, const Horizon& horizon,
   const Vec<D> size = bounds.x_lower.abs().max(bounds.x_upper.abs()) + margin +
                       2 * reach * bounds.v_lower.abs().max(bounds.v_upper.abs()) +
                       3 * reach * (reach * bounds.a_lower.abs().max(bounds.a_upper.abs()));
-  const Vec<D> more = margin + (size * reach_pad + smallest_pad);
+  const Vec<D> more = margin + (size * reach_pad + (1 + reach) * smallest_pad);
   const double first = box.span.begin, last = box.span.end;
   return {(box.lower + box.v_lower * first).min(box.lower + box.v_lower * last) - more,
           (box.upper + box.v_upper * first).max(box.upper + box.v_upper * last) + more};

@@ -9,8 +9,8 @@
 #include "index/paper_grid/thread_clock.h"
 #include "query/join/join_candidates.h"
 #include "query/join/join_plan.h"
+#include "query/join/tile_scenes.h"
 #include "query/tile/ownership.h"
-#include "query/tile/tile_scenes.h"
 
 namespace foresee::query {
 namespace {

@@ -8,7 +8,7 @@
 #include "query/join/join_plan.h"
 #include "query/join/slab_helpers.h"
 #include "query/join/sorted_hits.h"
-#include "query/tile/tile_scenes.h"
+#include "query/join/tile_scenes.h"
 
 namespace foresee::query {
 

@@ -6,7 +6,6 @@
 //   auto contact = contact_of(question);
 #pragma once
 
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -15,6 +14,7 @@
 
 #include "contact/contact.h"
 #include "index/gpcd_grid/work_space.h"
+#include "query/margin.h"
 #include "query/scene.h"
 #include "query/tile/tile.h"
 
@@ -70,7 +70,7 @@ struct JoinQuestion {
   std::size_t helpers = 0;                     ///< threads that the grid may use beside the caller's
   std::shared_ptr<GridSpace> space = nullptr;  ///< memory kept between joins, not shared by two at a time
   std::shared_ptr<const Ownership> own =
-      nullptr;  ///< of the tile, by in_tile() (query/tile); null: all pairs
+      nullptr;  ///< of the tile, by in_tile() (tile_scenes.h); null: all pairs
 
   bool asks_about_all_times() const { return asked_t.are_all() && asked_dt.are_all(); }
 };
@@ -90,17 +90,5 @@ void require_valid(const JoinQuestion& question);
 /// contact, and its limits; or the same about the smallest boxes around outlines
 /// and meshes.
 std::unique_ptr<Contact> contact_of(const JoinQuestion& question, bool rectangles_for_outlines = false);
-
-/// Each side's swept boxes grow by half the reach, rounded up: two grown boxes meet wherever the pair can
-/// touch.
-template <int D>
-Vec<D> margin_of(const Contact::Reach& reach) {
-  auto half = [](double whole) {
-    return whole > 0 ? std::nextafter(whole / 2, std::numeric_limits<double>::infinity()) : 0.0;
-  };
-  Vec<D> margin = Vec<D>::Constant(half(reach.within));
-  if constexpr (D == 3) margin[2] = half(reach.within_z);
-  return margin;
-}
 
 }  // namespace foresee::query

@@ -21,7 +21,7 @@ class LeafBodies {
   /// Rows in the order of the leaf's keys; without forms. Valid until the next call, and while the leaf is
   /// held.
   Bodies of(const Node& leaf) {
-    if (layout_.law != Law::forced) return {layout_, leaf.values.data(), leaf.size()};  // rows are records
+    if (record_size_ == row_size_) return {layout_, leaf.values.data(), leaf.size()};  // rows are records
     rows_.resize(leaf.size() * row_size_);
     for (std::size_t slot = 0; slot < leaf.size(); ++slot)
       row_from_record(layout_, leaf.values.data() + slot * record_size_, rows_.data() + slot * row_size_);

@@ -12,11 +12,15 @@
 // others. Cost: the nodes that can hold such objects. Memory: a leaf.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
-#include "query/join/question.h"
+#include "base/error.h"
+#include "query/margin.h"
 #include "query/sweep/leaf_bodies.h"
 
 namespace foresee::query {

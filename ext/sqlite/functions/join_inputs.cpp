@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "query/join/probe.h"
-#include "query/tile/tile_scenes.h"
+#include "query/join/tile_scenes.h"
 #include "sqlite/names/open_table.h"
 #include "storage/rows/text.h"
 

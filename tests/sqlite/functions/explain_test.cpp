@@ -71,7 +71,7 @@ TEST_F(ExplainInSql, SaysWhatIsWrongWithACall) {
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_explain"),
             "predictive_explain: h is missing or NULL: write predictive_explain(h, tbl, within, other, now, "
             "method, "
-            "within_z, schema)");
+            "within_z, schema, own_x0, own_x1, own_y0, own_y1)");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_explain(-1, 'ships')"),
             "predictive_explain: h must be a finite number >= 0, not -1");
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_explain(1, 'boats')")

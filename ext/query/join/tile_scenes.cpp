@@ -1,4 +1,4 @@
-#include "query/tile/tile_scenes.h"
+#include "query/join/tile_scenes.h"
 
 #include <algorithm>
 #include <utility>
@@ -24,16 +24,54 @@ SweepWalk<D> walk_of(NodeSource& tree, const JoinQuestion& question, Interrupt& 
           interrupt};
 }
 
+/// Marks objects of a question; those far inside the tile without their exact box.
+template <int D>
+class Marker {
+ public:
+  explicit Marker(const JoinQuestion& question)
+      : tile_(*question.tile),
+        closed_(tile_.closed<D>()),
+        horizon_{question.now, question.h},
+        margin_(sweep_margin<D>(question.within, question.within_z)) {}
+
+  [[gnu::flatten]] TileMarks operator()(const Bodies& bodies, std::size_t i) const {
+    const Motion<D> motion = motion_of<D>(bodies, i);
+    const Extents<D> extents = extents_of<D>(bodies, i);
+    if (is_plainly_inside(motion, extents)) return Tile::owned;
+    return tile_.marks(swept_box<D>(motion, horizon_, grown(extents, margin_)));
+  }
+
+ private:
+  /// Whether a box around the box is: neither a turning point nor a smaller life makes it larger, what
+  /// swept_box() adds for rounding is less than 128 units of 2^-53 of what goes into it, and nothing
+  /// overflows there.
+  bool is_plainly_inside(const Motion<D>& motion, const Extents<D>& extents) const {
+    constexpr double rounding = 0x1p-46, largest = 1e300;
+    const double reach = std::abs(horizon_.now - motion.t) + horizon_.h;
+    const Vec<D> speed = motion.v.abs() + reach * motion.a.abs();
+    const Vec<D> size = motion.x.abs() + reach_of(extents) + margin_ + reach * speed;
+    const Vec<D> around = size - motion.x.abs() + (size * rounding + (reach + 0x1p20) * 0x1p-1020);
+    return (motion.x - around >= closed_.lower && motion.x + around < closed_.upper && size < largest &&
+            speed < largest)
+               .all() &&
+           !life_of(motion.t, motion.until, horizon_).none;
+  }
+
+  Tile tile_;
+  Box<D> closed_;
+  Horizon horizon_;
+  Vec<D> margin_;
+};
+
 template <int D>
 void read_tile(NodeSource& tree, const JoinQuestion& question, Interrupt& interrupt, Scene& scene) {
-  const Horizon horizon{question.now, question.h};
-  const Vec<D> margin = sweep_margin<D>(question.within, question.within_z);
+  const Marker<D> marks_of(question);
   SweepWalk<D> walk = walk_of<D>(tree, question, interrupt);
   LeafBodies leaf_bodies(scene.layout);
   while (const auto leaf = walk.next()) {
     const Bodies bodies = leaf_bodies.of(*leaf);
     for (std::size_t i = 0; i < bodies.count; ++i) {
-      if (question.tile->marks(swept_box<D>(bodies, i, horizon, margin)) & Tile::unneeded) continue;
+      if (marks_of(bodies, i) & Tile::unneeded) continue;
       scene.ids.push_back(leaf->keys[i]);
       scene.rows.insert(scene.rows.end(), bodies.row(i), bodies.row(i) + bodies.at.size);
     }
@@ -48,14 +86,13 @@ struct MarkedScene {
 
 template <int D>
 MarkedScene marked(const Scene& scene, const JoinQuestion& question, Interrupt& interrupt) {
-  const Horizon horizon{question.now, question.h};
-  const Vec<D> margin = sweep_margin<D>(question.within, question.within_z);
+  const Marker<D> marks_of(question);
   const Bodies bodies = scene.bodies();
   MarkedScene all;
   all.marks.resize(bodies.count);
   for (std::size_t i = 0; i < bodies.count; ++i) {
     if (i % objects_per_check == 0) interrupt.check();
-    const TileMarks marks = question.tile->marks(swept_box<D>(bodies, i, horizon, margin));
+    const TileMarks marks = marks_of(bodies, i);
     all.marks[i] = marks;
     all.needed += !(marks & Tile::unneeded);
     all.owns_all &= marks == Tile::owned;
