@@ -153,8 +153,8 @@ TEST(Tiles, CutWhereParabolasTurn) {
   Random random(8);
   expect_tilings_agree(question, 40, random);
   question.b = question.a;
-  for (std::size_t edge = 0; edge < 6; ++edge)
-    for (const double x : {edge - 1.0, edge - 1.5, edge + 0.5}) {
+  for (double edge = 0; edge < 6; ++edge)
+    for (const double x : {edge - 1, edge - 1.5, edge + 0.5}) {
       Tile left, right;
       left.x1 = right.x0 = x;
       EXPECT_EQ(rows_of_tiles(question, {left, right}, false, random), numbers_of(rows_of(question)));
