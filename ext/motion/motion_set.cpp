@@ -15,9 +15,20 @@ Vec<D> vector_of(const std::array<double, 3>& values) {
   return Eigen::Map<const Vec<D>>(values.data());
 }
 
+/// What underflow takes from what is not 0.
+constexpr double lost = 8 * std::numeric_limits<double>::denorm_min();
+
 template <int D>
 VectorSet<D> stored(const Vec<D>& vector) {
-  return {.centre = vector, .pad = vector.abs() * pad_of_stored};
+  const Vec<D> size = vector.abs();
+  return {.centre = vector, .pad = (size > 0).select(size * pad_of_stored + lost, Vec<D>::Zero())};
+}
+
+/// Of two numbers whose squares may vanish or overflow, up to some units in the last place.
+double length_of(double x, double y) {
+  const double largest = std::max(std::abs(x), std::abs(y));
+  if (largest == 0) return 0;
+  return largest * std::sqrt((x / largest) * (x / largest) + (y / largest) * (y / largest)) + lost;
 }
 
 /// `vector` turned by `middle`, give or take `half`, in degrees.
@@ -25,16 +36,16 @@ template <int D>
 VectorSet<D> turned(const Vec<D>& vector, double middle, double half) {
   VectorSet<D> set = stored<D>(vector);
   if constexpr (D > 1) {
-    const double length = std::sqrt(vector[0] * vector[0] + vector[1] * vector[1]);
+    const double length = length_of(vector[0], vector[1]);
     const SineCosine<double> at = quick_sine_cosine(middle);
     const SineCosine<double> wide =
         half == 0 ? SineCosine<double>{0, 1} : quick_sine_cosine(std::min(half, 180.0));
     set.centre[0] = vector[0] * at.cosine + vector[1] * at.sine;
     set.centre[1] = vector[1] * at.cosine - vector[0] * at.sine;
-    set.pad[0] = set.pad[1] = pad_of_turned * length;
+    set.pad[0] = set.pad[1] = length == 0 ? 0 : pad_of_turned * length + lost;
     set.turns = true;
     set.sine = wide.sine, set.cosine = wide.cosine, set.whole_circle = half >= 180;
-    set.radius = length * (1 + 0x1p-50);
+    set.radius = length * (1 + 0x1p-49);
   }
   return set;
 }
@@ -112,8 +123,7 @@ MotionSet<D> motions_between(const OwnMotion& base, const Change& change, double
     case Manoeuvre::climb: {
       Vec<D> up = Vec<D>::Zero();
       up[D - 1] = 1;
-      const VectorSet<D> climbing = added<D>(v, up, middle, half);
-      set.velocity = climbing;
+      set.velocity = added<D>(v, up, middle, half);
       break;
     }
     case Manoeuvre::accelerate:

@@ -9,6 +9,8 @@ namespace foresee::contact {
 
 /// Nothing is lost to underflow that is larger.
 inline constexpr double least_gap = 0x1p-960;
+/// The squares of shorter normals would vanish.
+inline constexpr double least_normal = 0x1p-400;
 
 /// c0 + c1 tau + c2 tau^2 > 0 throughout [begin, end]; false where doubles do not tell.
 inline bool surely_positive(double c0, double c1, double c2, double begin, double end) {
@@ -33,6 +35,7 @@ double least_of(const Vec<D>& n, const Vec<D>& other, const Vec<D>& error, const
 template <int D>
 bool plane_proves(const Encounter<D>& met, const MotionSet<D>& all, const Vec<D>& n, double begin,
                   double end) {
+  if (!(n.abs().maxCoeff() >= least_normal)) return false;
   const double reach = met.extents.most(n);
   const double c0 = least_of<D>(n, met.x, met.ex, all.place) - reach;
   const double c1 = least_of<D>(n, met.v, met.ev, all.velocity);

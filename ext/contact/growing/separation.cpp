@@ -4,9 +4,10 @@
 
 namespace foresee::contact {
 
+namespace {
+
 template <int D>
-Judgement judge(const Encounter<D>& met, const ChangedWays<D>& ways) {
-  const SeparationCase<D> question(met, ways);
+Judgement judged(const SeparationCase<D>& question, const ChangedWays<D>& ways) {
   if (question.never_together()) return Judgement::clear;
   if (!question.is_finite()) return Judgement::blocked;
   double tau = 0;
@@ -33,8 +34,18 @@ Judgement judge(const Encounter<D>& met, const ChangedWays<D>& ways) {
   return Judgement::open;
 }
 
-template Judgement judge<1>(const Encounter<1>&, const ChangedWays<1>&);
-template Judgement judge<2>(const Encounter<2>&, const ChangedWays<2>&);
-template Judgement judge<3>(const Encounter<3>&, const ChangedWays<3>&);
+}  // namespace
+
+template <int D>
+Judgement judge(const Encounter<D>& met, const ChangedWays<D>& ways, std::uint64_t& looks) {
+  const SeparationCase<D> question(met, ways);
+  const Judgement judgement = judged(question, ways);
+  looks += 1 + question.parts();
+  return judgement;
+}
+
+template Judgement judge<1>(const Encounter<1>&, const ChangedWays<1>&, std::uint64_t&);
+template Judgement judge<2>(const Encounter<2>&, const ChangedWays<2>&, std::uint64_t&);
+template Judgement judge<3>(const Encounter<3>&, const ChangedWays<3>&, std::uint64_t&);
 
 }  // namespace foresee::contact

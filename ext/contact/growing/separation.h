@@ -2,7 +2,7 @@
 // whether every change of the range touches, as far as doubles tell.
 //
 //   const ChangedWays<2> turns = changed_ways<2>(base, change, 10, 20);
-//   judge(met, turns) == Judgement::clear            // for every double of [10, 20]: a proof
+//   judge(met, turns, looks) == Judgement::clear     // for every double of [10, 20]: a proof
 //
 // The proof is a plane. Along its normal n the other is at n (x + v tau + a tau^2 / 2), and no changed motion
 // reaches farther than the most of the range's places, velocities and accelerations (motion_set.h): the
@@ -13,7 +13,8 @@
 // single motion, so what is apart is proven in the end.
 //
 // Between motions that are not bent, whoever changes speed, height or start touches for the changes of one
-// interval; so a range whose ends touch does. Cost: some 50 ns; bent paths some hundred.
+// interval; so a range whose ends touch does. Cost: some 50 ns; bent paths as much for each part of the time
+// that needs a plane of its own, 200 at most.
 #pragma once
 
 #include "contact/growing/changed_ways.h"
@@ -26,8 +27,9 @@ enum class Judgement : std::uint8_t {
   open      ///< neither
 };
 
-/// Requires: met.begin <= met.end.
+/// Requires: met.begin <= met.end. `looks` grows by what it has cost: one, and one for each part of a bent
+/// path.
 template <int D>
-Judgement judge(const Encounter<D>& met, const ChangedWays<D>& ways);
+Judgement judge(const Encounter<D>& met, const ChangedWays<D>& ways, std::uint64_t& looks);
 
 }  // namespace foresee::contact

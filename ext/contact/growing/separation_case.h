@@ -25,8 +25,13 @@ class SeparationCase {
 
   bool never_together() const { return begin_ > end_; }
   /// Doubles hold all that is to be computed.
-  bool is_finite() const { return std::isfinite(scale_at(end_)) && std::isfinite(width_at(end_)); }
+  bool is_finite() const {
+    const Vec<D> far = met_.x.abs() + end_ * (met_.v.abs() + end_ * met_.a.abs());
+    return std::isfinite(far.sum()) && std::isfinite(scale_at(end_)) && std::isfinite(width_at(end_));
+  }
   bool bends() const { return bends_; }
+  /// Of the time of bent paths, that were looked at so far.
+  std::uint64_t parts() const { return parts_; }
   double begin() const { return begin_; }
   double end() const { return end_; }
 
@@ -79,12 +84,12 @@ class SeparationCase {
  private:
   /// All are on one side at one moment and on the other at another.
   bool all_pass(double first, double last, double tau) const {
-    bool below = side_at(tau)<0, above = side_at(tau)> 0;
+    bool below = false, above = false;
     const auto look_at = [&](double at) {
       const int side = side_at(std::clamp(at, first, last));
       below = below || side < 0, above = above || side > 0;
     };
-    for (const double at : {first, last}) look_at(at);
+    for (const double at : {first, tau, last}) look_at(at);
     for (const RoughWay<D>* own : {&ways_.first, &ways_.middle, &ways_.last}) {
       const RoughWay<D> way = relative(met_, *own);
       if (way.a[0] != 0) look_at(-way.v[0] / way.a[0]);  // where it turns round
@@ -142,7 +147,7 @@ class SeparationCase {
     std::array<Part, 64> parts;
     std::size_t count = 0;
     parts[count++] = {begin_, end_};
-    for (int looks = 0; count > 0; ++looks) {
+    for (int looks = 0; count > 0; ++looks, ++parts_) {
       const Part part = parts[--count];
       const double middle = 0.5 * (part.begin + part.end), length = part.end - part.begin;
       const Vec<D> v = way.v + middle * way.a, x = place_at<D>(way, middle) - middle * v;
@@ -151,6 +156,7 @@ class SeparationCase {
       if (near.gap > 0 && plane_proves<D>(met_, ways_.all, near.normal, part.begin, part.end)) continue;
       Vec<D> ignored;
       if (!(depth_in<D>(met_.extents, place_at<D>(way, tau), ignored) > 0)) {
+        parts_ += moments_looked_at;
         tau = deepest_moment(way, tau);
         return Look::touches;
       }
@@ -193,8 +199,7 @@ class SeparationCase {
   const ChangedWays<D>& ways_;
   double begin_, end_;
   bool bends_;
+  mutable std::uint64_t parts_ = 0;
 };
-
-/// Does the distance of the centres never shrink, on paths that are not bent? Its slope grows with time, so
 
 }  // namespace foresee::contact

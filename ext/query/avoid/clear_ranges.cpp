@@ -54,11 +54,12 @@ void ClearRanges<D>::search(double from, double to, std::size_t begin, std::size
   const ChangedWays<D> ways = changed_ways<D>(base_, change_, from, to);
   const std::size_t first_open = open_.size();
   for (std::size_t i = begin; i < end; ++i) {
-    step_.costly(16);
-    if (begin > 0) ++looks_;
     const MetIntruder<D>& intruder = intruders_[open_[i]];
+    std::uint64_t looks = 0;
     const Judgement judgement =
-        intruder.touches_first ? judge_parting<D>(intruder.met, ways) : judge<D>(intruder.met, ways);
+        intruder.touches_first ? judge_parting<D>(intruder.met, ways) : judge<D>(intruder.met, ways, looks);
+    step_.costly(static_cast<std::uint32_t>(16 * (1 + looks)));
+    if (begin > 0) looks_ += looks;
     const bool given_up = judgement == Judgement::open && to - from <= narrowest_for(intruder);
     if (judgement == Judgement::open && !given_up) open_.push_back(open_[i]);
     if (judgement != Judgement::blocked && !given_up) continue;

@@ -10,8 +10,8 @@
 // halves, and one that touches anybody is left alone, so that each intruder is looked at only where it
 // matters: near the ends that it makes. A range too narrow to halve (2^-40 of all, or what rounding hides) is
 // not clear. Where more is in doubt than usual, as along a path that grazes, narrow ranges are given up
-// earlier: 10^-6 of all at first. Cost: one certificate an intruder, some 100 for each end. Memory: four
-// bytes for each intruder on the way down.
+// earlier: 2^-22 of all after a million looks, 2^-12 after four. Cost: one certificate an intruder, some 100
+// for each end. Memory: four bytes for each intruder on the way down.
 #pragma once
 
 #include <vector>

@@ -129,9 +129,9 @@ std::vector<AskedChanges> asked_changes(const AvoidQuestion& question, const Own
       break;
     case Manoeuvre::delay:
       if (stored.t < question.now) break;
-      if (*question.lo < question.now - stored.t)
-        throw Error("lo must not be less than now - t = " + shown(question.now - stored.t) +
-                    ": nothing begins before now; lo is " + shown(*question.lo));
+      if (*question.lo < 0)
+        throw Error("'delay' makes an object start later: lo must not be less than 0; lo is " +
+                    shown(*question.lo));
       add(Manoeuvre::delay, 0, 0);
       break;
   }

@@ -11,6 +11,11 @@
 namespace foresee::contact {
 namespace {
 
+Judgement judged(const Encounter<2>& met, const ChangedWays<2>& ways) {
+  std::uint64_t looks = 0;
+  return judge<2>(met, ways, looks);
+}
+
 using testing::Random;
 
 TEST(StraightApproach, FindsTheNearestMomentAndAPlane) {
@@ -47,7 +52,7 @@ struct Meeting {
     met = {{0, 1000}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {{0, 0}, 20, 2}, 0, 200};
   }
   Judgement turn(double p, double q) const {
-    return judge<2>(met, changed_ways<2>(base, {Manoeuvre::turn, 10}, p, q));
+    return judged(met, changed_ways<2>(base, {Manoeuvre::turn, 10}, p, q));
   }
 };
 
@@ -65,8 +70,8 @@ TEST(Separation, TellsClearBlockedAndOpenApart) {
 TEST(Separation, ProvesAWholeRangeBesideOneThatTouches) {
   const Meeting stone;
   const auto speeds = changed_ways<2>(stone.base, {Manoeuvre::speed, 10}, -10, -5.1000001);
-  EXPECT_EQ(judge<2>(stone.met, speeds), Judgement::clear);  // 980 in 200 s
-  EXPECT_EQ(judge<2>(stone.met, changed_ways<2>(stone.base, {Manoeuvre::speed, 10}, -5, 10)),
+  EXPECT_EQ(judged(stone.met, speeds), Judgement::clear);  // 980 in 200 s
+  EXPECT_EQ(judged(stone.met, changed_ways<2>(stone.base, {Manoeuvre::speed, 10}, -5, 10)),
             Judgement::blocked);
 }
 

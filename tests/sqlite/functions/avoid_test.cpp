@@ -145,7 +145,7 @@ TEST_F(AvoidInSql, SaysWhatToWrite) {
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'delay', 0, 1)"),
             name + ": 'delay' needs now: the newest t stored, which is its default, may be a start to come");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'delay', -1, 1, 0)"),
-            name + ": lo must not be less than now - t = 0: nothing begins before now; lo is -1");
+            name + ": 'delay' makes an object start later: lo must not be less than 0; lo is -1");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, NULL, NULL, NULL, NULL, NULL, NULL, 'push')"),
             name + ": touching must be 'part' or 'ignore', not 'push'");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, NULL, NULL, NULL, NULL, NULL, 5)"),
@@ -169,6 +169,35 @@ TEST_F(AvoidInSql, RefusesWhatATableCannotHold) {
       name +
           "predictive_avoid answers for points, discs, balls, boxes and cylinders, not yet for hulls, which "
           "declares shape: ask about a table with r, or hx and hy, around each");
+}
+
+TEST_F(AvoidInSql, ClearsNothingWhereSpeedsHaveNoSquares) {
+  db.exec(
+      "CREATE VIRTUAL TABLE snails USING moving_objects(id, t, x, y, vx, vy);"
+      "INSERT INTO snails VALUES (1, 0, 0, 0, 1e-180, 0), (2, 0, 1e-179, 0, 0, 0)");
+  EXPECT_EQ(db.rows("SELECT a, b FROM predictive_join(100, 'snails')"), "1|2");
+  EXPECT_EQ(db.rows("SELECT clear FROM predictive_avoid(100, 'snails', 1, 0, 'turn', 0, 0)"), "0");
+  EXPECT_EQ(db.rows("SELECT clear, k_from, k_to FROM predictive_avoid(100, 'snails', 1, 0, 'turn', -1, 1)"),
+            "0|-1.0|1.0");
+}
+
+TEST_F(AvoidInSql, EndsSoonWherePathsGrazeOrOverflow) {
+  db.exec(
+      "CREATE VIRTUAL TABLE boxes USING moving_objects(id, t, until, x, y, vx, vy, ax, ay, hx, hy);"
+      "INSERT INTO boxes VALUES (1, 100, 140, 175, -25, 6.25, 5, -.25, -.125, 3.75, 0),"
+      "  (2, 107, 140, 175, 175, 2.5, -2.5, 0, -.4375, 0, 0),"
+      "  (3, 100, NULL, 100, -125, 2.5, 10, 0, .1875, 3.75, 13.125),"
+      "  (4, 79.7, 110.73250394298645, -150, -25, -7.5, 8.75, .4375, -.4375, 1.875, 1.875),"
+      "  (5, 107, 140, 200, 175, -6.25, 6.25, .1875, .1875, 7.5, 7.5),"
+      "  (6, 79.7, 140, 125, 0, 2.5, -1.25, -.1875, 0, 1.875, 7.5);"
+      "CREATE VIRTUAL TABLE far USING moving_objects(id, t, x, y, vx, vy, ax, ay, r);"
+      "INSERT INTO far VALUES (4, 0, 0, 1000, 10, 0, 0, 0, 1),"
+      "  (3, 0, 1e300, 1e300, 1e300, -1e300, 1e300, 0, 1)");
+  EXPECT_EQ(db.rows("SELECT clear, round(k_from, 6), round(k_to, 6) FROM "
+                    "predictive_avoid(33.3, 'boxes', 1, 0, 'accelerate', -0.2, 1, 103) WHERE k_from > -0.15"),
+            "0|-0.143258|-0.118555\n1|-0.118555|1.0");
+  EXPECT_EQ(db.rows("SELECT clear, k_from, k_to FROM predictive_avoid(100, 'far', 4, 0, 'turn', -1, 1)"),
+            "0|-1.0|0.0\n1|0.0|0.0\n0|0.0|1.0");
 }
 
 }  // namespace
