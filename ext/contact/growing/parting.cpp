@@ -1,5 +1,9 @@
 #include "contact/growing/parting.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "contact/growing/separation_case.h"
 
 namespace foresee::contact {
@@ -23,16 +27,18 @@ Judgement judge_straight_parting(const Encounter<D>& met, const ChangedWays<D>& 
   // What is 0 has no error: side by side at the same speed, nothing shrinks.
   double error = 0;
   for (int axis = 0; axis < D; ++axis)
-    error += met.ex[axis] * v[axis] + std::abs(met.x[axis]) * met.ev[axis] +
+    error += met.ex[axis] * (v[axis] + met.ev[axis]) + std::abs(met.x[axis]) * met.ev[axis] +
              8 * unit_roundoff * std::abs(met.x[axis]) * v[axis];
+  error *= 1 + 0x1p-48;
   const double least = along - most;
   if (least - error >= 0) return Judgement::clear;
   const double greatest = along + own.most(-met.x), slack = touching_share * (met.x.abs() * v).sum();
   return greatest <= slack ? Judgement::blocked : Judgement::open;
 }
 
-/// The least value of x y, each within its ends.
+/// The least value of x y, each within its ends; nothing is known of it where doubles do not hold a product.
 double least_product(double x0, double x1, double y0, double y1) {
+  if (!std::isfinite(x0 * y0 + x0 * y1 + x1 * y0 + x1 * y1)) return -std::numeric_limits<double>::infinity();
   const double least = std::min({x0 * y0, x0 * y1, x1 * y0, x1 * y1});
   return least - 4 * unit_roundoff * std::abs(least);
 }

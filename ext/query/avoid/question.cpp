@@ -101,8 +101,8 @@ void require_valid(const AvoidQuestion& question) {
   require_join(question, question.others);
   if (question.also) require_join(question, *question.also);
   if (!question.own->layout.has_t && question.now != 0)
-    throw Error("now must be 0 in a table without t: a change from " + shown(question.now) +
-                " on cannot be stored in " + question.own->name + "; declare t");
+    throw Error("now must be 0 in a table without t: write now = 0, or declare t in " + question.own->name +
+                "; a change from " + shown(question.now) + " on cannot be stored there");
 }
 
 std::vector<AskedChanges> asked_changes(const AvoidQuestion& question, const OwnMotion& stored,

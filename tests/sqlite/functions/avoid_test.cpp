@@ -159,9 +159,10 @@ TEST_F(AvoidInSql, RefusesWhatATableCannotHold) {
   const std::string name = "predictive_avoid: ";
   EXPECT_EQ(error("predictive_avoid(60, 'trains', 1, 0, 'turn')"),
             name + "a turn needs x and y: trains has one axis; ask 'speed'");
-  EXPECT_EQ(
-      error("predictive_avoid(60, 'trains', 1, 0, NULL, NULL, NULL, 5)"),
-      name + "now must be 0 in a table without t: a change from 5 on cannot be stored in trains; declare t");
+  EXPECT_EQ(error("predictive_avoid(60, 'trains', 1, 0, NULL, NULL, NULL, 5)"),
+            name +
+                "now must be 0 in a table without t: write now = 0, or declare t in trains; a change from 5 "
+                "on cannot be stored there");
   EXPECT_EQ(error("predictive_avoid(60, 'trains', 1, 0, 'delay', 0, 1, 0)"),
             name + "'delay' changes t: declare t in trains");
   EXPECT_EQ(
