@@ -83,6 +83,8 @@ inline std::vector<double> extreme_record(const Layout& layout, double now, Extr
   }
   if (at.r != Offsets::absent) place(at.r) = std::abs(numbers.length());
   if (at.hz != Offsets::absent) place(at.hz) = std::abs(numbers.length());
+  if (at.growth != Offsets::absent) place(at.growth) = std::abs(numbers.speed());
+  if (at.growth_z != Offsets::absent) place(at.growth_z) = std::abs(numbers.speed());
   if (at.until != Offsets::absent)
     place(at.until) = numbers.one_in(2) ? std::numeric_limits<double>::infinity()
                                         : ExtremeNumbers::in_range(t + std::abs(numbers.time()));

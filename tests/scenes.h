@@ -70,10 +70,36 @@ inline std::string name_of(const Layout& layout) {
   const char* shapes[] = {"point", "box", "ball", "cylinder"};
   return std::to_string(layout.axes) + " axes, " + laws[static_cast<int>(layout.law)] + ", " +
          shapes[static_cast<int>(layout.shape)] + (layout.has_t ? ", t" : "") +
-         (layout.has_until ? ", until" : "");
+         (layout.has_until ? ", until" : "") + (layout.has_growth ? ", growth" : "") +
+         (layout.has_growth_z ? ", growth_z" : "") + (layout.starts_as_point ? ", a point at first" : "");
 }
 
-/// Every axes x law x shape x (t or not) x (until or not) that can be declared.
+/// What grows: every axes x shape x law, t and until declared by turns.
+inline std::vector<Layout> growing_layouts() {
+  std::vector<Layout> layouts;
+  const auto add = [&layouts](Layout layout) {
+    for (const Law law : {Law::rest, Law::uniform, Law::accelerated, Law::forced}) {
+      const std::size_t turn = layouts.size() + layouts.size() / 4;
+      layout.law = law, layout.has_t = (turn & 1) != 0, layout.has_until = (turn & 2) != 0;
+      layouts.push_back(layout);
+    }
+  };
+  for (int axes = 1; axes <= 3; ++axes) {
+    add({.axes = axes, .shape = Shape::ball, .has_growth = true, .starts_as_point = true});
+    add({.axes = axes, .shape = Shape::box, .has_growth = true});
+    if (axes > 1) add({.axes = axes, .shape = Shape::ball, .has_growth = true});
+  }
+  add({.axes = 3, .shape = Shape::box, .has_growth_z = true});
+  add({.axes = 3, .shape = Shape::cylinder, .has_growth = true});
+  add({.axes = 3,
+       .shape = Shape::cylinder,
+       .has_growth = true,
+       .has_growth_z = true,
+       .starts_as_point = true});
+  return layouts;
+}
+
+/// Every axes x law x shape x (t or not) x (until or not) that can be declared, and some of what grows.
 inline std::vector<Layout> all_layouts() {
   std::vector<Layout> layouts;
   for (int axes = 1; axes <= 3; ++axes)
@@ -82,6 +108,8 @@ inline std::vector<Layout> all_layouts() {
         for (int times = 0; times < 4; ++times)
           if (shape != Shape::cylinder || axes == 3)
             layouts.push_back({axes, law, shape, (times & 1) != 0, (times & 2) != 0});
+  const std::vector<Layout> growing = growing_layouts();
+  layouts.insert(layouts.end(), growing.begin(), growing.end());
   return layouts;
 }
 
@@ -216,6 +244,8 @@ class SceneMaker {
       for (int axis = 0; axis < spec_.layout.axes; ++axis) record[at_.half + axis] = extent();
     if (at_.r != Offsets::absent) record[at_.r] = extent();
     if (at_.hz != Offsets::absent) record[at_.hz] = extent();
+    for (const int place : {at_.growth, at_.growth_z})
+      if (place != Offsets::absent) record[place] = extent() / 4;
   }
 
   bool on_lattice() const {

@@ -9,12 +9,13 @@
 namespace foresee::contact {
 namespace {
 
-/// A ball-shaped table whose radii are all 0 holds points: where nothing is round and nothing is within a
-/// distance, the cheaper distance per axis gives the same answers.
+/// A ball-shaped table whose radii are all 0 and stay so holds points: where nothing is round and nothing is
+/// within a distance, the cheaper distance per axis gives the same answers.
 bool is_ball_of_size(const Bodies& bodies) {
   if (bodies.layout.shape != Shape::ball) return false;
   for (std::size_t i = 0; i < bodies.count; ++i)
-    if (bodies.row(i)[bodies.at.r] > 0) return true;
+    if (value_or(bodies.row(i), bodies.at.r, 0) > 0 || value_or(bodies.row(i), bodies.at.growth, 0) > 0)
+      return true;
   return false;
 }
 
@@ -127,7 +128,9 @@ std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const Co
   const Setup setup{a, b, question.horizon, within, within};
   const bool round = is_ball_of_size(a) || is_ball_of_size(b) || within > 0;
   // Per axis: boxes among themselves, anything in one dimension, and where nothing is round.
-  if ((box_a && box_b) || a.layout.axes == 1 || !round) return make_box_contact(setup, degree);
+  if ((box_a && box_b) || a.layout.axes == 1 || !round)
+    return grows(a.layout) || grows(b.layout) ? make_set_contact(setup, box_box_set(setup), degree)
+                                              : make_box_contact(setup, degree);
   return make_set_contact(setup, box ? box_ball_set(setup) : ball_ball_set(setup), degree);
 }
 

@@ -1,4 +1,4 @@
-// An interval, a disc or a ball, by the number of axes: a radius r.
+// An interval, a disc or a ball, by the number of axes: a radius r, or none at first where it grows.
 #pragma once
 
 #include "motion/box.h"
@@ -15,11 +15,11 @@ struct BallShape {
 
   template <int D>
   static Extents<D> extents(const double* numbers, const Offsets& at) {
-    return symmetric<D>(Vec<D>::Constant(numbers[at.r]));
+    return symmetric<D>(Vec<D>::Constant(value_or(numbers, at.r, 0)));
   }
   template <int D>
   static Extents<D> core(const double* numbers, const Offsets& at) {
-    return symmetric<D>(Vec<D>::Constant(numbers[at.r] * inscribed[D]));
+    return symmetric<D>(Vec<D>::Constant(value_or(numbers, at.r, 0) * inscribed[D]));
   }
 };
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "base/simd.h"
-#include "shape/shapes.h"
+#include "shape/swept_boxes.h"
 
 namespace foresee::shape {
 namespace {
@@ -31,14 +31,20 @@ struct Rows {
   }
 };
 
-/// How far each body reaches below and above its position.
+/// How far each body reaches below and above its position, when it is largest.
 template <int D>
-void copy_extents(const Bodies& bodies, std::size_t first, std::size_t count, BeamLanes<D>& lanes) {
+void copy_extents(const Bodies& bodies, std::size_t first, std::size_t count, const Horizon& horizon,
+                  BeamLanes<D>& lanes) {
+  const auto copy = [&lanes](std::size_t l, const Extents<D>& extents) {
+    for (int k = 0; k < D; ++k) lanes.below[k][l] = -extents.lower[k], lanes.above[k][l] = extents.upper[k];
+  };
+  if (grows(bodies.layout)) {
+    for (std::size_t l = 0; l < count; ++l) copy(l, largest_extents<D>(bodies, first + l, horizon));
+    return;
+  }
   with_shape(bodies.layout.shape, [&](auto shape) {
-    for (std::size_t l = 0; l < count; ++l) {
-      const Extents<D> extents = shape.template extents<D>(bodies.row(first + l), bodies.at);
-      for (int k = 0; k < D; ++k) lanes.below[k][l] = -extents.lower[k], lanes.above[k][l] = extents.upper[k];
-    }
+    for (std::size_t l = 0; l < count; ++l)
+      copy(l, shape.template extents<D>(bodies.row(first + l), bodies.at));
   });
 }
 
@@ -66,7 +72,7 @@ void beams(const Bodies& bodies, std::size_t first, std::size_t count, const Hor
     rows.copy(at.v == Offsets::absent ? at.v : at.v + k, out.v[k], 0);
     if (at.a != Offsets::absent) rows.copy(at.a + k, out.a[k]);
   }
-  copy_extents(bodies, first, count, out);
+  copy_extents(bodies, first, count, horizon, out);
   find_all_lives(rows, at, horizon, out);
   double grow[D];
   std::copy_n(margin.data(), D, grow);

@@ -1,4 +1,5 @@
-// An upright cylinder, of three axes only: a radius r in x and y, a half height hz.
+// An upright cylinder, of three axes only: a radius r in x and y, a half height hz, or neither at first where
+// it grows.
 #pragma once
 
 #include "shape/ball.h"
@@ -11,11 +12,11 @@ struct CylinderShape {
 
   template <int D>
   static Extents<D> extents(const double* numbers, const Offsets& at) {
-    return upright<D>(numbers[at.r], numbers[at.hz]);
+    return upright<D>(value_or(numbers, at.r, 0), value_or(numbers, at.hz, 0));
   }
   template <int D>
   static Extents<D> core(const double* numbers, const Offsets& at) {
-    return upright<D>(numbers[at.r] * inscribed[2], numbers[at.hz]);
+    return upright<D>(value_or(numbers, at.r, 0) * inscribed[2], value_or(numbers, at.hz, 0));
   }
 
  private:

@@ -24,9 +24,8 @@ Offsets offsets_of(const Layout& layout, bool stored) {
   } else if (layout.law == Law::accelerated || layout.law == Law::forced) {
     at.a = take(layout.axes);
   }
-  with_shape(layout.shape, [&](auto shape) {
-    for (const SizeColumn& column : shape.sizes)
-      if (has_column(layout, column)) at.*column.place = take(column.on_all_axes ? layout.axes : 1);
+  for_each_size(layout, [&](const SizeColumn& column) {
+    at.*column.place = take(column.on_all_axes ? layout.axes : 1);
   });
   if (is_stored_apart(layout.shape)) {
     at.outline = take(1);

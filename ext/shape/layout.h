@@ -39,30 +39,45 @@ struct Layout {
   Shape shape = Shape::point;
   bool has_t = false;
   bool has_until = false;
-  bool has_radius = false;   ///< of an outline or a mesh: each grows by an r
-  bool has_heading = false;  ///< of an outline or a mesh: each is turned
+  bool has_radius = false;       ///< of an outline or a mesh: each grows by an r
+  bool has_heading = false;      ///< of an outline or a mesh: each is turned
+  bool has_growth = false;       ///< from t on it grows: a box on every axis, what is upright in x and y
+  bool has_growth_z = false;     ///< along z it grows at a rate of its own
+  bool starts_as_point = false;  ///< a ball or cylinder that has no size but what growth gives it
 
   friend bool operator==(const Layout&, const Layout&) = default;
 };
+
+/// Whether objects become larger with time.
+constexpr bool grows(const Layout& layout) {
+  return layout.has_growth || layout.has_growth_z;
+}
+
+/// Whether bounds of objects move.
+constexpr bool bounds_move(const Layout& layout) {
+  return layout.law != Law::rest || grows(layout);
+}
 
 /// Where each quantity starts among an object's doubles; vectors take `axes` places, forces and masses sit
 /// side by side.
 struct Offsets {
   static constexpr int absent = -1;
-  int t = absent;        ///< reference time
-  int x = absent;        ///< centre at the reference time
-  int v = absent;        ///< velocity at the reference time
-  int a = absent;        ///< acceleration
-  int force = absent;    ///< only in records
-  int mass = absent;     ///< only in records
-  int half = absent;     ///< half extents of a box
-  int r = absent;        ///< radius of a ball or cylinder
-  int hz = absent;       ///< half height of a cylinder or prism
-  int outline = absent;  ///< number of the outline or mesh (storage/table/forms.h); 0: none
-  int heading = absent;  ///< by which it is turned, in degrees clockwise
-  int bounds = absent;   ///< of the turned outline around the centre: lower x, y, upper x, y; a mesh: x, y, z
-  int until = absent;    ///< last moment of the motion, +infinity for ever
-  int size = 0;          ///< doubles per object
+  int t = absent;         ///< reference time
+  int x = absent;         ///< centre at the reference time
+  int v = absent;         ///< velocity at the reference time
+  int a = absent;         ///< acceleration
+  int force = absent;     ///< only in records
+  int mass = absent;      ///< only in records
+  int half = absent;      ///< half extents of a box
+  int r = absent;         ///< radius of a ball or cylinder
+  int hz = absent;        ///< half height of a cylinder or prism
+  int growth = absent;    ///< by how much the shape grows in a unit of time
+  int growth_z = absent;  ///< along z, apart from the rest
+  int outline = absent;   ///< number of the outline or mesh (storage/table/forms.h); 0: none
+  int heading = absent;   ///< by which it is turned, in degrees clockwise
+  int bounds = absent;  ///< of the turned outline around the centre: lower x, y, upper x, y; a mesh: x, y, z
+  int until = absent;   ///< last moment of the motion, +infinity for ever
+  int size = 0;         ///< doubles per object
 
   friend bool operator==(const Offsets&, const Offsets&) = default;
 };
@@ -72,7 +87,7 @@ inline double value_or(const double* row, int place, double otherwise) {
 }
 
 /// The order of the doubles as they are stored: t, x…, v…, a… or force… and mass, the sizes of the shape,
-/// outline, heading and bounds, until.
+/// growth, growth_z, outline, heading and bounds, until.
 Offsets record_offsets(const Layout& layout);
 
 /// The order of the doubles that queries read: the same, with the acceleration in place of force and mass.

@@ -16,11 +16,13 @@ struct SizeColumn {
 constexpr SizeColumn half_extent_columns{"h", true, &Offsets::half, "a half extent is negative"};
 constexpr SizeColumn half_height_column{"hz", false, &Offsets::hz, "a half extent is negative"};
 constexpr SizeColumn radius_column{"r", false, &Offsets::r, "a radius is negative"};
+constexpr SizeColumn growth_column{"growth", false, &Offsets::growth, "a growth is negative"};
+constexpr SizeColumn growth_z_column{"growth_z", false, &Offsets::growth_z, "a growth is negative"};
 
 /// Of the columns of a layout's shape: whether it is there. Each is, but for outlines and meshes, which say
-/// with the number of axes and apart which of them they have.
+/// with the number of axes and apart which of them they have, and for what starts as a point.
 constexpr bool has_column(const Layout& layout, const SizeColumn& column) {
-  if (!is_stored_apart(layout.shape)) return true;
+  if (!is_stored_apart(layout.shape)) return !layout.starts_as_point;
   return column.place == &Offsets::r ? layout.has_radius : layout.axes == 3;
 }
 

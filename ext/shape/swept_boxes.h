@@ -2,6 +2,7 @@
 // motion/swept_box.h, asked about rows.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
 #include "base/error.h"
@@ -11,16 +12,31 @@
 
 namespace foresee::shape {
 
-/// The box around object i, seen from its position.
+/// The box around object i as of t, seen from its position.
 template <int D>
 Extents<D> extents_of(const Bodies& bodies, std::size_t i) {
   return extents_of<D>(bodies.layout.shape, bodies.row(i), bodies.at);
 }
 
+/// The same at the last moment of the horizon at which the object exists, when it is largest: rounded
+/// outward.
+template <int D>
+Extents<D> largest_extents(const Bodies& bodies, std::size_t i, const Horizon& horizon) {
+  const Extents<D> extents = extents_of<D>(bodies, i);
+  if (!grows(bodies.layout)) return extents;
+  const double* const row = bodies.row(i);
+  const double until = value_or(row, bodies.at.until, std::numeric_limits<double>::infinity());
+  const Life life = life_of(value_or(row, bodies.at.t, 0), until, horizon);
+  const double age = std::max(0.0, life.end) + life.reach * 0x1p-51;
+  const Vec<D> growth = growth_of<D>(bodies.layout.shape, row, bodies.at);
+  return grown<D>(extents, growth * (age * (1 + 0x1p-50)) + 0x1p-1000);
+}
+
 /// The swept box of object i, grown by `margin` (>= 0) on both sides of every axis.
 template <int D>
 Box<D> swept_box(const Bodies& bodies, std::size_t i, const Horizon& horizon, const Vec<D>& margin) {
-  return swept_box<D>(motion_of<D>(bodies, i), horizon, grown(extents_of<D>(bodies, i), margin));
+  return swept_box<D>(motion_of<D>(bodies, i), horizon,
+                      grown(largest_extents<D>(bodies, i, horizon), margin));
 }
 
 /// A box that lies within the shape of object i at the moment `now`: what is in it touches the object. Empty

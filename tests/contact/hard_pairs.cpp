@@ -30,6 +30,22 @@ const Family families[] = {
     {.name = "lives, reference times", .places = 4, .ulps = 2, .now = 0.1, .ages = 3, .lives = true},
 };
 
+const Family growing[] = {
+    {.name = "grows", .growths = 1},
+    {.name = "grows, crowded", .places = 4, .sizes = 1, .ages = 4, .growths = 0.5},
+    {.name = "grows, grazes and ties", .turns = 1, .sizes = 2, .whole = true, .growths = 2},
+    {.name = "grows, almost grazes", .whole = true, .ulps = 3, .ages = 4, .growths = 1},
+    {.name = "grows, without size", .speeds = 2, .sizes = 0, .whole = true, .growths = 2},
+    {.name = "grows, far from the origin", .whole = true, .ulps = 1, .offset = 1e15, .growths = 2},
+    {.name = "grows, unix times", .sizes = 1e-2, .now = 1.7e9, .ages = 600, .horizon = 600, .growths = 1e-2},
+    {.name = "grows, mixed scales", .spread = 30, .growths = 1},
+    {.name = "grows, lives", .places = 4, .whole = true, .horizon = 6, .lives = true, .growths = 1},
+    {.name = "grows, denormal", .whole = true, .ulps = 2, .scale = -1060, .growths = 1},
+    {.name = "grows, products underflow", .whole = true, .ulps = 1, .scale = -540, .growths = 1},
+    {.name = "grows, products overflow", .whole = true, .ulps = 1, .scale = 700, .growths = 1},
+    {.name = "grows, many scales", .spread = 200, .growths = 1},
+};
+
 const Family extremes[] = {
     {.name = "denormal", .whole = true, .ulps = 2, .scale = -1060},
     {.name = "products underflow", .whole = true, .ulps = 1, .scale = -540},
@@ -44,7 +60,7 @@ const Family hostile[] = {
 
 void describe(std::ostream& out, const Object& o) {
   out << "  t " << o.t << " until " << o.until << " law " << static_cast<int>(o.layout.law) << " r " << o.r
-      << " hz " << o.hz;
+      << " hz " << o.hz << " growth " << o.growth << " growth_z " << o.growth_z;
   for (int j = 0; j < o.layout.axes; ++j)
     out << "\n    " << o.x[j] << ", " << o.v[j] << ", " << o.a[j] << ", half " << o.half[j];
   out << "\n";
@@ -55,6 +71,9 @@ void describe(std::ostream& out, const Object& o) {
 std::span<const Family> ordinary_families() {
   return families;
 }
+std::span<const Family> growing_families() {
+  return growing;
+}
 std::span<const Family> extreme_families() {
   return extremes;
 }
@@ -64,23 +83,44 @@ std::span<const Family> hostile_families() {
 }
 
 oracle::Rule rule_of(const Object& a, const Object& b, const ContactQuestion& question) {
-  auto both = [&](auto of) { return oracle::Exact(of(a)) + oracle::Exact(of(b)); };
+  const auto is_box = [](const Object& o) { return o.layout.shape == Shape::box; };
+  const auto is_round = [](const Object& o) { return o.layout.shape != Shape::box; };
+  // Of those of some kind: sizes at their t, and growth from then on.
+  auto both = [&](auto of_kind, auto size, int axis) {
+    oracle::Coefficients sum(2);
+    for (const Object* o : {&a, &b}) {
+      if (!of_kind(*o)) continue;
+      const bool box = is_box(*o), apart = axis == 2 && (o->layout.has_growth_z || !box);
+      const bool grows = apart ? o->layout.has_growth_z : o->layout.has_growth;
+      const oracle::Exact rate(!grows ? 0 : apart ? o->growth_z : o->growth);
+      sum[0] += oracle::Exact(size(*o)) + (oracle::Exact(question.horizon.now) - oracle::Exact(o->t)) * rate;
+      sum[1] += rate;
+    }
+    return sum;
+  };
+  auto plus = [](oracle::Coefficients p, const oracle::Coefficients& more) {
+    for (std::size_t k = 0; k < more.size(); ++k) p[k] += more[k];
+    return p;
+  };
   auto is = [&](Shape shape) { return a.layout.shape == shape || b.layout.shape == shape; };
   const bool boxes = a.layout.shape == Shape::box && b.layout.shape == Shape::box;
   const bool upright = is(Shape::cylinder) || question.within_z.has_value();
   oracle::Rule rule;
-  rule.radius =
-      boxes ? 0 : oracle::Exact(question.within) + both([](const Object& o) {
-                    return o.layout.shape == Shape::ball || o.layout.shape == Shape::cylinder ? o.r : 0;
-                  });
+  if (!boxes)
+    rule.radius =
+        plus(both(
+                 is_round, [](const Object& o) { return o.layout.shape == Shape::point ? 0 : o.r; }, 0),
+             {question.within});
   for (int j = 0; j < a.layout.axes; ++j) {
     rule.axes.push_back(oracle::relative_axis(a, b, j, question.horizon.now));
-    rule.half.push_back(both([j](const Object& o) { return o.layout.shape == Shape::box ? o.half[j] : 0; }));
+    rule.half.push_back(both(
+        is_box, [j](const Object& o) { return o.half[j]; }, j));
     if (boxes) {
-      rule.half.back() += question.within;
+      rule.half.back()[0] += question.within;
     } else if (upright && j == 2) {
-      rule.half.back() += question.within_z.value_or(0);
-      rule.half.back() += both([](const Object& o) { return o.layout.shape == Shape::cylinder ? o.hz : 0; });
+      rule.half.back()[0] += question.within_z.value_or(0);
+      const auto height = [](const Object& o) { return o.layout.shape == Shape::cylinder ? o.hz : 0; };
+      rule.half.back() = plus(rule.half.back(), both(is_round, height, j));
     } else {
       rule.round.push_back(j);
     }
@@ -99,6 +139,7 @@ Case make_case(Generator& generate, const Family& family, Shapes shapes, int axe
   if (family.same_motion)
     for (int j = 0; j < axes; ++j) c.b.v[j] = c.a.v[j], c.b.a[j] = c.a.a[j], c.b.layout = c.a.layout;
   c.b.layout.shape = shapes == Shapes::cylinders && generate.chance(4) ? Shape::point : shape_b;
+  if (c.b.layout.shape == Shape::point) c.b.layout.has_growth = c.b.layout.has_growth_z = false;
   if (generate.chance(2)) std::swap(c.a, c.b);
   c.question.horizon = generate.horizon();
   if (generate.chance(2)) generate.aim(c.a, c.b, c.question.horizon);

@@ -24,9 +24,13 @@ struct Family {
   int spread = 0;  ///< each number times its own power of two within +-spread
   bool same_motion = false;
   bool lives = false;  ///< until, and beginnings within the horizon
+  double growths = 0;  ///< range of how fast shapes grow
 };
 
 std::span<const Family> ordinary_families();
+
+/// Families of shapes that grow.
+std::span<const Family> growing_families();
 
 /// Families in which products leave the range of doubles.
 std::span<const Family> extreme_families();
@@ -74,6 +78,7 @@ class Generator {
     if (family_.ages > 0) o.t -= std::abs(number(family_.ages));
     if (family_.lives && chance(2)) o.t = family_.now + number(family_.horizon);
     if (family_.lives && chance(2)) o.until = o.t + std::abs(number(family_.horizon));
+    if (family_.growths > 0 && shape != Shape::point && !chance(4)) grow(o);
     return o;
   }
 
@@ -100,6 +105,16 @@ class Generator {
   }
 
  private:
+  void grow(Object& o) {
+    Layout& layout = o.layout;
+    const bool along_z = layout.shape == Shape::cylinder || (layout.shape == Shape::box && layout.axes == 3);
+    layout.has_growth_z = along_z && chance(2);
+    layout.has_growth = !layout.has_growth_z || chance(2);
+    o.growth = std::abs(length(family_.growths)), o.growth_z = std::abs(length(family_.growths));
+    layout.starts_as_point = layout.shape != Shape::box && layout.has_growth && chance(4);
+    if (layout.starts_as_point) o.r = o.hz = 0;
+  }
+
   Family family_;
   std::mt19937_64 random_;
 };

@@ -49,27 +49,17 @@ void expect_same(const Said& right, const Said& other, double time, double lengt
 }
 
 /// Every pair of shapes, on every number of axes that it has.
-struct Scenery {
-  Shapes shapes;
-  int axes;
-};
-const Scenery sceneries[] = {
-    {Shapes::boxes, 1},
-    {Shapes::boxes, 2},
-    {Shapes::boxes, 3},
-    {Shapes::balls, 1},
-    {Shapes::balls, 2},
-    {Shapes::balls, 3},
-    {Shapes::box_and_ball, 1},
-    {Shapes::box_and_ball, 2},
-    {Shapes::box_and_ball, 3},
-    {Shapes::cylinders, 3},
-    {Shapes::cylinder_and_box, 3},
-    {Shapes::points_within, 2},
-    {Shapes::points_within, 3},
-    {Shapes::box_and_point_within, 2},
-    {Shapes::box_and_point_within, 3},
-};
+using Scenery = std::pair<Shapes, int>;
+
+std::vector<Scenery> all_sceneries() {
+  std::vector<Scenery> all;
+  for (const Shapes shapes : {Shapes::boxes, Shapes::balls, Shapes::box_and_ball})
+    for (const int axes : {1, 2, 3}) all.push_back({shapes, axes});
+  for (const Shapes shapes : {Shapes::points_within, Shapes::box_and_point_within})
+    for (const int axes : {2, 3}) all.push_back({shapes, axes});
+  all.insert(all.end(), {{Shapes::cylinders, 3}, {Shapes::cylinder_and_box, 3}});
+  return all;
+}
 
 /// `change` makes another case whose answers are the first one's, times scaled by `time`, lengths by
 /// `length`; false where its numbers would not be exact.
@@ -79,18 +69,21 @@ using Compare = std::function<void(const Case& c, const Case& changed)>;
 void check_law(const Change& change, const Compare& compare) {
   std::uint64_t seed = 70000;
   int applied = 0;
-  for (const Family& family : ordinary_families())
-    for (const Scenery& scenery : sceneries) {
-      Generator generate(family, seed++);
-      for (int i = 0; i < scaled_count(10); ++i) {
-        const Case c = make_case(generate, family, scenery.shapes, scenery.axes);
-        Case changed = c;
-        if (!change(changed)) continue;
-        ++applied;
-        compare(c, changed);
-        if (::testing::Test::HasFailure()) return;
-      }
+  const auto check_scene = [&](const Family& family, const Scenery& scenery, int cases) {
+    Generator generate(family, seed++);
+    for (int i = 0; i < scaled_count(cases); ++i) {
+      const Case c = make_case(generate, family, scenery.first, scenery.second);
+      Case changed = c;
+      if (!change(changed)) continue;
+      ++applied;
+      compare(c, changed);
+      if (::testing::Test::HasFailure()) return;
     }
+  };
+  for (const Scenery& scenery : all_sceneries()) {
+    for (const Family& family : ordinary_families()) check_scene(family, scenery, 10);
+    for (const Family& family : growing_families()) check_scene(family, scenery, 3);
+  }
   EXPECT_GT(applied, sanitized ? 5 : 100);
 }
 
@@ -161,6 +154,7 @@ TEST(Laws, ExchangingAxesChangesNothing) {
       [](Case& c) {
         // A cylinder's axis stays, and so does that of a limit of its own.
         const bool upright = c.a.layout.shape == Shape::cylinder || c.b.layout.shape == Shape::cylinder ||
+                             c.a.layout.has_growth_z || c.b.layout.has_growth_z ||
                              c.question.within_z.has_value();
         const int last = upright ? 1 : c.a.layout.axes - 1;
         for (Object* o : {&c.a, &c.b})
@@ -178,7 +172,8 @@ TEST(Laws, ScalingLengthsChangesNoTime) {
           if (c.question.within_z) exact = multiply(*c.question.within_z, scale) && exact;
           for (Object* o : {&c.a, &c.b})
             exact = multiply(o->x, scale) && multiply(o->v, scale) && multiply(o->a, scale) &&
-                    multiply(o->half, scale) && multiply(o->r, scale) && multiply(o->hz, scale) && exact;
+                    multiply(o->half, scale) && multiply(o->r, scale) && multiply(o->hz, scale) &&
+                    multiply(o->growth, scale) && multiply(o->growth_z, scale) && exact;
           return exact;
         },
         scaled_by(1, scale));
@@ -191,7 +186,8 @@ TEST(Laws, ScalingTimeScalesContact) {
           bool exact = multiply(c.question.horizon.now, scale) && multiply(c.question.horizon.h, scale);
           for (Object* o : {&c.a, &c.b})
             exact = multiply(o->v, 1 / scale) && multiply(o->a, 1 / scale / scale) && multiply(o->t, scale) &&
-                    multiply(o->until, scale) && exact;
+                    multiply(o->until, scale) && multiply(o->growth, 1 / scale) &&
+                    multiply(o->growth_z, 1 / scale) && exact;
           return exact;
         },
         scaled_by(scale, 1));
@@ -220,7 +216,7 @@ TEST(Laws, ReferenceTimesDoNotMatter) {
         for (Object* o : {&c.a, &c.b}) {
           const double before = o->t;
           o->t -= 3;
-          exact = exact && before <= c.question.horizon.now &&
+          exact = exact && !grows(o->layout) && before <= c.question.horizon.now &&
                   oracle::Exact(before) - oracle::Exact(3) == oracle::Exact(o->t) && retell(*o, -3);
         }
         return exact;
@@ -236,8 +232,8 @@ TEST(Laws, TimeReversalChangesNoDecision) {
         const auto [now, h] = c.question.horizon;
         bool exact = true;
         for (Object* o : {&c.a, &c.b}) {
-          exact =
-              exact && o->t == now && o->until == std::numeric_limits<double>::infinity() && retell(*o, h);
+          exact = exact && !grows(o->layout) && o->t == now &&
+                  o->until == std::numeric_limits<double>::infinity() && retell(*o, h);
           for (double& v : o->v) v = -v;
         }
         return exact;
@@ -268,6 +264,20 @@ TEST(Laws, HorizonsCanBeSplit) {
         if (!first) {
           EXPECT_EQ(whole->t_end, second->t_end) << c;
         }
+      });
+}
+
+TEST(Laws, FasterGrowthIsNeverLater) {
+  check_law(
+      [](Case& c) {
+        if (!grows(c.a.layout)) std::swap(c.a, c.b);
+        c.a.growth *= 1.25, c.a.growth_z *= 1.25;
+        return grows(c.a.layout);
+      },
+      [](const Case& c, const Case& grown) {
+        const auto before = contact(c.a, c.b, c.question), after = contact(grown.a, grown.b, c.question);
+        ASSERT_TRUE(after || !before) << c;
+        EXPECT_TRUE(!before || after->dt <= before->dt) << c;
       });
 }
 

@@ -19,11 +19,11 @@ class Regions {
     for (int j : rule.round) is_round_[j] = true;
     // Around a point there is only one region.
     around_a_point_ =
-        std::all_of(rule.round.begin(), rule.round.end(), [&](int j) { return rule.half[j].sign() == 0; });
+        std::all_of(rule.round.begin(), rule.round.end(), [&](int j) { return is_zero(rule.half[j]); });
     for (std::size_t j = 0; j < rule.axes.size(); ++j)
       for (int side : {1, -1}) {
         Coefficients p = rule.axes[j];
-        p[0] += side > 0 ? rule.half[j] : -rule.half[j];
+        add(p, rule.half[j], side);
         borders_.emplace_back(around_a_point_ && is_round_[j] ? Integers{} : integers_of(p));
       }
   }
@@ -48,14 +48,15 @@ class Regions {
     const auto known = excesses_.find(region);
     if (known != excesses_.end()) return known->second;
     Coefficients sum(5);
-    sum[0] = -(rule_.radius * rule_.radius);
+    for (std::size_t k = 0; k < rule_.radius.size(); ++k)
+      for (std::size_t l = 0; l < rule_.radius.size(); ++l) sum[k + l] -= rule_.radius[k] * rule_.radius[l];
     int digits = region;
     for (int j : rule_.round) {
       const int where = digits % 3;
       digits /= 3;
       if (where == 0) continue;
       Coefficients p = rule_.axes[j];
-      p[0] += where == 1 ? rule_.half[j] : -rule_.half[j];
+      add(p, rule_.half[j], where == 1 ? 1 : -1);
       for (int k = 0; k < 3; ++k)
         for (int l = 0; l < 3; ++l) sum[k + l] += p[k] * p[l];
     }
@@ -63,6 +64,13 @@ class Regions {
   }
 
  private:
+  static bool is_zero(const Coefficients& p) {
+    return std::all_of(p.begin(), p.end(), [](const Exact& c) { return c.sign() == 0; });
+  }
+  static void add(Coefficients& p, const Coefficients& more, int sign) {
+    for (std::size_t k = 0; k < more.size(); ++k) p[k] += sign > 0 ? more[k] : -more[k];
+  }
+
   const Rule& rule_;
   std::vector<bool> is_round_;
   bool around_a_point_;

@@ -20,12 +20,13 @@ Coefficients relative_axis(const testing_by_hand::Object& a, const testing_by_ha
                            double now);
 
 /// What counts as contact: |x_j| <= half_j on the axes that are not round, and over the round ones a
-/// Euclidean distance of at most `radius` from the box of these halves.
+/// Euclidean distance of at most `radius` from the box of these halves. All are polynomials in the time since
+/// `now`.
 struct Rule {
   std::vector<Coefficients> axes;
-  std::vector<Exact> half;  ///< one for each axis
+  std::vector<Coefficients> half;  ///< one for each axis
   std::vector<int> round;
-  Exact radius;
+  Coefficients radius;
 };
 
 /// The moments asked about, measured from now; none if begin > end.

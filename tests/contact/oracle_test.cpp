@@ -94,6 +94,22 @@ TEST(Oracle, CylindersOfExtremeNumbers) {
   check_all(extreme_families(), Shapes::cylinder_and_box, {3}, 10);
 }
 
+TEST(Oracle, BoxesThatGrow) {
+  check_all(growing_families(), Shapes::boxes, {1, 2, 3}, 60);
+}
+TEST(Oracle, BallsThatGrow) {
+  check_all(growing_families(), Shapes::balls, {1, 2, 3}, 40);
+}
+TEST(Oracle, BoxAndBallThatGrow) {
+  check_all(growing_families(), Shapes::box_and_ball, {1, 2}, 30);
+  check_all(growing_families(), Shapes::box_and_ball, {3}, 10);
+  check_all(growing_families(), Shapes::box_and_point_within, {2}, 10);
+}
+TEST(Oracle, CylindersThatGrow) {
+  check_all(growing_families(), Shapes::cylinders, {3}, 40);
+  check_all(growing_families(), Shapes::cylinder_and_box, {3}, 20);
+}
+
 TEST(Oracle, HostileScales) {
   check_all(hostile_families(), Shapes::boxes, {2, 3}, 40);
   check_all(hostile_families(), Shapes::balls, {2, 3}, 20);

@@ -18,6 +18,7 @@ struct Object {
   double x[3] = {}, v[3] = {}, a[3] = {};
   double half[3] = {};
   double r = 0, hz = 0;
+  double growth = 0, growth_z = 0;
   double until = std::numeric_limits<double>::infinity();
 
   std::vector<double> row() const {
@@ -32,6 +33,8 @@ struct Object {
     }
     if (at.r >= 0) row[at.r] = r;
     if (at.hz >= 0) row[at.hz] = hz;
+    if (at.growth >= 0) row[at.growth] = growth;
+    if (at.growth_z >= 0) row[at.growth_z] = growth_z;
     if (at.until >= 0) row[at.until] = until;
     return row;
   }

@@ -148,12 +148,17 @@ class StagesOfPair {
 template <int D>
 void check_kind(MakeSet make_set, Shapes shapes, std::uint64_t seed) {
   Certain certain;
-  for_each_hard_pair(shapes, D, 40, seed, [&](const Case& c, const Generator&) {
+  const auto look = [&](const Case& c, const Generator&) {
     if (std::max(c.a.layout.law, c.b.layout.law) <= Law::uniform)
       StagesOfPair<D, 1>(c, make_set, certain).check();
     else
       StagesOfPair<D, 2>(c, make_set, certain).check();
-  });
+  };
+  for_each_hard_pair(shapes, D, 40, seed, look);
+  for (const Family& family : growing_families()) {
+    Generator generate(family, ++seed);
+    for (int i = 0; i < 20; ++i) look(make_case(generate, family, shapes, D), generate);
+  }
   // A stage that is never certain would prove nothing.
   EXPECT_GT(certain.chord, 20);
   EXPECT_GT(certain.lanes_miss, 40);

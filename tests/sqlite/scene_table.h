@@ -25,6 +25,8 @@ inline std::string columns_of(const Layout& layout) {
   if (at.half != Offsets::absent) add_axes("h");
   if (at.r != Offsets::absent) add("r");
   if (at.hz != Offsets::absent) add("hz");
+  if (at.growth != Offsets::absent) add("growth");
+  if (at.growth_z != Offsets::absent) add("growth_z");
   if (at.until != Offsets::absent) add("until");
   return columns.substr(2);
 }

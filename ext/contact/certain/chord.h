@@ -22,7 +22,7 @@ class Chord {
  public:
   /// The chord over [0, end] on each axis, and how far beside it the motion can be. Requires: 0 <= end, which
   /// is h up to rounding.
-  Chord(const CertainMotion<D, Real>& relative, const Real& end) {
+  Chord(const CertainMotion<D, Real>& relative, const Real& end) : end_(end) {
     using std::abs;
     // The least slope that is divided by, and the least time that a crossing is off by where its product is
     // subnormal.
@@ -54,15 +54,29 @@ class Chord {
   }
 
  private:
+  /// A length, at most.
+  template <class Lengths>
+  static Real most(int number, const Lengths& lengths) {
+    using std::abs;
+    if (number == no_length) return 0.0;
+    const BoundedOf<Real> length = lengths[number];
+    return length.value + length.error + abs(length.value) * 0x1p-40;
+  }
+
+  /// How far out a face is at some moment, at most.
+  template <class Lengths>
+  Real most(const Size& size, const Lengths& lengths) const {
+    Real most = this->most(size.value, lengths);
+    if (!size.moves()) return most;
+    const Real rate = greater(this->most(size.rate, lengths), Real(0.0)),
+               bend = greater(this->most(size.bend, lengths), Real(0.0));
+    return most + end_ * (rate + end_ * bend) * (1 + 0x1p-40) + 0x1p-1000;
+  }
+
   /// When the chord crosses a face: infinite, towards the side that the face is on, if there is none.
   template <class Lengths>
-  Real crossing(int axis, double side, bool there, int number, const Lengths& lengths) const {
-    using std::abs;
-    Real size = 0.0;
-    if (number != no_length) {
-      const BoundedOf<Real> length = lengths[number];
-      size = length.value + length.error + abs(length.value) * 0x1p-40;
-    }
+  Real crossing(int axis, double side, bool there, const Size& face, const Lengths& lengths) const {
+    const Real size = most(face, lengths);
     const Real width = size + room_[axis], steep = steep_[axis];
     // A slope that is no number has no sign to go by, and the two faces must not end up on one side.
     const Real none = select(steep > 0, Real(side * for_ever), Real(-side * for_ever));
@@ -70,7 +84,7 @@ class Chord {
     return select(width < 0x1p1000, (side * width - at_[axis]) * steep, none);
   }
 
-  Real at_[D], steep_[D], room_[D];
+  Real end_, at_[D], steep_[D], room_[D];
 };
 
 }  // namespace foresee::contact

@@ -31,6 +31,24 @@ struct LengthLanes {
   double* place(int i) const { return at + 2 * register_width * i; }
 };
 
+/// TwoRows of contact_set.h, side by side.
+struct LengthRows {
+  const Rows &a, &b;
+
+  BoundedDoubles in_both(int place_a, int place_b) const {
+    return BoundedDoubles{a(place_a)} + BoundedDoubles{b(place_b)};
+  }
+  BoundedDoubles growth(const Length& length) const {
+    return growth_in(a, length.a, length.t_a, length.number) +
+           growth_in(b, length.b, length.t_b, length.number);
+  }
+
+ private:
+  static BoundedDoubles growth_in(const Rows& rows, int place, int t, double moment) {
+    return (BoundedDoubles{Doubles(moment)} - BoundedDoubles{rows(t)}) * BoundedDoubles{rows(place)};
+  }
+};
+
 /// When both exist, from now on: rounded outward, and inward.
 struct Lives {
   Period<Doubles> asked, inner;
@@ -101,13 +119,11 @@ class Look {
 
   /// All lengths of the set, with error bounds.
   void take_lengths(const Rows& a, const Rows& b) {
-    const auto in_both = [&a, &b](int place_a, int place_b) {
-      return BoundedDoubles{a(place_a)} + BoundedDoubles{b(place_b)};
-    };
+    const LengthRows rows{a, b};
     for (int i = 0; i < q_.set.length_count; ++i) {
       const Length& length = q_.set.lengths[i];
       lengths_.put(i, length.varies
-                          ? varying_length<BoundedDoubles>(length, lengths_, in_both)
+                          ? varying_length<BoundedDoubles>(length, lengths_, rows)
                           : BoundedDoubles{Doubles(q_.lengths[i].value), Doubles(q_.lengths[i].error)});
     }
   }

@@ -20,7 +20,7 @@ double horizon_end(const Horizon& horizon, double s) {
 
 template <int D>
 Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const Bodies& others,
-                          const double* row, const PairExtents<D>& extents) {
+                          const double* row, const GrowingExtents<D>& extents) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const double t = value_or(row, others.at.t, 0), until = value_or(row, others.at.until, inf);
   const DoubleDouble age = difference(base.t, t);
@@ -52,10 +52,10 @@ Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const B
 }
 
 template Encounter<1> encounter_of<1>(const OwnMotion&, const Horizon&, const Bodies&, const double*,
-                                      const PairExtents<1>&);
+                                      const GrowingExtents<1>&);
 template Encounter<2> encounter_of<2>(const OwnMotion&, const Horizon&, const Bodies&, const double*,
-                                      const PairExtents<2>&);
+                                      const GrowingExtents<2>&);
 template Encounter<3> encounter_of<3>(const OwnMotion&, const Horizon&, const Bodies&, const double*,
-                                      const PairExtents<3>&);
+                                      const GrowingExtents<3>&);
 
 }  // namespace foresee::contact

@@ -1,8 +1,8 @@
 // One other object, as an object sees it that is about to change its motion: from the moment and the place of
 // the change.
 //
-//   const Encounter<2> met = encounter_of<2>(base, {now, h}, others, row, rule.pair<2>(own_row, row));
-//   if (met.begin > met.end) …                                       // never there together
+//   const Encounter<2> met = encounter_of<2>(base, {now, h}, others, row, rule.pair<2>(own_row, row,
+//   base.t)); if (met.begin > met.end) …                                       // never there together
 //
 // At tau seconds after the change the other is at x + v tau + a tau^2 / 2, each number within its error.
 // Positions are differenced in double-double before anything is rounded, so that neither old reports nor
@@ -18,9 +18,9 @@ namespace foresee::contact {
 template <int D>
 struct Encounter {
   Vec<D> x, v, a;
-  Vec<D> ex, ev;  ///< errors; a is exact
-  PairExtents<D> extents;
-  double begin, end;  ///< both exist within the horizon, in seconds after the change, rounded outward
+  Vec<D> ex, ev;              ///< errors; a is exact
+  GrowingExtents<D> extents;  ///< as of the change
+  double begin, end;          ///< both exist within the horizon, in seconds after the change, rounded outward
 
   bool bends() const { return (a != 0).any(); }
 };
@@ -28,6 +28,6 @@ struct Encounter {
 /// `base`: the motion that is changed, as of the change. Of what doubles do not hold, numbers are not finite.
 template <int D>
 Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const Bodies& others,
-                          const double* row, const PairExtents<D>& extents);
+                          const double* row, const GrowingExtents<D>& extents);
 
 }  // namespace foresee::contact

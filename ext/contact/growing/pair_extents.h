@@ -2,7 +2,8 @@
 // and their mixtures that is one convex set: a box, grown round by a radius on all axes or in x and y alone.
 //
 //   const ExtentsRule rule(ships.layout, ships.layout, 926, std::nullopt);
-//   const PairExtents<2> pair = rule.pair<2>(row_a, row_b);       // half = {0, 0}, radius = r_a + r_b + 926
+//   const PairExtents<2> pair = rule.pair<2>(row_a, row_b, 600);       // half = {0, 0}, radius = r_a + r_b +
+//   926
 //
 // The sets are those of the room's door (make_contact.cpp), with lengths rounded up: what does not touch this
 // does not touch. Outlines and meshes have none.
@@ -22,12 +23,32 @@ struct PairExtents {
   double radius;
   int round_axes;
 
+  void add(const PairExtents& more, double times = 1) {
+    half += times * more.half, radius += times * more.radius;
+  }
+
   /// How far it reaches along n, at least.
   double most(const Vec<D>& n) const {
     const Vec<D> size = n.abs();
     double square = 0;
     for (int axis = 0; axis < round_axes; ++axis) square += n[axis] * n[axis];
-    return ((half * size).sum() + radius * std::sqrt(square)) * (1 + 0x1p-49) + 0x1p-1000;
+    const double reach = (half * size).sum() + radius * std::sqrt(square);
+    const double magnitude = (half.abs() * size).sum() + std::abs(radius) * std::sqrt(square);
+    return reach + (magnitude * 0x1p-49 + 0x1p-1000);
+  }
+};
+
+/// As of a moment, and how much larger it is a unit of time later. Before the two are there it may be less
+/// than nothing.
+template <int D>
+struct GrowingExtents : PairExtents<D> {
+  PairExtents<D> growth{Vec<D>::Zero(), 0, D};
+  bool grows = false;
+
+  PairExtents<D> after(double tau) const {
+    PairExtents<D> extents = *this;
+    if (grows) extents.add(growth, tau);
+    return extents;
   }
 };
 
@@ -36,11 +57,20 @@ class ExtentsRule {
   /// `within`, `within_z`: as for contact.
   ExtentsRule(const Layout& a, const Layout& b, double within, std::optional<double> within_z);
 
+  /// As of a moment.
   template <int D>
-  PairExtents<D> pair(const double* row_a, const double* row_b) const;
+  GrowingExtents<D> pair(const double* row_a, const double* row_b, double moment) const;
 
  private:
-  Offsets a_, b_;
+  struct Side {
+    Layout layout;
+    Offsets at;
+  };
+  /// Of both, as `size` says: of which quantity (half, r, hz), along which axis.
+  template <int D, class Size>
+  PairExtents<D> composed(const Size& size, double within, double within_z) const;
+
+  Side a_, b_;
   bool upright_ = false, round_ = false;
   double within_, within_z_;
 };

@@ -1,6 +1,7 @@
 #include "contact/growing/parting.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -34,6 +35,49 @@ Judgement judge_straight_parting(const Encounter<D>& met, const ChangedWays<D>& 
   if (least - error >= 0) return Judgement::clear;
   const double greatest = along + own.most(-met.x), slack = touching_share * (met.x.abs() * v).sum();
   return greatest <= slack ? Judgement::blocked : Judgement::open;
+}
+
+/// Does a part of the gap never shrink, of a set that grows by `rate`? `x`: where the other is, as seen along
+/// some axes.
+template <int D>
+Judgement judge_gap(const Encounter<D>& met, const ChangedWays<D>& ways, const Vec<D>& x, double rate) {
+  const auto& own = ways.all.velocity;
+  const double opening = std::sqrt((x * x).sum()) * rate, along = (x * met.v).sum() - opening;
+  const Vec<D> v = ways.most[1].abs().max(ways.least[1].abs()) + met.v.abs() + met.ev;
+  const double error = ((met.ex * (v + rate) + x.abs() * met.ev).sum() +
+                        16 * unit_roundoff * ((x.abs() * v).sum() + opening)) *
+                       (1 + 0x1p-48);
+  if (along - own.most(x) - error >= 0) return Judgement::clear;
+  const double slack = touching_share * ((x.abs() * v).sum() + opening);
+  return along + own.most(-x) <= slack ? Judgement::blocked : Judgement::open;
+}
+
+/// The same of all of it, on paths that are not bent. A disc or ball is left for good if the distance of the
+/// centres grows at least as fast as it does; of other sets each axis is asked, as of an interval that grows
+/// like all of them: that is enough. What is smaller at first is not met later either.
+template <int D>
+Judgement judge_parting_of_growing(const Encounter<D>& met, const ChangedWays<D>& ways) {
+  const PairExtents<D>& growth = met.extents.growth;
+  const int together = rounds_alone(met.extents) ? met.extents.round_axes : 0;
+  std::array<Judgement, D + 1> parts;
+  std::size_t count = 0;
+  if (together > 0) {
+    Vec<D> round = Vec<D>::Zero();
+    for (int axis = 0; axis < together; ++axis) round[axis] = met.x[axis];
+    parts[count++] = judge_gap<D>(met, ways, round, growth.radius);
+  }
+  for (int axis = together; axis < D; ++axis) {
+    Vec<D> one = Vec<D>::Zero();
+    one[axis] = met.x[axis];
+    const double rate = growth.half[axis] + (axis < met.extents.round_axes ? growth.radius : 0);
+    parts[count++] = judge_gap<D>(met, ways, one, rate);
+  }
+  const auto any = [&](Judgement what) {
+    return std::find(parts.begin(), parts.begin() + count, what) != parts.begin() + count;
+  };
+  return any(Judgement::blocked) ? Judgement::blocked
+         : any(Judgement::open)  ? Judgement::open
+                                 : Judgement::clear;
 }
 
 /// The least value of x y, each within its ends; nothing is known of it where doubles do not hold a product.
@@ -104,6 +148,9 @@ Judgement judge_parting(const Encounter<D>& met, const ChangedWays<D>& ways) {
   const SeparationCase<D> question(met, ways);
   if (question.never_together() || question.end() <= 0) return Judgement::clear;
   if (!question.is_finite()) return Judgement::blocked;
+  // What grows may catch up with what turns away ever more slowly.
+  if (met.extents.grows)
+    return question.bends() ? Judgement::blocked : judge_parting_of_growing<D>(met, ways);
   if (!question.bends()) return judge_straight_parting<D>(met, ways);
   if (never_shrinks<D>(met, ways, 0, question.end(), 6)) return Judgement::clear;
   const bool all_shrink = shrinks(met, ways.first, question.end()) &&

@@ -10,7 +10,7 @@ namespace foresee::contact {
 /// About an object that is touched when the change is made. A change is clear of it if the distance
 /// of the two centres never shrinks; then what is convex is never touched again. Between bent paths this
 /// asks for more than it must: that it does not shrink as long as both exist, for boxes and cylinders on no
-/// axis.
+/// axis. Of what grows it is the gap that must not shrink; between bent paths that is blocked.
 template <int D>
 Judgement judge_parting(const Encounter<D>& met, const ChangedWays<D>& ways);
 

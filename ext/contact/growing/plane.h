@@ -36,11 +36,12 @@ template <int D>
 bool plane_proves(const Encounter<D>& met, const MotionSet<D>& all, const Vec<D>& n, double begin,
                   double end) {
   if (!(n.abs().maxCoeff() >= least_normal)) return false;
-  const double reach = met.extents.most(n);
+  const double reach = met.extents.most(n), growth = met.extents.grows ? met.extents.growth.most(n) : 0;
   const double c0 = least_of<D>(n, met.x, met.ex, all.place) - reach;
-  const double c1 = least_of<D>(n, met.v, met.ev, all.velocity);
+  const double v = least_of<D>(n, met.v, met.ev, all.velocity);
+  const double c1 = growth == 0 ? v : v - growth - 4 * unit_roundoff * (std::abs(v) + growth);
   const double c2 = 0.5 * least_of<D>(n, met.a, Vec<D>(Vec<D>::Zero()), all.acceleration);
-  return surely_positive(c0 - 4 * unit_roundoff * (std::abs(c0) + reach), c1, c2, begin, end);
+  return surely_positive(c0 - 4 * unit_roundoff * (std::abs(c0) + std::abs(reach)), c1, c2, begin, end);
 }
 
 }  // namespace foresee::contact

@@ -69,7 +69,7 @@ class SeparationCase {
                           touching_share * scale_at(tau);
     Vec<D> ignored;
     for (const RoughWay<D>* end : {&ways_.first, &ways_.last})
-      if (!(depth_in<D>(met_.extents, place_at<D>(relative(met_, *end), tau), ignored) <= -beside))
+      if (!(depth_in<D>(met_.extents.after(tau), place_at<D>(relative(met_, *end), tau), ignored) <= -beside))
         return false;
     return true;
   }
@@ -105,16 +105,17 @@ class SeparationCase {
 
   bool all_touch_at(double tau) const {
     const double slack = touching_share * scale_at(tau);
+    const PairExtents<D> extents = met_.extents.after(tau);
     double square = 0;
     for (int axis = 0; axis < D; ++axis) {
-      const double far = farthest(axis, tau) - met_.extents.half[axis];
-      if (axis >= met_.extents.round_axes) {
+      const double far = farthest(axis, tau) - extents.half[axis];
+      if (axis >= extents.round_axes) {
         if (!(far <= slack)) return false;
       } else if (far > 0) {
         square += far * far;
       }
     }
-    return std::sqrt(square) <= met_.extents.radius + slack;
+    return std::sqrt(square) <= extents.radius + slack;
   }
 
   /// The other on one axis, seen from an end of the range's places, velocities and accelerations.
@@ -129,7 +130,8 @@ class SeparationCase {
 
   double scale_at(double tau) const {
     const Vec<D> v = ways_.most[1].abs().max(ways_.least[1].abs()) + met_.v.abs();
-    return (met_.x.abs() + met_.extents.half + tau * v).maxCoeff() + met_.extents.radius;
+    const PairExtents<D> extents = met_.extents.after(tau);
+    return (met_.x.abs() + extents.half.abs() + tau * v).maxCoeff() + std::abs(extents.radius);
   }
 
   Look look_at_straight(const RoughWay<D>& way, double& tau) const {
@@ -155,7 +157,7 @@ class SeparationCase {
       tau = near.tau;
       if (near.gap > 0 && plane_proves<D>(met_, ways_.all, near.normal, part.begin, part.end)) continue;
       Vec<D> ignored;
-      if (!(depth_in<D>(met_.extents, place_at<D>(way, tau), ignored) > 0)) {
+      if (!(depth_in<D>(met_.extents.after(tau), place_at<D>(way, tau), ignored) > 0)) {
         parts_ += moments_looked_at;
         tau = deepest_moment(way, tau);
         return Look::touches;
@@ -173,7 +175,9 @@ class SeparationCase {
   /// its neighbours.
   double deepest_moment(const RoughWay<D>& way, double tau) const {
     Vec<D> ignored;
-    const auto depth = [&](double at) { return depth_in<D>(met_.extents, place_at<D>(way, at), ignored); };
+    const auto depth = [&](double at) {
+      return depth_in<D>(met_.extents.after(at), place_at<D>(way, at), ignored);
+    };
     double best = tau, least = depth(tau), step = (end_ - begin_) / moments_looked_at;
     const auto look_at = [&](double at) {
       const double here = depth(at);

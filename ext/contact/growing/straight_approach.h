@@ -8,7 +8,8 @@
 // The distance from a convex set along a straight line is a convex function of time. Two tangents of it, one
 // falling and one rising, bound it from below where they cross; that mixture of their normals is square to
 // the path. The crossing is the next place to look (Kelley's method of cutting planes, 1960). A disc takes
-// one look, a box as many as it has edges in the way.
+// one look, a box as many as it has edges in the way. A set that grows takes some looks more: the distance
+// from it is convex too, as what it grows by along a normal is.
 #pragma once
 
 #include <algorithm>
@@ -56,7 +57,7 @@ struct StraightApproach {
 
 /// Of x + v tau during [begin, end]. Requires: begin <= end, both finite.
 template <int D>
-StraightApproach<D> straight_approach(const PairExtents<D>& extents, const Vec<D>& x, const Vec<D>& v,
+StraightApproach<D> straight_approach(const GrowingExtents<D>& extents, const Vec<D>& x, const Vec<D>& v,
                                       double begin, double end) {
   struct Tangent {
     double tau, gap, slope;
@@ -65,8 +66,9 @@ StraightApproach<D> straight_approach(const PairExtents<D>& extents, const Vec<D
   const auto at = [&](double tau) {
     Tangent tangent;
     tangent.tau = tau;
-    tangent.gap = depth_in<D>(extents, x + tau * v, tangent.normal);
+    tangent.gap = depth_in<D>(extents.after(tau), x + tau * v, tangent.normal);
     tangent.slope = (tangent.normal * v).sum();
+    if (extents.grows) tangent.slope -= extents.growth.most(tangent.normal);
     return tangent;
   };
   const auto answer = [](const Tangent& t) { return StraightApproach<D>{t.tau, t.gap, t.normal}; };
@@ -75,7 +77,7 @@ StraightApproach<D> straight_approach(const PairExtents<D>& extents, const Vec<D
   const double level = 0x1p-50 * (first.normal * v).abs().sum();
   if (std::abs(first.slope) <= level) return answer(first);
   // Nearest to the middle and nearly to the set, as of a disc: what is left of the slope is rounding.
-  if (first.tau == nearest && std::abs(first.slope) <= 0x1p20 * level) {
+  if (!extents.grows && first.tau == nearest && std::abs(first.slope) <= 0x1p20 * level) {
     first.normal -= (first.slope / square) * v;
     return answer(first);
   }

@@ -14,9 +14,9 @@ class Critical {
     if (grown) radius_ = set.sum(set.in_both(setup.a.at.r, setup.b.at.r), set.given(setup.within));
     if (setup.a.layout.axes < 3) return;
     const int heights = set.in_both(place_of_half_height(setup.a.at), place_of_half_height(setup.b.at));
-    Faces across_z{.axis = 2, .below = set.given(setup.within_z), .above = set.given(setup.within_z)};
+    Faces across_z{.axis = 2, .below = {set.given(setup.within_z)}, .above = {set.given(setup.within_z)}};
     if (setup.window) across_z = faces_from_origin(*setup.window);
-    across_z = contact::grown(set, across_z, heights);
+    across_z = contact::grown(set, across_z, {heights});
     along_z_ = between(set, {&across_z, 1});
   }
 
@@ -37,7 +37,7 @@ class Critical {
   void add_rounded(const SumEdge& edge) {
     Conditions beside{.all = along_z_}, around{.all = along_z_};
     for (const int sign : {-1, 1}) beside.all.push_back(set.half_space(foot_of(edge, sign), {}));
-    beside.ball = set.strip(line_of(edge), radius_);
+    beside.ball = set.strip(line_of(edge), {radius_});
     beside.all.push_back(beside.ball);
     set.add_piece(beside);
     const Size x{difference(edge.p->x, edge.q->x)}, y{difference(edge.p->y, edge.q->y)};
@@ -49,8 +49,8 @@ class Critical {
   /// Of a window whose body is where the axes meet.
   Faces faces_from_origin(const WindowFaces& window) {
     Faces faces{.axis = 2, .has_below = window.has_lower(2), .has_above = window.has_upper(2)};
-    if (faces.has_below) faces.below = set.given(-window.lower[2]);
-    if (faces.has_above) faces.above = set.given(window.upper[2]);
+    if (faces.has_below) faces.below = {set.given(-window.lower[2])};
+    if (faces.has_above) faces.above = {set.given(window.upper[2])};
     return faces;
   }
   int difference(double a, double b) { return set.difference(set.given(a), set.given(b)); }

@@ -110,8 +110,8 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
   /// Of the time given, when d may be in the box of an edge that is grown by R: most edges of a sum it passes
   /// by.
   Period<double> near_edge(const SumEdge& edge, const Period<double>& when) const {
-    static constexpr Faces faces[] = {{.axis = 0, .below = 0, .above = 1},
-                                      {.axis = 1, .below = 2, .above = 3}};
+    static constexpr Faces faces[] = {{.axis = 0, .below = {0}, .above = {1}},
+                                      {.axis = 1, .below = {2}, .above = {3}}};
     Bounded reach[4];
     for (int j = 0; j < 2; ++j) {
       const Bounded begin = begin_of<Bounded>(edge, j), end = end_of<Bounded>(edge, j);

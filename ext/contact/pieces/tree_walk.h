@@ -87,7 +87,7 @@ class TreeWalk {
       return asked;
     } else {
       const Faces faces{
-          .axis = 2, .below = 0, .above = 1, .has_below = sizes.has_below, .has_above = sizes.has_above};
+          .axis = 2, .below = {0}, .above = {1}, .has_below = sizes.has_below, .has_above = sizes.has_above};
       const Bounded reach[] = {sizes.below, sizes.above};
       return chord.between(&faces, 1, reach, asked);
     }
@@ -95,9 +95,9 @@ class TreeWalk {
 
   /// Of `asked`, when boxes could touch.
   Period<double> near(Node a, Node b, const Period<double>& asked) const {
-    static constexpr Faces faces[] = {{.axis = 0, .below = 0, .above = 1},
-                                      {.axis = 1, .below = 2, .above = 3},
-                                      {.axis = 2, .below = 4, .above = 5}};
+    static constexpr Faces faces[] = {{.axis = 0, .below = {0}, .above = {1}},
+                                      {.axis = 1, .below = {2}, .above = {3}},
+                                      {.axis = 2, .below = {4}, .above = {5}}};
     const Box<axes>&box_a = a_.box(a), &box_b = b_.box(b);
     Bounded reach[2 * axes];
     for (int j = 0; j < axes; ++j) {

@@ -1,12 +1,12 @@
 #include "contact/set/round_ball.h"
 #include "contact/set/shape_pairs.h"
+#include "contact/set/sizes_of_both.h"
 
 namespace foresee::contact {
 
 ContactSet ball_ball_set(const Setup& setup) {
   ContactSet set;
-  const int radius = set.sum(set.in_both(setup.a.at.r, setup.b.at.r), set.given(setup.within));
-  add_ball(set, setup.a.layout.axes, radius);
+  add_ball(set, setup.a.layout.axes, radius_of_both(set, setup, setup.within));
   return set;
 }
 

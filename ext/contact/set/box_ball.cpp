@@ -1,12 +1,12 @@
 #include "contact/set/rounded_box.h"
 #include "contact/set/shape_pairs.h"
+#include "contact/set/sizes_of_both.h"
 
 namespace foresee::contact {
 
 ContactSet box_ball_set(const Setup& setup) {
   ContactSet set;
-  const int radius = set.sum(set.in_both(setup.a.at.r, setup.b.at.r), set.given(setup.within));
-  add_rounded_box(set, faces_of_boxes(set, setup), radius);
+  add_rounded_box(set, faces_of_boxes(set, setup), radius_of_both(set, setup, setup.within));
   return set;
 }
 

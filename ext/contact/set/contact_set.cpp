@@ -48,8 +48,8 @@ int ContactSet::half_space(std::span<const AxisPart> line, const Size& size) {
   return add(primitive_of(Primitive::Kind::half_space, line, size));
 }
 
-int ContactSet::strip(std::span<const AxisPart> line, int half_width) {
-  return add(primitive_of(Primitive::Kind::strip, line, {half_width}));
+int ContactSet::strip(std::span<const AxisPart> line, const Size& half_width) {
+  return add(primitive_of(Primitive::Kind::strip, line, half_width));
 }
 
 int ContactSet::ball(std::span<const AxisPart> centre, const Size& radius) {

@@ -22,10 +22,11 @@
 
 namespace foresee::contact {
 
-/// A length of a pair: one addition.
+/// A length of a pair: one addition, or two products and their sum.
 struct Length {
   enum class From : std::uint8_t {
     both_rows,  ///< what the rows have at places a and b; what a row does not have is 0
+    growth,     ///< what the rows have at places a and b, each times the time from its row's t to `number`
     given,      ///< a number that is the same for every pair
     sum,        ///< of the lengths a and b
     difference  ///< of the lengths a and b
@@ -33,7 +34,8 @@ struct Length {
   From from;
   int a = no_length, b = no_length;
   double number = 0;
-  bool varies = true;  ///< from pair to pair
+  bool varies = true;                    ///< from pair to pair
+  int t_a = no_length, t_b = no_length;  ///< of growth: the places of t, which is 0 where there is none
 };
 
 /// One piece: where the primitives `all` are at most 0. Two lists change no piece and save work: where the
@@ -45,10 +47,10 @@ struct Conditions {
   int ball = -1;  ///< -1: none
 };
 
-/// Both faces of a box across one axis: -x <= below and x <= above, each a length, or 0, if it is there.
+/// Both faces of a box across one axis: -x <= below and x <= above, if they are there.
 struct Faces {
   int axis;
-  int below = no_length, above = no_length;
+  Size below = {}, above = {};
   bool has_below = true, has_above = true;
 };
 
@@ -81,6 +83,11 @@ class ContactSet {
     if (place_a == Offsets::absent && place_b == Offsets::absent) return no_length;
     return add({Length::From::both_rows, place_a, place_b});
   }
+  /// What has grown by `moment`; t_a and t_b are where the rows have their t.
+  int growth(int place_a, int place_b, int t_a, int t_b, double moment) {
+    if (place_a == Offsets::absent && place_b == Offsets::absent) return no_length;
+    return add({Length::From::growth, place_a, place_b, moment, true, t_a, t_b});
+  }
   int given(double number) {
     if (number == 0) return no_length;
     return add({Length::From::given, no_length, no_length, number, false});
@@ -94,10 +101,15 @@ class ContactSet {
     return add({Length::From::difference, a, b, 0, varies(a) || varies(b)});
   }
 
+  /// Of two sizes.
+  Size sum(const Size& a, const Size& b) {
+    return {sum(a.value, b.value), sum(a.rate, b.rate), sum(a.bend, b.bend)};
+  }
+
   // Primitives; each function gives a primitive's number. What pieces share is made once.
   int bound(int axis, int sign, const Size& size);
   int half_space(std::span<const AxisPart> line, const Size& size);
-  int strip(std::span<const AxisPart> line, int half_width);
+  int strip(std::span<const AxisPart> line, const Size& half_width);
   int ball(std::span<const AxisPart> centre, const Size& radius);
 
   /// The set is the union of all pieces that were added.
@@ -145,13 +157,34 @@ struct PairLengths {
   T operator[](int number) const { return length_of<T>(set, row_a, row_b, number); }
 };
 
-/// A length that is not given, from `known`, those before it; `in_both` gives what the rows have at two
-/// places, added.
-template <class T, class Lengths, class InBoth>
-T varying_length(const Length& length, const Lengths& known, InBoth&& in_both) {
+/// The two rows of a pair; what a row does not have is 0.
+template <class T>
+struct TwoRows {
+  const double *a, *b;
+
+  T in_both(int place_a, int place_b) const {
+    return Exactly<T>::number(value_or(a, place_a, 0)) + Exactly<T>::number(value_or(b, place_b, 0));
+  }
+  T growth(const Length& length) const {
+    return growth_in(a, length.a, length.t_a, length.number) +
+           growth_in(b, length.b, length.t_b, length.number);
+  }
+
+ private:
+  static T growth_in(const double* row, int place, int t, double moment) {
+    if (place == Offsets::absent) return T{};
+    return Exactly<T>::difference_of(moment, value_or(row, t, 0)) * Exactly<T>::number(row[place]);
+  }
+};
+
+/// A length that is not given, from `known`, those before it, and the rows, as TwoRows has them.
+template <class T, class Lengths, class Rows>
+T varying_length(const Length& length, const Lengths& known, const Rows& rows) {
   switch (length.from) {
     case Length::From::both_rows:
-      return in_both(length.a, length.b);
+      return rows.in_both(length.a, length.b);
+    case Length::From::growth:
+      return rows.growth(length);
     case Length::From::sum:
       return known[length.a] + known[length.b];
     default:
@@ -159,20 +192,12 @@ T varying_length(const Length& length, const Lengths& known, InBoth&& in_both) {
   }
 }
 
-/// Such an `in_both`; what a row does not have is 0.
-template <class T>
-auto in_both_rows(const double* row_a, const double* row_b) {
-  return [row_a, row_b](int place_a, int place_b) {
-    return Exactly<T>::number(value_or(row_a, place_a, 0)) + Exactly<T>::number(value_or(row_b, place_b, 0));
-  };
-}
-
 /// One length of a pair, from nothing.
 template <class T>
 T length_of(const ContactSet& set, const double* row_a, const double* row_b, int number) {
   const Length& length = set.lengths()[static_cast<std::size_t>(number)];
   if (length.from == Length::From::given) return Exactly<T>::number(length.number);
-  return varying_length<T>(length, PairLengths<T>{set, row_a, row_b}, in_both_rows<T>(row_a, row_b));
+  return varying_length<T>(length, PairLengths<T>{set, row_a, row_b}, TwoRows<T>{row_a, row_b});
 }
 
 /// All lengths of one pair after another, in the order of their numbers; what is the same for all is computed
@@ -188,9 +213,9 @@ class AllLengths {
   /// From now on the lengths of this pair.
   void take(const ContactSet& set, const double* row_a, const double* row_b) {
     T* const out = lengths_.data();
-    const auto in_both = in_both_rows<T>(row_a, row_b);
+    const TwoRows<T> rows{row_a, row_b};
     for (const int i : set.varying())
-      out[i] = varying_length<T>(set.lengths()[static_cast<std::size_t>(i)], out, in_both);
+      out[i] = varying_length<T>(set.lengths()[static_cast<std::size_t>(i)], out, rows);
   }
 
   const T& operator[](int number) const { return lengths_[static_cast<std::size_t>(number)]; }

@@ -132,7 +132,6 @@ Powers<T, K> half_space_polynomial(const Primitive& space, const Powers<T, K>* x
   return p;
 }
 
-/// Requires: its size does not move.
 template <int K, class T, class Lengths, class Moment>
 Powers<T, 2 * K> strip_polynomial(const Primitive& strip, const Powers<T, K>* x, const Lengths& lengths,
                                   const Moment& tau) {
@@ -140,8 +139,18 @@ Powers<T, 2 * K> strip_polynomial(const Primitive& strip, const Powers<T, K>* x,
   T width{};
   for (int i = 0; i < strip.count; ++i) width = width + square(length_at<T>(lengths, strip.parts[i].normal));
   Powers<T, 2 * K> p{};
-  p[0] = square(line[0]) - square(length_at<T>(lengths, strip.size.value)) * width;
+  if (!strip.size.moves()) {
+    p[0] = square(line[0]) - square(length_at<T>(lengths, strip.size.value)) * width;
+    add_square_above<K>(p, line);
+    return p;
+  }
+  const Powers<T, K> half = moving_size<K, T>(strip.size, lengths, tau);
+  Powers<T, 2 * K> more{};
+  more[0] = square(half[0]);
+  add_square_above<K>(more, half);
+  p[0] = square(line[0]);
   add_square_above<K>(p, line);
+  for (int k = 0; k <= 2 * K; ++k) p[k] = p[k] - more[k] * width;
   return p;
 }
 

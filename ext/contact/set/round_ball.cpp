@@ -4,7 +4,7 @@
 
 namespace foresee::contact {
 
-void add_ball(ContactSet& set, int axes, int radius, const Faces* along_z) {
+void add_ball(ContactSet& set, int axes, const Size& radius, const Faces* along_z) {
   Conditions piece;
   if (along_z) {
     piece.all = between(set, {along_z, 1});
@@ -17,7 +17,7 @@ void add_ball(ContactSet& set, int axes, int radius, const Faces* along_z) {
     set.enclose(around);
     for (const int bound : between(set, {&around, 1})) piece.around.push_back(bound);
   }
-  piece.ball = set.ball(centre, {radius});
+  piece.ball = set.ball(centre, radius);
   piece.all.push_back(piece.ball);
   set.add_piece(piece);
 }

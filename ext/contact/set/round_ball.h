@@ -6,6 +6,6 @@
 namespace foresee::contact {
 
 /// |x| <= radius over the first `axes` axes, as the one piece of a set; also between `along_z`, if given.
-void add_ball(ContactSet& set, int axes, int radius, const Faces* along_z = nullptr);
+void add_ball(ContactSet& set, int axes, const Size& radius, const Faces* along_z = nullptr);
 
 }  // namespace foresee::contact

@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "contact/set/sizes_of_both.h"
 #include "contact/set/window_faces.h"
 
 namespace foresee::contact {
@@ -17,7 +18,7 @@ struct Side {
 
 class RoundedBox {
  public:
-  RoundedBox(ContactSet& set, std::span<const Faces> faces, int radius, std::vector<int> also)
+  RoundedBox(ContactSet& set, std::span<const Faces> faces, const Size& radius, std::vector<int> also)
       : set_(set), faces_(faces), radius_(radius), also_(std::move(also)) {
     for (const Faces& f : faces) {
       sides_.push_back(side(f.axis, -1, f.has_below, f.below));
@@ -34,9 +35,9 @@ class RoundedBox {
   }
 
  private:
-  Side side(int axis, int sign, bool there, int at) {
+  Side side(int axis, int sign, bool there, const Size& at) {
     if (!there) return {};
-    return {true, {at}, set_.bound(axis, sign, {at}), set_.bound(axis, sign, {set_.sum(at, radius_)})};
+    return {true, at, set_.bound(axis, sign, at), set_.bound(axis, sign, set_.sum(at, radius_))};
   }
 
   static bool has(unsigned axes, std::size_t i) { return (axes >> i & 1) != 0; }
@@ -77,14 +78,14 @@ class RoundedBox {
       piece.around.push_back(face.grown);
       piece.beyond.push_back(face.bound);
     }
-    piece.ball = set_.ball(centre, {radius_});
+    piece.ball = set_.ball(centre, radius_);
     piece.all.push_back(piece.ball);
     set_.add_piece(piece);
   }
 
   ContactSet& set_;
   std::span<const Faces> faces_;
-  int radius_;
+  Size radius_;
   std::vector<int> also_;
   std::vector<Side> sides_;  ///< below and above of each axis
 };
@@ -92,10 +93,9 @@ class RoundedBox {
 }  // namespace
 
 std::vector<Faces> faces_of_boxes(ContactSet& set, const Setup& setup) {
-  const auto place = [](int half, int axis) { return half == Offsets::absent ? half : half + axis; };
   std::vector<Faces> faces;
   for (int axis = 0; axis < setup.a.layout.axes; ++axis) {
-    const int half = set.in_both(place(setup.a.at.half, axis), place(setup.b.at.half, axis));
+    const Size half = half_of_both(set, setup, axis);
     faces.push_back({.axis = axis, .below = half, .above = half});
   }
   return faces;
@@ -111,12 +111,12 @@ std::vector<Faces> faces_of_window(ContactSet& set, const Setup& setup) {
     const bool below = window.has_lower(axis), above = window.has_upper(axis);
     int width = no_length;
     if (below && above) width = set.difference(set.given(window.upper[j]), set.given(window.lower[j]));
-    faces.push_back({.axis = axis, .above = width, .has_below = below, .has_above = above});
+    faces.push_back({.axis = axis, .above = {width}, .has_below = below, .has_above = above});
   }
   return faces;
 }
 
-Faces grown(ContactSet& set, Faces faces, int length) {
+Faces grown(ContactSet& set, Faces faces, const Size& length) {
   faces.below = set.sum(faces.below, length), faces.above = set.sum(faces.above, length);
   return faces;
 }
@@ -124,8 +124,8 @@ Faces grown(ContactSet& set, Faces faces, int length) {
 std::vector<int> between(ContactSet& set, std::span<const Faces> faces) {
   std::vector<int> bounds;
   for (const Faces& f : faces) {
-    if (f.has_below) bounds.push_back(set.bound(f.axis, -1, {f.below}));
-    if (f.has_above) bounds.push_back(set.bound(f.axis, 1, {f.above}));
+    if (f.has_below) bounds.push_back(set.bound(f.axis, -1, f.below));
+    if (f.has_above) bounds.push_back(set.bound(f.axis, 1, f.above));
   }
   return bounds;
 }
@@ -135,7 +135,8 @@ void add_box(ContactSet& set, std::span<const Faces> faces) {
   set.add_piece({.all = between(set, faces)});
 }
 
-void add_rounded_box(ContactSet& set, std::span<const Faces> faces, int radius, const Faces* along_z) {
+void add_rounded_box(ContactSet& set, std::span<const Faces> faces, const Size& radius,
+                     const Faces* along_z) {
   for (const Faces& f : faces) set.enclose(grown(set, f, radius));
   std::vector<int> also;
   if (along_z) {

@@ -18,7 +18,7 @@ std::vector<Faces> faces_of_boxes(ContactSet& set, const Setup& setup);
 /// The faces of the setup's window.
 std::vector<Faces> faces_of_window(ContactSet& set, const Setup& setup);
 /// Faces moved outward by a length.
-Faces grown(ContactSet& set, Faces faces, int length);
+Faces grown(ContactSet& set, Faces faces, const Size& length);
 
 /// The set of one piece, between the faces.
 void add_box(ContactSet& set, std::span<const Faces> faces);
@@ -28,7 +28,7 @@ std::vector<int> between(ContactSet& set, std::span<const Faces> faces);
 
 /// Pieces and hull of the box between the faces grown by `radius`, on the axes of the faces; every piece also
 /// lies between `along_z`, if given. Requires: two or three axes.
-void add_rounded_box(ContactSet& set, std::span<const Faces> faces, int radius,
+void add_rounded_box(ContactSet& set, std::span<const Faces> faces, const Size& radius,
                      const Faces* along_z = nullptr);
 
 }  // namespace foresee::contact

@@ -1,11 +1,12 @@
 #include "contact/set/rounded_box.h"
 #include "contact/set/shape_pairs.h"
+#include "contact/set/sizes_of_both.h"
 
 namespace foresee::contact {
 
 ContactSet window_ball_set(const Setup& setup) {
   ContactSet set;
-  add_rounded_box(set, faces_of_window(set, setup), set.in_both(setup.a.at.r, setup.b.at.r));
+  add_rounded_box(set, faces_of_window(set, setup), radius_of_both(set, setup, 0));
   return set;
 }
 

@@ -14,7 +14,9 @@ namespace {
 /// The same objects as points.
 Bodies centres_of(Bodies bodies) {
   bodies.layout.shape = Shape::point;
+  bodies.layout.has_growth = bodies.layout.has_growth_z = false;
   bodies.at.half = bodies.at.r = bodies.at.hz = Offsets::absent;
+  bodies.at.growth = bodies.at.growth_z = Offsets::absent;
   return bodies;
 }
 

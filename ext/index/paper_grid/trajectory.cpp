@@ -17,7 +17,7 @@ Trajectory<D> trajectory_of(const Bodies& bodies, std::size_t i, const Horizon& 
   out.x = motion.x + since * (motion.v + motion.a * (since * 0.5));
   const Vec<D> magnitude = motion.x.abs() + reach * (motion.v.abs() + motion.a.abs() * reach);
   const Vec<D> lost = magnitude * 0x1p-48 + (reach + 4) * 0x1p-1020;
-  out.room = (reach_of(extents_of<D>(bodies, i)) + margin + lost) * (1 + 0x1p-48);
+  out.room = (reach_of(largest_extents<D>(bodies, i, horizon)) + margin + lost) * (1 + 0x1p-48);
   return out;
 }
 

@@ -1,5 +1,7 @@
 #include "index/tpr_tree/bounds.h"
 
+#include <algorithm>
+
 namespace foresee::index {
 
 template <int D>
@@ -52,6 +54,21 @@ Bounds<D> bounds_at(const Motion<D>& motion, const Extents<D>& extents, double e
 }
 
 template <int D>
+Bounds<D> with_growth(const Bounds<D>& bounds, const Vec<D>& growth, double age, double pad) {
+  const double least = pad > 0 ? smallest_pad : 0;
+  const Vec<D> more = growth * std::max(age, 0.0);
+  const auto padding = [&](const Vec<D>& end, const Vec<D>& grown) {
+    return Vec<D>(end.isFinite().select((end.abs() + grown) * pad + least, 0.0));
+  };
+  return {lower_end<D>(bounds.x_lower - more, padding(bounds.x_lower, more)),
+          upper_end<D>(bounds.x_upper + more, padding(bounds.x_upper, more)),
+          lower_end<D>(bounds.v_lower - growth, padding(bounds.v_lower, growth)),
+          upper_end<D>(bounds.v_upper + growth, padding(bounds.v_upper, growth)),
+          bounds.a_lower,
+          bounds.a_upper};
+}
+
+template <int D>
 Bounds<D> carried(const Bounds<D>& bounds, double from, double to) {
   if (from == to) return bounds;
   const double s = to - from;
@@ -65,14 +82,17 @@ Bounds<D> carried(const Bounds<D>& bounds, double from, double to) {
 template Vec<1> lower_end<1>(const Vec<1>&, const Vec<1>&);
 template Vec<1> upper_end<1>(const Vec<1>&, const Vec<1>&);
 template Bounds<1> bounds_at(const Motion<1>&, const Extents<1>&, double, double);
+template Bounds<1> with_growth(const Bounds<1>&, const Vec<1>&, double, double);
 template Bounds<1> carried(const Bounds<1>&, double, double);
 template Vec<2> lower_end<2>(const Vec<2>&, const Vec<2>&);
 template Vec<2> upper_end<2>(const Vec<2>&, const Vec<2>&);
 template Bounds<2> bounds_at(const Motion<2>&, const Extents<2>&, double, double);
+template Bounds<2> with_growth(const Bounds<2>&, const Vec<2>&, double, double);
 template Bounds<2> carried(const Bounds<2>&, double, double);
 template Vec<3> lower_end<3>(const Vec<3>&, const Vec<3>&);
 template Vec<3> upper_end<3>(const Vec<3>&, const Vec<3>&);
 template Bounds<3> bounds_at(const Motion<3>&, const Extents<3>&, double, double);
+template Bounds<3> with_growth(const Bounds<3>&, const Vec<3>&, double, double);
 template Bounds<3> carried(const Bounds<3>&, double, double);
 
 }  // namespace foresee::index

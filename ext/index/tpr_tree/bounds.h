@@ -75,6 +75,12 @@ template <int D>
 Bounds<D> bounds_at(const Motion<D>& motion, const Extents<D>& extents, double epoch,
                     double pad = rounding_pad);
 
+/// The same bounds of what grows by `growth` in a unit of time, on every side, and has done so for `age`. Its
+/// lower faces move as objects would that are slower by that, its upper ones as faster ones. Before its time
+/// it has the size of its t.
+template <int D>
+Bounds<D> with_growth(const Bounds<D>& bounds, const Vec<D>& growth, double age, double pad = rounding_pad);
+
 /// Bounds at the epoch `to` of whatever lies within `bounds` at the epoch `from`.
 template <int D>
 Bounds<D> carried(const Bounds<D>& bounds, double from, double to);

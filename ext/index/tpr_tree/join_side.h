@@ -19,7 +19,7 @@ class JoinSide {
     boxes_[0].reserve(bodies.count);
     for (std::size_t i = 0; i < bodies.count; ++i) {
       if (i % 1024 == 0) interrupt.check();
-      boxes_[0].push_back(moving_box<D>(motion_of<D>(bodies, i), extents_of<D>(bodies, i), horizon, margin));
+      boxes_[0].push_back(moving_box<D>(bodies, i, horizon, margin));
     }
     for (std::size_t level = 0; level < starts_.size(); ++level)
       for (std::size_t i = 0; i + 1 < starts_[level].size(); ++i)

@@ -21,6 +21,7 @@
 #include <algorithm>
 
 #include "index/tpr_tree/bounds.h"
+#include "shape/swept_boxes.h"
 
 namespace foresee::index {
 
@@ -104,6 +105,29 @@ MovingBox<D> moving_box(const Motion<D>& motion, const Extents<D>& extents, cons
   pad_outward<D>(box, motion.x.abs() + reach_of(extents) + margin +
                           reach * (motion.v.abs() + (0.5 * reach) * motion.a.abs()));
   return box;
+}
+
+/// The same of what grows by `growth` in a unit of time, on every side, from `age` before now on. It need not
+/// be the right way round before it is there.
+template <int D>
+MovingBox<D> with_growth(MovingBox<D> box, const Vec<D>& growth, double age) {
+  const double reach = std::abs(age) + std::max(box.span.end, 0.0) + shortest_reach;
+  const Vec<D> more = growth * age;
+  box.lower -= more, box.upper += more;
+  box.v_lower -= growth, box.v_upper += growth;
+  pad_outward<D>(box, box.lower.abs().max(box.upper.abs()) +
+                          reach * (growth + box.v_lower.abs().max(box.v_upper.abs())));
+  return box;
+}
+
+/// Object i of some, likewise.
+template <int D>
+MovingBox<D> moving_box(const Bodies& bodies, std::size_t i, const Horizon& horizon, const Vec<D>& margin) {
+  const Motion<D> motion = motion_of<D>(bodies, i);
+  const MovingBox<D> box = moving_box<D>(motion, extents_of<D>(bodies, i), horizon, margin);
+  if (!grows(bodies.layout)) return box;
+  return with_growth<D>(box, growth_of<D>(bodies.layout.shape, bodies.row(i), bodies.at),
+                        horizon.now - motion.t);
 }
 
 /// A window whose faces are at lower and upper at `now` and move along from then on; bounds may be infinite.

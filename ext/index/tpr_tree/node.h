@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "index/pages.h"
-#include "index/tpr_tree/bounds.h"
+#include "index/tpr_tree/moving_box.h"
 #include "shape/shapes.h"
 
 namespace foresee::index {
@@ -27,6 +27,8 @@ class LeafReader {
     return motion;
   }
   Extents<D> extents(const double* record) const { return extents_of<D>(shape_, record, at_); }
+  Vec<D> growth(const double* record) const { return growth_of<D>(shape_, record, at_); }
+  bool grows() const { return at_.growth != Offsets::absent || at_.growth_z != Offsets::absent; }
   double t(const double* record) const { return value_or(record, at_.t, 0); }
   const double* record(const Node& leaf, std::size_t slot) const {
     return leaf.values.data() + slot * record_size();
@@ -46,12 +48,25 @@ class LeafReader {
 template <int D>
 struct Mover {
   Motion<D> motion;
-  Extents<D> extents;
+  Extents<D> extents;  ///< as of t
+  Vec<D> growth;
+  bool grows;  ///< the table says how fast
 
   Mover(const LeafReader<D>& reader, const double* record)
-      : motion(reader.motion(record)), extents(reader.extents(record)) {}
+      : motion(reader.motion(record)),
+        extents(reader.extents(record)),
+        growth(reader.growth(record)),
+        grows(reader.grows()) {}
 
-  Bounds<D> bounds(double epoch) const { return bounds_at(motion, extents, epoch); }
+  Bounds<D> bounds(double epoch, double pad = rounding_pad) const {
+    const Bounds<D> bounds = bounds_at(motion, extents, epoch, pad);
+    return grows ? with_growth(bounds, growth, epoch - motion.t, pad) : bounds;
+  }
+  /// Grown by `margin` on both sides of every axis.
+  MovingBox<D> box(const Horizon& horizon, const Vec<D>& margin) const {
+    const MovingBox<D> box = moving_box<D>(motion, extents, horizon, margin);
+    return grows ? with_growth(box, growth, horizon.now - motion.t) : box;
+  }
 };
 
 /// When the objects beneath an entry begin and end.

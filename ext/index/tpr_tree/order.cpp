@@ -57,7 +57,8 @@ class LeafOrder {
         items_[i].place[static_cast<std::size_t>(axis + D)] = clamped(v[axis]);
       }
       items_[i].index = static_cast<std::uint32_t>(i);
-      reach_[i] = clamped((v.abs() + reach_of(mover.extents)).maxCoeff());
+      const Vec<D> growth = mover.growth * (std::max(s, 0.0) + velocity_weight);
+      reach_[i] = clamped((v.abs() + growth + reach_of(mover.extents)).maxCoeff());
     }
   }
 

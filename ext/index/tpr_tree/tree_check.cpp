@@ -105,8 +105,7 @@ class TreeCheck {
   void check_bounds(NodeNumber number, std::int64_t id, const Mover<D>& mover) {
     const Motion<D>& motion = mover.motion;
     for (const Above& above : above_) {
-      const Entry<D> own{{motion.t, motion.t, motion.until},
-                         known(bounds_at(motion, mover.extents, above.epoch, 0.0))};
+      const Entry<D> own{{motion.t, motion.t, motion.until}, known(mover.bounds(above.epoch, 0.0))};
       if (!above.entry.contains(own))
         problem(number, "holds object " + std::to_string(id) + ", which an entry above does not contain");
     }

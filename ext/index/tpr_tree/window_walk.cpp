@@ -51,7 +51,7 @@ template <int D>
 [[gnu::flatten]] void WindowWalk<D>::find_in_leaf(const Node& leaf, std::vector<std::uint32_t>& slots) const {
   for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
     const Mover<D> mover(reader_, reader_.record(leaf, slot));
-    const MovingBox<D> box = moving_box<D>(mover.motion, mover.extents, horizon_, Vec<D>::Zero());
+    const MovingBox<D> box = mover.box(horizon_, Vec<D>::Zero());
     TimeSpan span = shared_span(box, question_);
     if (!span.is_empty() && narrow_to_contact(box, question_, span))
       slots.push_back(static_cast<std::uint32_t>(slot));

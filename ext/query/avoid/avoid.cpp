@@ -131,7 +131,7 @@ class Manoeuvring {
         const bool touches = first[table][i] != 0;
         if (touches && question_.touching == Touching::ignore) continue;
         const auto met = encounter_of<D>(base_, {question_.now, question_.h}, others, others.row(i),
-                                         rule.pair<D>(own.row(0), others.row(i)));
+                                         rule.pair<D>(own.row(0), others.row(i), base_.t));
         if (met.begin > met.end) continue;
         const double far = (met.x.abs() - met.extents.half).maxCoeff() - met.extents.radius;
         ordered.push_back({far, table, near_[table]->ids[i], {met, touches && !delayed}});

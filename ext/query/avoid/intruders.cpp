@@ -12,7 +12,8 @@ namespace {
 template <int D>
 MovingBox<D> box_around(const AvoidQuestion& question, const OwnMotion& base, const MotionSet<D>& all,
                         const Vec<D>& margin) {
-  const Extents<D> extents = extents_of<D>(question.own->bodies(), 0);
+  const Bodies own = question.own->bodies();
+  const Extents<D> extents = extents_of<D>(own, 0);
   const Horizon horizon{question.now, question.h};
   Bounds<D> bounds;
   for (int axis = 0; axis < D; ++axis) {
@@ -36,6 +37,10 @@ MovingBox<D> box_around(const AvoidQuestion& question, const OwnMotion& base, co
     return base.t + after + outward * rounding_pad * (std::abs(base.t) + std::abs(after));
   };
   const double begin = moment(all.begin, -1), end = std::isfinite(all.end) ? moment(all.end, 1) : all.end;
+  if (grows(own.layout)) {
+    const Vec<D> growth = growth_of<D>(own.layout.shape, own.row(0), own.at);
+    bounds = with_growth<D>(bounds, growth, base.t - value_or(own.row(0), own.at.t, 0));
+  }
   if (!is_finite(base)) bounds = Bounds<D>::everything();
   return moving_box<D>(bounds, base.t, span_between(begin, end, horizon), horizon);
 }
@@ -69,8 +74,7 @@ void walk_scene(const Scene& all, MovingBox<D> box, const Horizon& horizon,
   const Bodies bodies = all.bodies();
   for (std::size_t i = 0; i < bodies.count; ++i) {
     if (i % 1024 == 0) interrupt.check();
-    const MovingBox<D> other =
-        moving_box<D>(motion_of<D>(bodies, i), extents_of<D>(bodies, i), horizon, Vec<D>::Zero());
+    const MovingBox<D> other = moving_box<D>(bodies, i, horizon, Vec<D>::Zero());
     TimeSpan span = shared_span(other, box);
     if (all.ids[i] != itself && !span.is_empty() && narrow_to_contact(other, box, span))
       append_row(near, bodies.row(i), all.ids[i]);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 #include "base/axes.h"
@@ -9,6 +10,7 @@
 #include "contact/set/relative_motion.h"
 #include "numbers/dyadic.h"
 #include "query/join/question.h"
+#include "shape/shapes.h"
 
 namespace foresee::query {
 namespace {
@@ -31,6 +33,11 @@ bool bends(const Bodies& bodies, const double* row) {
                      [](double a) { return a != 0; });
 }
 
+template <int D>
+bool grows_at_all(const Bodies& bodies, const double* row) {
+  return (growth_of<D>(bodies.layout.shape, row, bodies.at) > 0).any();
+}
+
 /// The places of a record that a motion has, and where they stand in it.
 template <class Record, class Motion, class Use>
 void with_places(const Layout& layout, Record& record, Motion& motion, Use&& use) {
@@ -45,6 +52,25 @@ void with_places(const Layout& layout, Record& record, Motion& motion, Use&& use
   };
   number(at.t, motion.t), number(at.until, motion.until), number(at.mass, motion.mass);
   vector(at.x, motion.x), vector(at.v, motion.v), vector(at.a, motion.a), vector(at.force, motion.force);
+}
+
+/// A row of the same object with sizes of its own: what they are once the stored ones have grown for `age`,
+/// rounded up. `out`: of the same layout, but that no size is left out.
+void grow_row(const Layout& layout, const double* row, double age, Layout out_layout, double* out) {
+  const Offsets from = row_offsets(layout), to = row_offsets(out_layout);
+  const int sizes_end = from.growth != Offsets::absent ? from.growth : from.growth_z;
+  std::copy_n(row, sizes_end, out);
+  double* const rest = std::fill_n(out + sizes_end, to.size - from.size, 0.0);
+  std::copy(row + sizes_end, row + from.size, rest);
+  const auto grow = [&](int place, int axis) {
+    const double more = age * value_or(row, growth_place(layout.shape, from, axis), 0);
+    const double size = (out[place] + more) * (more > 0 ? 1 + 0x1p-49 : 1);
+    out[place] = std::min(size, std::numeric_limits<double>::max());
+  };
+  if (to.half != Offsets::absent)
+    for (int axis = 0; axis < layout.axes; ++axis) grow(to.half + axis, axis);
+  if (to.r != Offsets::absent) grow(to.r, 0);
+  if (to.hz != Offsets::absent) grow(to.hz, 2);
 }
 
 }  // namespace
@@ -66,6 +92,7 @@ std::vector<double> Touched::with_motion(const Layout& layout, std::vector<doubl
 Touched::Touched(const AvoidQuestion& question, Scenes near, Interrupt& interrupt)
     : question_(question), interrupt_(interrupt), near_(std::move(near)) {
   own_.name = question.own->name, own_.layout = question.own->layout;
+  own_.layout.starts_as_point = false;
   own_.ids = {0};
   own_.rows.resize(static_cast<std::size_t>(row_offsets(own_.layout).size));
   take(question.record);
@@ -77,8 +104,16 @@ Touched::Touched(const AvoidQuestion& question, Scenes near, Interrupt& interrup
 Touched::~Touched() = default;
 
 void Touched::take(const std::vector<double>& record) {
-  row_from_record(own_.layout, record.data(), own_.rows.data());
-  const double t = value_or(own_.rows.data(), row_offsets(own_.layout).t, 0);
+  const Layout& layout = question_.own->layout;
+  const double t = value_or(record.data(), record_offsets(layout).t, 0);
+  if (grows(layout)) {
+    std::vector<double> row(static_cast<std::size_t>(row_offsets(layout).size));
+    row_from_record(layout, record.data(), row.data());
+    const double age = t - value_or(question_.record.data(), record_offsets(layout).t, 0);
+    grow_row(layout, row.data(), age, own_.layout, own_.rows.data());
+  } else {
+    row_from_record(layout, record.data(), own_.rows.data());
+  }
   const double first = std::max(question_.now, t);
   if (first == first_moment_) return;
   first_moment_ = first;
@@ -118,7 +153,8 @@ bool Touched::parts(const Intruder& intruder) const {
   if (moments.none || (moments.t_begin == moments.t_end && moments.dt_begin == moments.dt_end)) return true;
   const Horizon first{first_moment_, 0};
   return with_axes(own.layout.axes, [&]<int D>(Axes<D>) {
-    if (!bends(own, own_row) && !bends(others, row))
+    const bool grow = grows_at_all<D>(own, own_row) || grows_at_all<D>(others, row);
+    if (!grow && !bends(own, own_row) && !bends(others, row))
       return parts_exactly<D>({own, others, first}, own_row, row);
     OwnMotion motion;
     motion.t = value_or(own_row, own.at.t, 0), motion.until = value_or(own_row, own.at.until, infinity);
@@ -130,7 +166,7 @@ bool Touched::parts(const Intruder& intruder) const {
     const OwnMotion base = motion_from(motion, std::max(first_moment_, motion.t));
     const ExtentsRule rule(own.layout, others.layout, question_.within, question_.within_z);
     const auto met =
-        encounter_of<D>(base, {question_.now, question_.h}, others, row, rule.pair<D>(own_row, row));
+        encounter_of<D>(base, {question_.now, question_.h}, others, row, rule.pair<D>(own_row, row, base.t));
     return judge_parting<D>(met, changed_ways<D>(base, {Manoeuvre::speed, 1}, 0, 0)) == Judgement::clear;
   });
 }

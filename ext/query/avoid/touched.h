@@ -4,6 +4,9 @@
 //   Touched touched(question, intruders, interrupt);
 //   touched.by(record, spared).empty()                 // clear
 //
+// What grows has grown since the stored t, whichever t the motion has: so a change goes on, without a new
+// report, from what is known now.
+//
 // Who is touched at the object's first moment is not counted if Touching says so: never for ignore; for part
 // if the distance of the centres never shrinks, decided exactly where neither path is bent (else proven, or
 // counted). Cost: some 100 ns an intruder.

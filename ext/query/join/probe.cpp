@@ -24,8 +24,7 @@ void walk(const Scene& one, NodeSource& tree, const Horizon& horizon, const Cont
   const Bodies body = one.bodies();
   // The object's box grows by one half of the reach, those in the tree by the other.
   const Vec<D> margin = margin_of<D>(reach);
-  WindowWalk<D> found(tree, moving_box<D>(motion_of<D>(body, 0), extents_of<D>(body, 0), horizon, margin),
-                      horizon, margin, interrupt);
+  WindowWalk<D> found(tree, moving_box<D>(body, 0, horizon, margin), horizon, margin, interrupt);
   for (LeafHits hits; found.next(hits);)
     for (const std::uint32_t slot : hits.slots)
       if (keep(hits.leaf->keys[slot])) take(near, *hits.leaf, slot);

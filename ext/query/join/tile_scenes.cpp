@@ -36,7 +36,7 @@ class Marker {
 
   [[gnu::flatten]] TileMarks operator()(const Bodies& bodies, std::size_t i) const {
     const Motion<D> motion = motion_of<D>(bodies, i);
-    const Extents<D> extents = extents_of<D>(bodies, i);
+    const Extents<D> extents = largest_extents<D>(bodies, i, horizon_);
     if (is_plainly_inside(motion, extents)) return Tile::owned;
     return tile_.marks(swept_box<D>(motion, horizon_, grown(extents, margin_)));
   }

@@ -21,6 +21,7 @@ class Mixture {
     layout.has_until = has(Quantity::until);
     layout.has_radius = is_stored_apart(layout.shape) && has(Quantity::radius);
     layout.has_heading = has(Quantity::heading);
+    add_growth(layout);
     return layout;
   }
 
@@ -132,6 +133,28 @@ class Mixture {
     return complete(Quantity::half_extent, "half extent") ? Shape::box : Shape::point;
   }
 
+  /// A point that grows is a disc or ball of no size at first; with growth_z, an upright cylinder.
+  void add_growth(Layout& layout) const {
+    const DeclaredWord *growth = at(Quantity::growth, 0), *growth_z = at(Quantity::growth, 2);
+    if (growth == nullptr && growth_z == nullptr) return;
+    const DeclaredWord* const declared = growth != nullptr ? growth : growth_z;
+    if (is_stored_apart(layout.shape))
+      refuse(declared,
+             "no distance is defined to an outline or a mesh that grows; leave shape out, and write r or hx "
+             "and hy around "
+             "each");
+    if (growth_z != nullptr && axes_ < 3) refuse(growth_z, "there is no axis z; add z or leave growth_z out");
+    if (growth_z != nullptr && layout.shape == Shape::ball)
+      refuse(growth_z,
+             "a ball grows alike on all sides; add hz for an upright cylinder, or leave growth_z out");
+    if (layout.shape == Shape::point) {
+      if (growth == nullptr) refuse(growth_z, "a point that grows along z alone is no shape; add growth");
+      layout.shape = growth_z != nullptr ? Shape::cylinder : Shape::ball;
+      layout.starts_as_point = true;
+    }
+    layout.has_growth = growth != nullptr, layout.has_growth_z = growth_z != nullptr;
+  }
+
   const DeclaredWord* slots_[quantity_count][3] = {};
   int axes_ = 0;
 };
@@ -164,6 +187,8 @@ int place_of(const Offsets& at, const Word& word) {
       return at.outline;
     case Quantity::heading:
       return at.heading;
+    case Quantity::growth:
+      return word.axis == 2 ? at.growth_z : at.growth;
     case Quantity::until:
       return at.until;
   }

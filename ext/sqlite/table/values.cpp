@@ -96,6 +96,8 @@ double Values::stored(const Column& column, std::int64_t id, sqlite3_value* valu
     refuse(column.name, id, shown(value), "a half extent is never negative; write 0 or more");
   if (number < 0 && quantity == Quantity::radius)
     refuse(column.name, id, shown(value), "a radius is never negative; write 0 or more");
+  if (number < 0 && quantity == Quantity::growth)
+    refuse(column.name, id, shown(value), "what is known gets less certain with time; write 0 or more");
   if (std::abs(number) > 360 && quantity == Quantity::heading)
     refuse(column.name, id, shown(value),
            number == 511

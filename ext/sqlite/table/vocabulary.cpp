@@ -21,6 +21,7 @@ constexpr std::array words = {
     Word{"hx", Quantity::half_extent, 0},   Word{"hy", Quantity::half_extent, 1},
     Word{"hz", Quantity::half_extent, 2},   Word{"r", Quantity::radius, 0},
     Word{"shape", Quantity::form, 0},       Word{"heading", Quantity::heading, 0},
+    Word{"growth", Quantity::growth, 0},    Word{"growth_z", Quantity::growth, 2},
     Word{"until", Quantity::until, 0},
 };
 

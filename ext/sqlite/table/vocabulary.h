@@ -23,6 +23,7 @@ enum class Quantity : std::uint8_t {
   radius,
   form,
   heading,
+  growth,
   until,  // the last one
 };
 constexpr int quantity_count = static_cast<int>(Quantity::until) + 1;

@@ -16,10 +16,11 @@ std::string_view cut_first(std::string_view& names) {
 }  // namespace
 
 std::span<const Feature> known_features() {
-  static constexpr std::array<Feature, 3> known{
+  static constexpr std::array<Feature, 4> known{
       {{map_blocks, [](const Declaration&) { return true; }},
        {stored_shapes, [](const Declaration& declared) { return is_stored_apart(declared.layout.shape); }},
-       {stored_meshes, [](const Declaration& declared) { return declared.layout.shape == Shape::mesh; }}}};
+       {stored_meshes, [](const Declaration& declared) { return declared.layout.shape == Shape::mesh; }},
+       {stored_growth, [](const Declaration& declared) { return grows(declared.layout); }}}};
   return known;
 }
 

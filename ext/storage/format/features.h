@@ -1,6 +1,6 @@
 // What does a stored table use that version 0.1 of foresee did not know?
 //
-//   features_of(declaration)                          // "blocks,growth", which _meta keeps
+//   features_of(declaration)                          // "blocks,shapes", which _meta keeps
 //   unknown_feature("blocks,tiles") == "tiles"        // of two, this library knows the first
 //
 // The format's number says how nodes are drawn; a feature says that there is more to a table than that. A
@@ -29,6 +29,9 @@ constexpr std::string_view stored_shapes = "shapes";
 /// That what it has are meshes, and bounds those of three axes. Tables with `shape` and z, but no hz, have
 /// it.
 constexpr std::string_view stored_meshes = "meshes";
+
+/// That shapes grow: bounds move in tables at rest too. Tables with `growth` or `growth_z` have it.
+constexpr std::string_view stored_growth = "growth";
 
 /// Bytes that are read of their names.
 constexpr std::size_t most_features = 1000;

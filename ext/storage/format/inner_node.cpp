@@ -105,7 +105,7 @@ Node decode_inner(const NodeFormat& format, std::span<const std::byte> blob) {
     node.keys.push_back(load_number<std::int64_t>(entry));
     double* values = node.values.data() + slot * stride;
     std::memcpy(values, entry + sizeof(std::int64_t), stored_numbers(format) * sizeof(double));
-    if (format.layout.law != Law::rest) continue;
+    if (bounds_move(format.layout)) continue;
     std::fill_n(values + first_bound + 2 * axes, axes, -rest_velocity_pad);
     std::fill_n(values + first_bound + 3 * axes, axes, rest_velocity_pad);
   }

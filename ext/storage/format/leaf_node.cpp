@@ -46,14 +46,13 @@ const char* form_fault(const NodeFormat& format, const std::byte* record) {
 }
 
 const char* extent_fault(const NodeFormat& format, const std::byte* record) {
-  return with_shape(format.layout.shape, [&](auto shape) -> const char* {
-    for (const SizeColumn& column : shape.sizes) {
-      const int axes = !has_column(format.layout, column) ? 0 : column.on_all_axes ? format.layout.axes : 1;
-      for (int axis = 0; axis < axes; ++axis)
-        if (number_at(record, format.at.*column.place + axis) < 0) return column.when_negative;
-    }
-    return is_stored_apart(format.layout.shape) ? form_fault(format, record) : nullptr;
+  const char* fault = nullptr;
+  for_each_size(format.layout, [&](const SizeColumn& column) {
+    const int axes = column.on_all_axes ? format.layout.axes : 1;
+    for (int axis = 0; axis < axes; ++axis)
+      if (number_at(record, format.at.*column.place + axis) < 0) fault = column.when_negative;
   });
+  return !fault && is_stored_apart(format.layout.shape) ? form_fault(format, record) : fault;
 }
 
 const char* force_fault(const NodeFormat& format, const std::byte* record) {

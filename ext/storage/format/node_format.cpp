@@ -13,9 +13,10 @@ std::size_t record_bytes(const Layout& layout) {
   return number_size * static_cast<std::size_t>(record_offsets(layout).size);
 }
 
-// Child, least t, greatest t, greatest until; then two bounds an axis for position, velocity, acceleration.
+// Child, least t, greatest t, greatest until; then two bounds an axis for position, velocity, acceleration,
+// as far as they move.
 std::size_t inner_entry_bytes(const Layout& layout) {
-  const std::size_t bounded = layout.law == Law::rest ? 1 : layout.law == Law::uniform ? 2 : 3;
+  const std::size_t bounded = !bounds_move(layout) ? 1 : degree_of(layout.law) < 2 ? 2 : 3;
   return number_size * (4 + 2 * bounded * static_cast<std::size_t>(layout.axes));
 }
 

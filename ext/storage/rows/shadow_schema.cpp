@@ -64,12 +64,9 @@ std::string describe_columns(const Declaration& declaration) {
     on_all_axes("f");
     text += ", m";
   }
-  with_shape(layout.shape, [&](auto shape) {
-    for (const SizeColumn& column : shape.sizes) {
-      if (!has_column(layout, column)) continue;
-      column.on_all_axes ? on_all_axes(column.name)
-                         : static_cast<void>(text += std::string(", ") + column.name);
-    }
+  for_each_size(layout, [&](const SizeColumn& column) {
+    column.on_all_axes ? on_all_axes(column.name)
+                       : static_cast<void>(text += std::string(", ") + column.name);
   });
   if (is_stored_apart(layout.shape)) text += layout.has_heading ? ", shape, heading" : ", shape";
   if (layout.has_until) text += ", until";

@@ -22,23 +22,29 @@ TEST(StraightApproach, FindsTheNearestMomentAndAPlane) {
   Random random(6);
   int apart = 0;
   for (int i = 0; i < 4000; ++i) {
-    PairExtents<3> extents{
-        {random.in(0, 2), random.in(0, 2), random.in(0, 2)}, random.in(0, 2), i % 2 ? 3 : 2};
+    GrowingExtents<3> extents{
+        {{random.in(0, 2), random.in(0, 2), random.in(0, 2)}, random.in(0, 2), i % 2 ? 3 : 2}};
     if (i % 5 == 0) extents.half.setZero();
     if (i % 7 == 0) extents.radius = 0, extents.round_axes = 3;
+    if (i % 3 == 0) {
+      extents.grows = true;
+      extents.growth = {{random.in(0, 0.2), 0, random.in(0, 0.2)}, random.in(0, 0.4), extents.round_axes};
+    }
     const Vec<3> x{random.in(-9, 9), random.in(-9, 9), random.in(-9, 9)},
         v{random.in(-2, 2), random.in(-2, 2), random.in(-2, 2)};
     const double begin = random.in(0, 2), end = begin + random.in(0, 9);
     const auto near = straight_approach<3>(extents, x, v, begin, end);
     Vec<3> ignored;
     double least = HUGE_VAL;
-    for (int j = 0; j <= 1000; ++j)
-      least = std::min(least, depth_in<3>(extents, x + (begin + (end - begin) * j / 1000) * v, ignored));
+    for (int j = 0; j <= 1000; ++j) {
+      const double tau = begin + (end - begin) * j / 1000;
+      least = std::min(least, depth_in<3>(extents.after(tau), x + tau * v, ignored));
+    }
     EXPECT_LE(near.gap, least + 0.05 * std::abs(least) + 1e-9);
     if (least <= 0.01) continue;
     ++apart;
     for (const double tau : {begin, end})
-      EXPECT_GT((near.normal * (x + tau * v)).sum(), extents.most(near.normal)) << i;
+      EXPECT_GT((near.normal * (x + tau * v)).sum(), extents.after(tau).most(near.normal)) << i;
   }
   EXPECT_GT(apart, 1000);
 }
@@ -49,7 +55,7 @@ struct Meeting {
 
   Meeting() {
     base.v = {0, 10, 0};
-    met = {{0, 1000}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {{0, 0}, 20, 2}, 0, 200};
+    met = {{0, 1000}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {{{0, 0}, 20, 2}}, 0, 200};
   }
   Judgement turn(double p, double q) const {
     return judged(met, changed_ways<2>(base, {Manoeuvre::turn, 10}, p, q));

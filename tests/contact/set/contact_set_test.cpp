@@ -111,7 +111,7 @@ TEST(ContactSet, OfAHundredDiscsIsTheUnionOfDiscs) {
       Object round_one = object(2, Shape::ball);
       round_one.x[0] = disc.x, round_one.x[1] = disc.y, round_one.r = disc.r;
       const auto times = contact(round_one, passage.moving, {.horizon = {0, 10}});
-      oracle::Rule rule{.axes = {}, .half = {0.0, 0.0}, .round = {0, 1}, .radius = disc.r};
+      oracle::Rule rule{.axes = {}, .half = {{}, {}}, .round = {0, 1}, .radius = {disc.r}};
       for (int j = 0; j < 2; ++j) rule.axes.push_back(oracle::relative_axis(round_one, passage.moving, j, 0));
       EXPECT_EQ(oracle::judge(rule, round_one, passage.moving, {0, 10}, times), "");
       if (times) each.emplace_back(times->dt, times->dt_end);

@@ -99,7 +99,9 @@ inline void expect_sound(const AvoidQuestion& question, const std::vector<AvoidR
       const double near = width * std::exp2(-random.in(1, 45));
       asked.push_back(row.k_from + near), asked.push_back(row.k_to - near);
     }
-    if (width > 0 && row.manoeuvre != Manoeuvre::delay)
+    // What is ignored as it has grown since its report need not touch at first in a new one.
+    const bool ignores = question.touching == Touching::ignore && grows(question.own->layout);
+    if (width > 0 && row.manoeuvre != Manoeuvre::delay && !ignores)
       for (const double k : {row.k_from, row.k_to}) {
         if (k == 0) continue;
         AvoidQuestion stored = after(question, row.manoeuvre, k, random);

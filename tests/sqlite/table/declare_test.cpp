@@ -164,10 +164,47 @@ TEST(DeclareErrors, MixturesOfShapes) {
   });
 }
 
+TEST(Declare, WhatGrowsHasAShape) {
+  const auto layout = [](const Arguments& arguments) { return parse_declaration("ships", arguments).layout; };
+  for (const Arguments& arguments : {Arguments{"id", "x", "growth"}, Arguments{"id", "x", "y", "growth"},
+                                     Arguments{"id", "x", "y", "z", "growth"}}) {
+    EXPECT_EQ(layout(arguments).shape, Shape::ball);
+    EXPECT_TRUE(layout(arguments).starts_as_point);
+    EXPECT_EQ(record_offsets(layout(arguments)).size, layout(arguments).axes + 1);  // no r is stored
+  }
+  EXPECT_FALSE(layout({"id", "x", "y", "r", "growth"}).starts_as_point);
+  EXPECT_EQ(layout({"id", "x", "y", "hx", "hy", "growth"}).shape, Shape::box);
+  const Layout column = layout({"id", "x", "y", "z", "growth", "growth_z"});
+  EXPECT_EQ(column.shape, Shape::cylinder);
+  EXPECT_TRUE(column.starts_as_point);
+  EXPECT_TRUE(layout({"id", "x", "y", "z", "r", "hz", "growth_z"}).has_growth_z);
+}
+
+TEST(DeclareErrors, Growth) {
+  expect_errors({
+      {{"id", "x", "y", "shape", "growth"},
+       "\"growth\": no distance is defined to an outline or a mesh that grows; leave shape out, and write r "
+       "or "
+       "hx and hy around each"},
+      {{"id", "x", "y", "growth", "growth_z"},
+       "\"growth_z\": there is no axis z; add z or leave growth_z out"},
+      {{"id", "x", "y", "z", "r", "growth_z"},
+       "\"growth_z\": a ball grows alike on all sides; add hz for an upright cylinder, or leave growth_z "
+       "out"},
+      {{"id", "x", "y", "z", "growth_z"},
+       "\"growth_z\": a point that grows along z alone is no shape; add growth"},
+      {{"id", "x", "growht"},
+       "\"growht\": no such column; did you mean growth?; known are id, t, x, y, z, vx, vy, vz, ax, ay, az, "
+       "fx, fy, fz, m, hx, hy, hz, r, shape, heading, growth, growth_z, until; a column of your own is "
+       "written "
+       "+growht"},
+  });
+}
+
 TEST(DeclareErrors, UnknownNamesSuggestTheNearest) {
   const std::string known =
       "; known are id, t, x, y, z, vx, vy, vz, ax, ay, az, fx, fy, fz, m, hx, hy, hz, r, shape, heading, "
-      "until;"
+      "growth, growth_z, until;"
       " a column of your own is written +";
   expect_errors({
       {{"id", "x", "vxx"}, "\"vxx\": no such column; did you mean vx?" + known + "vxx"},

@@ -32,6 +32,10 @@ const std::vector<WatchLife>& watch_lives() {
       {"MovingWithoutT", "x, y, vx, vy", "N, S, V, V", "horizon = 6, within = 1", "h = 6 AND within = 1"},
       {"Cylinders", "t, x, y, z, vx, vy, vz, r, hz", "T, N, N, N, V, V, V, S, S",
        "horizon = 9, within = 1, within_z = 2", "h = 9 AND within = 1 AND within_z = 2"},
+      {"Growing", "t, x, y, vx, vy, r, growth", "T, N, N, V, V, S, 0.25 * S", "horizon = 12, within = 1",
+       "h = 12 AND within = 1"},
+      {"GrowingBoxes", "t, x, y, z, hx, hy, hz, growth, growth_z", "T, N, N, S, S, S, S, 0.5 * S, 0.25",
+       "horizon = 9", "h = 9"},
       {"Outlines", "t, x, y, vx, vy, shape, heading, r",
        "T, N, N, V, V, CASE S WHEN 0 THEN NULL ELSE 'POLYGON((-2 -9, 2 -9, 2 6, 0 9, -2 6, -2 -9))' END, 45 "
        "* V, S",

@@ -34,6 +34,17 @@ TEST(Features, TheFirstUnknownOneIsFound) {
   EXPECT_EQ(unknown_feature(",long", two), ",");
 }
 
+// To a library of before, bounds of what is at rest would not move.
+TEST(Features, GrowthIsOne) {
+  Declaration declaration{.layout = {.axes = 2, .shape = Shape::box}};
+  EXPECT_EQ(features_of(declaration), "blocks");
+  for (bool Layout::*grows : {&Layout::has_growth, &Layout::has_growth_z}) {
+    declaration.layout = {.axes = 3, .shape = Shape::box};
+    declaration.layout.*grows = true;
+    EXPECT_EQ(features_of(declaration), "blocks,growth");
+  }
+}
+
 // To a library of before, bounds of three axes would be those of two.
 TEST(Features, MeshesAreRefusedByWhoKnowsFlatOutlinesOnly) {
   Declaration declaration{.layout = {.axes = 3, .shape = Shape::mesh}};
@@ -69,9 +80,9 @@ TEST(Features, UnknownOnesAreRefusedByName) {
     db.run(std::string("UPDATE ships_meta SET value = ") + known + " WHERE key = 'features'");
     open();
   }
-  db.run("UPDATE ships_meta SET value = 'growth,tiles' WHERE key = 'features'");
+  db.run("UPDATE ships_meta SET value = 'tides,tiles' WHERE key = 'features'");
   expect_store_error(SQLITE_ERROR,
-                     "ships: written with 'growth', which this foresee does not know: use a newer one", open);
+                     "ships: written with 'tides', which this foresee does not know: use a newer one", open);
   for (const char* value : {"7", "x'00'", "'a' || char(0) || 'b'", "zeroblob(1000000)"}) {
     db.run(std::string("UPDATE ships_meta SET value = ") + value + " WHERE key = 'features'");
     expect_store_error(SQLITE_ERROR, "which this foresee does not know", open);
@@ -83,7 +94,7 @@ class UnknownFeature : public ::testing::Test {
   UnknownFeature() {
     sqlite3_foresee_init(db, nullptr, nullptr);
     db.run("CREATE VIRTUAL TABLE ships USING moving_objects(id, x, r); INSERT INTO ships VALUES(1, 2, 3)");
-    db.run("UPDATE ships_meta SET value = 'blocks,growth' WHERE key = 'features'");
+    db.run("UPDATE ships_meta SET value = 'blocks,tides' WHERE key = 'features'");
   }
   std::string error_of(const std::string& sql) {
     char* message = nullptr;
@@ -96,7 +107,7 @@ class UnknownFeature : public ::testing::Test {
 
   Database db;
   const std::string refusal =
-      "ships: written with 'growth', which this foresee does not know: use a newer one";
+      "ships: written with 'tides', which this foresee does not know: use a newer one";
 };
 
 TEST_F(UnknownFeature, IsRefusedForReadingAndWriting) {
@@ -112,11 +123,11 @@ TEST_F(UnknownFeature, IsRefusedForReadingAndWriting) {
 
 TEST_F(UnknownFeature, IsTheReasonAlsoWhereTheColumnsCannotBeRead) {
   db.run("PRAGMA writable_schema = ON");
-  db.run("UPDATE sqlite_schema SET sql = replace(sql, 'id, x, r', 'id, x, r, growth') WHERE name = 'ships'");
+  db.run("UPDATE sqlite_schema SET sql = replace(sql, 'id, x, r', 'id, x, r, tide') WHERE name = 'ships'");
   reload_schema();
   EXPECT_EQ(error_of("SELECT x FROM ships"), refusal);
   db.run("DELETE FROM ships_meta WHERE key = 'features'");
-  EXPECT_NE(error_of("SELECT x FROM ships").find("growth"), std::string::npos);
+  EXPECT_NE(error_of("SELECT x FROM ships").find("tide"), std::string::npos);
   EXPECT_EQ(error_of("SELECT x FROM ships").find("newer"), std::string::npos);
 }
 
