@@ -70,6 +70,10 @@ void require_no_ball_with_cylinder(const Bodies& a, const Bodies& b, const std::
 std::unique_ptr<Contact> make_contact_of_outlines(const Bodies& a, const Bodies& b,
                                                   const ContactQuestion& question, const std::string& name_a,
                                                   const std::string& name_b) {
+  for (const Bodies* side : {&a, &b})
+    if (is_box(*side) && grows(side->layout))
+      throw Error("no distance is defined between outlines and boxes that grow: declare r and growth in " +
+                  (side == &a ? name_a : name_b) + " in place of hx and hy");
   const bool prisms = a.layout.axes == 3;
   if (prisms) require_no_ball_with_cylinder(a, b, name_a, name_b);
   const Setup setup{a, b, question.horizon, question.within,
@@ -99,6 +103,10 @@ std::unique_ptr<Contact> make_contact_of_meshes(const Bodies& a, const Bodies& b
                                                 const ContactQuestion& question, const std::string& name_a,
                                                 const std::string& name_b) {
   require_no_upright_with_mesh(a, b, name_a, name_b);
+  for (const Bodies* side : {&a, &b})
+    if (grows(side->layout))
+      throw Error("no distance is defined between meshes and what grows: leave growth out of " +
+                  (side == &a ? name_a : name_b) + ", or write within");
   const Setup setup{a, b, question.horizon, question.within, question.within};
   const auto meshes = [&](const Bodies& bodies) -> const MeshRows* {
     if (question.rectangles_for_outlines || bodies.layout.shape != Shape::mesh) return nullptr;

@@ -81,8 +81,14 @@ Rational Encounter::velocity(int axis) const {
   return Rational(b.v[axis]) - Rational(a.v[axis]);
 }
 
-Rational Encounter::radius() const {
-  return Rational(a.r) + Rational(b.r) + Rational(question.within);
+Rational Encounter::radius(const Rational& moment) const {
+  Rational radius(question.within);
+  for (const auto* o : {&a, &b}) {
+    radius += Rational(o->r);
+    const Rational age = moment + Rational(question.horizon.now) - Rational(o->t);
+    if (o->layout.has_growth) radius += age * Rational(o->growth);
+  }
+  return radius;
 }
 
 std::string compared(const std::optional<Stretch>& exact, const std::optional<ContactTimes>& answer,

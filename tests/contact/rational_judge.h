@@ -38,7 +38,7 @@ struct Encounter {
   /// Where b is seen from a, and how fast it goes there.
   Rational place(int axis, const Rational& moment) const;
   Rational velocity(int axis) const;
-  Rational radius() const;
+  Rational radius(const Rational& moment) const;
 };
 
 /// Empty if these are the times of `exact`, correctly rounded, else what is wrong.

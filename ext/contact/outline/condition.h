@@ -7,7 +7,8 @@
 #pragma once
 
 #include "contact/outline/convex_sum.h"
-#include "contact/set/relative_motion.h"
+#include "contact/pieces/moving_size.h"
+#include "contact/set/sizes_of_both.h"
 #include "contact/set/window_faces.h"
 
 namespace foresee::contact {
@@ -29,7 +30,7 @@ struct Condition {
 /// a along z that just touches it. A window need not have both faces there.
 template <class T>
 struct PairSizes {
-  T radius, below, above;
+  MovingSize<T> radius, below, above;
   bool has_below = true, has_above = true;
 
   bool has_face(int side) const { return side < 0 ? has_below : has_above; }
@@ -42,35 +43,50 @@ inline int place_of_half_height(const Offsets& at) {
 
 template <class T>
 PairSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
-  const auto sum = [&](int place_a, int place_b, double more) {
-    using E = Exactly<T>;
-    return E::number(value_or(row_a, place_a, 0)) + E::number(value_or(row_b, place_b, 0)) + E::number(more);
+  const TwoRows<T> rows{row_a, row_b};
+  const auto sum = [&](int place_a, int place_b, int axis, double more) {
+    MovingSize<T> size{rows.in_both(place_a, place_b) + Exactly<T>::number(more)};
+    const Length growth = growth_of_both(setup, axis);
+    size.moves = value_or(row_a, growth.a, 0) > 0 || value_or(row_b, growth.b, 0) > 0;
+    if (size.moves)
+      size.value = size.value + rows.growth(growth), size.rate = rows.in_both(growth.a, growth.b);
+    return size;
   };
-  const int height_a = place_of_half_height(setup.a.at), height_b = place_of_half_height(setup.b.at);
-  PairSizes<T> sizes{sum(setup.a.at.r, setup.b.at.r, setup.within), {}, {}};
+  const auto height = [&](double more) {
+    return sum(place_of_half_height(setup.a.at), place_of_half_height(setup.b.at), 2, more);
+  };
+  PairSizes<T> sizes{sum(setup.a.at.r, setup.b.at.r, 0, setup.within), {}, {}};
   if (setup.a.layout.axes < 3) return sizes;
   if (!setup.window) {
-    sizes.below = sizes.above = sum(height_a, height_b, setup.within_z);
+    sizes.below = sizes.above = height(setup.within_z);
     return sizes;
   }
   const WindowFaces& faces = *setup.window;  // a is where the axes meet
   sizes.has_below = faces.has_lower(2), sizes.has_above = faces.has_upper(2);
-  if (sizes.has_below) sizes.below = sum(height_a, height_b, -faces.lower[2]);
-  if (sizes.has_above) sizes.above = sum(height_a, height_b, faces.upper[2]);
+  if (sizes.has_below) sizes.below = height(-faces.lower[2]);
+  if (sizes.has_above) sizes.above = height(faces.upper[2]);
   return sizes;
+}
+
+template <class T>
+PairSizes<T> seen_from(const PairSizes<T>& sizes, double tau) {
+  return {seen_from(sizes.radius, tau), seen_from(sizes.below, tau), seen_from(sizes.above, tau),
+          sizes.has_below, sizes.has_above};
 }
 
 /// The square of its line, or of the gap to its corner, minus that of R. Requires: of kind side or corner.
 template <int K, class T>
-Powers<T, 2 * K> round_polynomial(const Condition& condition, const Powers<T, K>* x, const T& radius) {
+Powers<T, 2 * K> round_polynomial(const Condition& condition, const Powers<T, K>* x,
+                                  const MovingSize<T>& radius) {
   Powers<T, 2 * K> p{};
   if (condition.kind == Condition::Kind::side) {
     const Powers<T, K> line = beyond<K>(condition.edge, x);
-    p[0] = square(line[0]) - square(radius) * squared_length<T>(condition.edge);
+    p[0] = square(line[0]);
     add_square_above<K>(p, line);
+    subtract_square_times<2 * K>(p, radius, squared_length<T>(condition.edge));
     return p;
   }
-  p[0] = -square(radius);
+  subtract_square_times<2 * K>(p, radius, Exactly<T>::number(1));
   for (int j = 0; j < 2; ++j) {
     Powers<T, K> gap = x[j];
     gap[0] = gap[0] - begin_of<T>(condition.edge, j);
@@ -80,7 +96,8 @@ Powers<T, 2 * K> round_polynomial(const Condition& condition, const Powers<T, K>
   return p;
 }
 
-/// Gives `take` the polynomial of a condition. `x`: d by powers of the time after some moment.
+/// Gives `take` the polynomial of a condition. `x`: d by powers of the time after some moment, of which the
+/// sizes are too.
 template <int K, class T, std::size_t D, class Take>
 auto with_polynomial(const Condition& condition, const std::array<Powers<T, K>, D>& x,
                      const PairSizes<T>& sizes, Take&& take) {
@@ -93,7 +110,7 @@ auto with_polynomial(const Condition& condition, const std::array<Powers<T, K>, 
       Powers<T, K> p = x[D - 1];
       if (condition.sign < 0)
         for (T& c : p) c = -c;
-      p[0] = p[0] - (condition.sign < 0 ? sizes.below : sizes.above);
+      subtract_times<K>(p, condition.sign < 0 ? sizes.below : sizes.above, Exactly<T>::number(1));
       return take(p);
     }
     default:

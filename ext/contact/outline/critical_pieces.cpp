@@ -11,12 +11,12 @@ class Critical {
   ContactSet set;
 
   Critical(const Setup& setup, bool grown) {
-    if (grown) radius_ = set.sum(set.in_both(setup.a.at.r, setup.b.at.r), set.given(setup.within));
+    if (grown) radius_ = radius_of_both(set, setup, setup.within);
     if (setup.a.layout.axes < 3) return;
-    const int heights = set.in_both(place_of_half_height(setup.a.at), place_of_half_height(setup.b.at));
+    const Size heights = set.sum(height_of_both(set, setup, 0), half_of_both(set, setup, 2));
     Faces across_z{.axis = 2, .below = {set.given(setup.within_z)}, .above = {set.given(setup.within_z)}};
     if (setup.window) across_z = faces_from_origin(*setup.window);
-    across_z = contact::grown(set, across_z, {heights});
+    across_z = contact::grown(set, across_z, heights);
     along_z_ = between(set, {&across_z, 1});
   }
 
@@ -25,7 +25,7 @@ class Critical {
     SumEdge edge;
     for (ConvexSum sum(a, b); sum.next(edge);) {
       inside.all.push_back(set.half_space(line_of(edge), {}));
-      if (radius_ != no_length) add_rounded(edge);
+      if (radius_.value != no_length) add_rounded(edge);
     }
     set.add_piece(inside);
   }
@@ -37,11 +37,11 @@ class Critical {
   void add_rounded(const SumEdge& edge) {
     Conditions beside{.all = along_z_}, around{.all = along_z_};
     for (const int sign : {-1, 1}) beside.all.push_back(set.half_space(foot_of(edge, sign), {}));
-    beside.ball = set.strip(line_of(edge), {radius_});
+    beside.ball = set.strip(line_of(edge), radius_);
     beside.all.push_back(beside.ball);
     set.add_piece(beside);
     const Size x{difference(edge.p->x, edge.q->x)}, y{difference(edge.p->y, edge.q->y)};
-    around.ball = set.ball(Line{{{.axis = 0, .at = x}, {.axis = 1, .at = y}}}, {radius_});
+    around.ball = set.ball(Line{{{.axis = 0, .at = x}, {.axis = 1, .at = y}}}, radius_);
     around.all.push_back(around.ball);
     set.add_piece(around);
   }
@@ -75,7 +75,7 @@ class Critical {
     return line;
   }
 
-  int radius_ = no_length;
+  Size radius_;
   std::vector<int> along_z_;
 };
 

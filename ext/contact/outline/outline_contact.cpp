@@ -54,7 +54,13 @@ PlainAnswer FlatKit<D, Degree>::plain_answer(const Setup& setup, const double* r
   };
   take_axis(relative.axis[0], way.begin.x, way.end.x);
   take_axis(relative.axis[1], way.begin.y, way.end.y);
-  const Bounded radius = contact::sizes_of<Bounded>(setup, row_a, row_b).radius;
+  // Anything between its first size and its last.
+  const MovingSize<Bounded> grown = contact::sizes_of<Bounded>(setup, row_a, row_b).radius;
+  Bounded radius = seen_from(grown, moments.dt_begin).value;
+  if (grown.moves) {
+    const Bounded more = Bounded{0.5 * length} * grown.rate;
+    radius = radius + more, radius.error += more.value * (1 + 0x1p-40) + more.error;
+  }
   const PlainAnswer plain = plainly_near(way, a, b, radius, D == 2 && times_wanted);
   return D == 2 || plain.touches == Verdict::no ? plain : PlainAnswer{};
 }

@@ -53,7 +53,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
       for (const int side : {-1, 1})
         if (sizes_.has_face(side)) keep({.kind = Kind::height, .sign = side});
     const ConvexPiece a = a_.piece(pair.a), b = b_.piece(pair.b);
-    if (sizes_.radius.value > 0)
+    if (is_of_size(sizes_.radius))
       test_grown(a, b);
     else
       test_as_they_are(a, b);
@@ -112,12 +112,13 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
   Period<double> near_edge(const SumEdge& edge, const Period<double>& when) const {
     static constexpr Faces faces[] = {{.axis = 0, .below = {0}, .above = {1}},
                                       {.axis = 1, .below = {2}, .above = {3}}};
+    const Bounded radius = largest(sizes_.radius, asked_.end.high);
     Bounded reach[4];
     for (int j = 0; j < 2; ++j) {
       const Bounded begin = begin_of<Bounded>(edge, j), end = end_of<Bounded>(edge, j);
       const double error = std::max(begin.error, end.error);
-      reach[2 * j] = sizes_.radius - Bounded{std::min(begin.value, end.value), error};
-      reach[2 * j + 1] = sizes_.radius + Bounded{std::max(begin.value, end.value), error};
+      reach[2 * j] = radius - Bounded{std::min(begin.value, end.value), error};
+      reach[2 * j + 1] = radius + Bounded{std::max(begin.value, end.value), error};
     }
     return chord_.between(faces, 2, reach, when);
   }
@@ -140,13 +141,13 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
     if (side < 0)
       for (Bounded& c : p) c = -c;
     // R may be large: what underflow loses of the square counts before the product.
-    p[0] = p[0] - sizes_.radius * sqrt(with_lost(squared_length<Bounded>(edge), 0x1p-1060));
+    subtract_times<Degree>(p, sizes_.radius, sqrt(with_lost(squared_length<Bounded>(edge), 0x1p-1060)));
     return inside(p, lost_, asked_.end.high);
   }
 
   Powers<Bounded, 4> around_corner(const Condition& condition, double tau) const {
     const auto x = seen_from<Degree>(relative_, tau);
-    const auto p = round_polynomial<Degree>(condition, x.data(), sizes_.radius);
+    const auto p = round_polynomial<Degree>(condition, x.data(), contact::seen_from(sizes_.radius, tau));
     Powers<Bounded, 4> all{};
     std::copy(p.begin(), p.end(), all.begin());
     return all;

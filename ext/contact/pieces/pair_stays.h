@@ -92,7 +92,7 @@ class PairStays {
             more = take(PiecePair{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
         });
   }
-  bool is_grown() const { return sizes_.radius.value > 0; }  ///< near counts as touching
+  bool is_grown() const { return is_of_size(sizes_.radius); }  ///< near counts as touching
 
   /// Whether one lies within the other. Requires: their surfaces do not touch then.
   bool is_within_at(const Dyadic& moment) { return within_.at(moment); }

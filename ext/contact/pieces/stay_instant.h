@@ -55,10 +55,10 @@ class StayInstants {
     const double width = (end.at.high - end.at.low) * (1 + 4 * unit_roundoff);
     const double base = std::clamp(end.at.low + 0.5 * width, 0.0, asked_.end.high);
     const auto place = place_at(base);
-    const DoubleDouble value =
-        with_polynomial<0>(end.condition, place, *fine_sizes_, [](const auto& p) { return p[0]; });
+    const DoubleDouble value = with_polynomial<0>(end.condition, place, seen_from(*fine_sizes_, base),
+                                                  [](const auto& p) { return p[0]; });
     return with_polynomial<Degree>(
-        end.condition, seen_from<Degree>(certain_, base), sizes_, [&](const auto& p) {
+        end.condition, seen_from<Degree>(certain_, base), seen_from(sizes_, base), [&](const auto& p) {
           const double lost = certain_.underflow + 0x1p-1060, slope = p[1].value;
           // DoubleDouble loses at most 2^-97 of what the double bound counts in 2^-53.
           const double error = p[0].error_bound(lost) * 0x1p-44 + certain_.underflow;

@@ -13,6 +13,7 @@
 
 #include "base/steps.h"
 #include "contact/certain/chord.h"
+#include "contact/pieces/moving_size.h"
 #include "motion/box.h"
 
 namespace foresee::contact {
@@ -33,7 +34,7 @@ class TreeWalk {
         b_(b),
         chord_(relative, asked.end),
         asked_(overlap_along_z(chord_, asked, sizes)),
-        grown_(sizes.radius),
+        grown_(largest(sizes.radius, asked.end)),
         steps_(steps) {}
 
   /// Gives `visit` every pair of pieces that could touch, and when at most, as long as `wanted`, which is
@@ -88,7 +89,7 @@ class TreeWalk {
     } else {
       const Faces faces{
           .axis = 2, .below = {0}, .above = {1}, .has_below = sizes.has_below, .has_above = sizes.has_above};
-      const Bounded reach[] = {sizes.below, sizes.above};
+      const Bounded reach[] = {largest(sizes.below, asked.end), largest(sizes.above, asked.end)};
       return chord.between(&faces, 1, reach, asked);
     }
   }

@@ -23,10 +23,14 @@ Box<D> window_near(const Setup& setup, const double* row_b) {
   const WindowFaces& faces = *setup.window;
   const double h = setup.horizon.h;
   const double ago = std::abs(setup.horizon.now - value_or(row_b, setup.b.at.t, 0)) + h;
+  const auto size_of = [&]<int Axes>(int axis) {
+    const Shape shape = setup.b.layout.shape;
+    return reach_of(extents_of<Axes>(shape, row_b, setup.b.at))[axis] +
+           ago * growth_of<Axes>(shape, row_b, setup.b.at)[axis];
+  };
   const auto size = [&](int axis) {
-    const Layout& layout = setup.b.layout;
-    return layout.axes == 3 ? reach_of(extents_of<3>(layout.shape, row_b, setup.b.at))[axis]
-                            : reach_of(extents_of<2>(layout.shape, row_b, setup.b.at))[axis];
+    return setup.b.layout.axes == 3 ? size_of.template operator()<3>(axis)
+                                    : size_of.template operator()<2>(axis);
   };
   Box<D> box;
   for (int axis = 0; axis < D; ++axis) {

@@ -17,15 +17,20 @@ Size grown_size(ContactSet& set, const Setup& setup, int place_a, int place_b, i
 
 /// Of what is round, boxes having none.
 Size round_size(ContactSet& set, const Setup& setup, int Offsets::*place, int axis, double limit) {
-  const auto growth = [axis](const Bodies& bodies) {
-    return is_box(bodies) ? Offsets::absent : growth_place(bodies.layout.shape, bodies.at, axis);
-  };
-  const Size size =
-      grown_size(set, setup, setup.a.at.*place, setup.b.at.*place, growth(setup.a), growth(setup.b));
+  const Length growth = growth_of_both(setup, axis);
+  const Size size = grown_size(set, setup, setup.a.at.*place, setup.b.at.*place, growth.a, growth.b);
   return set.sum(size, {set.given(limit)});
 }
 
 }  // namespace
+
+Length growth_of_both(const Setup& setup, int axis) {
+  const auto growth = [axis](const Bodies& bodies) {
+    return is_box(bodies) ? Offsets::absent : growth_place(bodies.layout.shape, bodies.at, axis);
+  };
+  return {Length::From::growth, growth(setup.a), growth(setup.b), setup.horizon.now, true,
+          setup.a.at.t,         setup.b.at.t};
+}
 
 Size radius_of_both(ContactSet& set, const Setup& setup, double limit) {
   return round_size(set, setup, &Offsets::r, 0, limit);

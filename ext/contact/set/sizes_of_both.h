@@ -14,6 +14,8 @@
 
 namespace foresee::contact {
 
+/// What has grown along an axis until `now`, of what is round or upright: both places may be absent.
+Length growth_of_both(const Setup& setup, int axis);
 /// The radii of what is round; `limit` is how near counts as touching.
 Size radius_of_both(ContactSet& set, const Setup& setup, double limit);
 /// The half heights of what is upright.

@@ -138,11 +138,10 @@ class Mixture {
     const DeclaredWord *growth = at(Quantity::growth, 0), *growth_z = at(Quantity::growth, 2);
     if (growth == nullptr && growth_z == nullptr) return;
     const DeclaredWord* const declared = growth != nullptr ? growth : growth_z;
-    if (is_stored_apart(layout.shape))
+    if (layout.shape == Shape::mesh)
       refuse(declared,
-             "no distance is defined to an outline or a mesh that grows; leave shape out, and write r or hx "
-             "and hy around "
-             "each");
+             "no distance is defined to a mesh that grows; declare hz to make prisms, or leave shape "
+             "out and write r around each");
     if (growth_z != nullptr && axes_ < 3) refuse(growth_z, "there is no axis z; add z or leave growth_z out");
     if (growth_z != nullptr && layout.shape == Shape::ball)
       refuse(growth_z,

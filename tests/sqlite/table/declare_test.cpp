@@ -174,6 +174,8 @@ TEST(Declare, WhatGrowsHasAShape) {
   }
   EXPECT_FALSE(layout({"id", "x", "y", "r", "growth"}).starts_as_point);
   EXPECT_EQ(layout({"id", "x", "y", "hx", "hy", "growth"}).shape, Shape::box);
+  EXPECT_EQ(layout({"id", "x", "y", "shape", "growth"}).shape, Shape::outline);
+  EXPECT_EQ(layout({"id", "x", "y", "z", "shape", "hz", "growth", "growth_z"}).shape, Shape::outline);
   const Layout column = layout({"id", "x", "y", "z", "growth", "growth_z"});
   EXPECT_EQ(column.shape, Shape::cylinder);
   EXPECT_TRUE(column.starts_as_point);
@@ -182,10 +184,10 @@ TEST(Declare, WhatGrowsHasAShape) {
 
 TEST(DeclareErrors, Growth) {
   expect_errors({
-      {{"id", "x", "y", "shape", "growth"},
-       "\"growth\": no distance is defined to an outline or a mesh that grows; leave shape out, and write r "
-       "or "
-       "hx and hy around each"},
+      {{"id", "x", "y", "z", "shape", "growth"},
+       "\"growth\": no distance is defined to a mesh that grows; declare hz to make prisms, or leave shape "
+       "out and "
+       "write r around each"},
       {{"id", "x", "y", "growth", "growth_z"},
        "\"growth_z\": there is no axis z; add z or leave growth_z out"},
       {{"id", "x", "y", "z", "r", "growth_z"},

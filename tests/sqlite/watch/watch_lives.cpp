@@ -36,6 +36,10 @@ const std::vector<WatchLife>& watch_lives() {
        "h = 12 AND within = 1"},
       {"GrowingBoxes", "t, x, y, z, hx, hy, hz, growth, growth_z", "T, N, N, S, S, S, S, 0.5 * S, 0.25",
        "horizon = 9", "h = 9"},
+      {"GrowingOutlines", "t, x, y, vx, vy, shape, growth",
+       "T, N, N, V, V, CASE S WHEN 0 THEN NULL ELSE 'POLYGON((-2 -9, 2 -9, 2 6, 0 9, -2 6, -2 -9))' END, "
+       "0.25",
+       "horizon = 9", "h = 9"},
       {"Outlines", "t, x, y, vx, vy, shape, heading, r",
        "T, N, N, V, V, CASE S WHEN 0 THEN NULL ELSE 'POLYGON((-2 -9, 2 -9, 2 6, 0 9, -2 6, -2 -9))' END, 45 "
        "* V, S",
