@@ -1,6 +1,7 @@
 #include "query/join/explain.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "base/axes.h"
 #include "base/float_environment.h"
@@ -49,12 +50,15 @@ class Explanation {
   }
 
   std::vector<ExplainRow> rows() const {
-    std::vector<ExplainRow> rows{row("candidates", candidates_count_, candidates_detail())};
+    std::vector<ExplainRow> rows{row("candidates", "steps 1 to 4", candidates_count_, candidates_detail())};
+    constexpr const char* steps[] = {"step 5a", "step 5b", "step 5c", "step 5d"};
+    static_assert(std::size(steps) == paper_stage_count);
     for (std::size_t stage = 0; stage < paper_stage_count; ++stage)
-      rows.push_back(
-          row(test_names[stage], stages_->counts()[stage], test_detail(static_cast<PaperStage>(stage))));
-    rows.push_back(row("exact time", exact_count_, exact_detail()));
-    rows.push_back(row("refinement", refinement_ ? refinement_count_ : left_out(), refinement_detail()));
+      rows.push_back(row(test_names[stage], steps[stage], stages_->counts()[stage],
+                         test_detail(static_cast<PaperStage>(stage))));
+    rows.push_back(row("exact time", "step 5e", exact_count_, exact_detail()));
+    rows.push_back(
+        row("refinement", "step 6", refinement_ ? refinement_count_ : left_out(), refinement_detail()));
     return rows;
   }
 
@@ -133,8 +137,10 @@ class Explanation {
     refinement_count_.seconds += thread_seconds() - begin;
   }
 
-  static ExplainRow row(const char* stage, const StageCount& count, std::string detail) {
-    return {stage, count.before, count.after, count.seconds, std::move(detail)};
+  /// `step`: of docs/gpcd.md.
+  static ExplainRow row(const char* stage, const char* step, const StageCount& count,
+                        const std::string& detail) {
+    return {stage, count.before, count.after, count.seconds, detail.empty() ? step : detail + "; " + step};
   }
 
   /// It keeps all.

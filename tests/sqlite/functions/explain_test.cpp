@@ -13,7 +13,7 @@ TEST_F(ExplainInSql, ListsTheStagesInOrder) {
             "time\nrefinement");
   EXPECT_EQ(db.rows("SELECT n_after - n_before, seconds, detail FROM predictive_explain(60, 'ships') WHERE "
                     "stage = 'refinement'"),
-            "0|0.0|left out: no outlines");
+            "0|0.0|left out: no outlines; step 6");
 }
 
 TEST_F(ExplainInSql, SaysWhatRefinementTook) {
@@ -23,8 +23,8 @@ TEST_F(ExplainInSql, SaysWhatRefinementTook) {
       "  (2, 2, 2, 0, 1, 0, 0, 1, 'POLYGON((0 0, -1.5 0, 0 -1.5, 0 0))'), (3, 50, 0, 0, 0, 0, 0, 1, NULL)");
   EXPECT_EQ(db.rows("SELECT stage, n_before, n_after, detail FROM predictive_explain(9, 'hulls') WHERE stage "
                     "IN ('exact time', 'refinement')"),
-            "exact time|1|1|of the smallest rectangles around outlines; 1 touch at now already\n"
-            "refinement|1|1|3.0 pieces, 3.0 node tests and 1.0 leaf tests a pair");
+            "exact time|1|1|of the smallest rectangles around outlines; 1 touch at now already; step 5e\n"
+            "refinement|1|1|3.0 pieces, 3.0 node tests and 1.0 leaf tests a pair; step 6");
 }
 
 TEST_F(ExplainInSql, CountsNoTestsOfHullsThatPlainDoublesTell) {
@@ -33,7 +33,7 @@ TEST_F(ExplainInSql, CountsNoTestsOfHullsThatPlainDoublesTell) {
       "INSERT INTO hulls VALUES (1, 0, 0, 1, 0, 'POLYGON((0 0, 4 0, 4 1, 1 1, 1 4, 0 4, 0 0))'),"
       "  (2, 2, 2, 1, 0, 'POLYGON((0 0, -1.5 0, 0 -1.5, 0 0))')");
   EXPECT_EQ(db.rows("SELECT detail FROM predictive_explain(9, 'hulls') WHERE stage = 'refinement'"),
-            "3.0 pieces, 0.0 node tests and 0.0 leaf tests a pair");
+            "3.0 pieces, 0.0 node tests and 0.0 leaf tests a pair; step 6");
 }
 
 TEST_F(ExplainInSql, EndsWithTheCountOfTheJoin) {
