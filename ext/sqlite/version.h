@@ -7,7 +7,7 @@
 
 namespace foresee::sqlite {
 
-/// The version as SQL reports it, e.g. "0.1.0".
+/// The version as SQL reports it, e.g. "0.2.0".
 const char* version();
 
 /// Version, commit, compiler, SIMD in use and SQLite, one a line.

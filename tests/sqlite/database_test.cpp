@@ -22,7 +22,7 @@ TEST(TestDatabase, ReportsErrors) {
 
 TEST(Scalars, AreRegisteredByTheEntryPoint) {
   Database db;
-  EXPECT_EQ(db.rows("SELECT foresee_version()"), "0.1.0");
+  EXPECT_EQ(db.rows("SELECT foresee_version()"), "0.2.0");
   EXPECT_EQ(db.rows("SELECT instr(foresee_debug(), 'SQLite: ') > 0"), "1");
 }
 

@@ -1,6 +1,6 @@
 """Puts the module into the wheel, and says for which machines it is good. The rest is pyproject.toml.
 
-    FORESEE_MODULE=…/foresee.so FORESEE_VERSION=0.1.0 python3 -m build --wheel --no-isolation
+    FORESEE_MODULE=…/foresee.so FORESEE_VERSION=0.2.0 python3 -m build --wheel --no-isolation
 
 ext/hosts/pack.sh does so with the release build's module.
 """
