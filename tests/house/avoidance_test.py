@@ -1,6 +1,7 @@
-"""The picture of docs/avoidance.md is what its script draws."""
+"""The picture of docs/avoidance.md is what its script draws, and its program makes traffic keep clear."""
 import os
 import subprocess
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -10,17 +11,43 @@ PYTHON = "/usr/bin/python3"
 PICTURE = ROOT / "docs/avoidance/traffic"
 
 
-class Picture(unittest.TestCase):
+class WithPython(unittest.TestCase):
     maxDiff = None
 
-    def test_the_picture_is_what_the_script_draws(self):
+    def setUp(self):
         probe = "import sqlite3; sqlite3.Connection.enable_load_extension"
         if not Path(PYTHON).exists() or subprocess.run([PYTHON, "-c", probe], capture_output=True).returncode:
             self.skipTest(f"there is no {PYTHON} with enable_load_extension")
+
+
+class Picture(WithPython):
+    def test_the_picture_is_what_the_script_draws(self):
         done = subprocess.run([PYTHON, PICTURE.with_suffix(".py")], text=True, capture_output=True, cwd=ROOT,
                               env={**os.environ, "FORESEE_EXTENSION": str(EXTENSION)})
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stdout, PICTURE.with_suffix(".svg").read_text())
+
+
+class Program(WithPython):
+    def advise(self, ships):
+        with tempfile.TemporaryDirectory() as folder:
+            path = Path(folder) / "ships.csv"
+            path.write_text("id,t,x,y,vx,vy\n" + "".join(",".join(map(str, ship)) + "\n" for ship in ships))
+            done = subprocess.run([PYTHON, ROOT / "docs/examples/advise_ships.py", path, "--extension", EXTENSION], text=True,
+                                  capture_output=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout.splitlines()
+
+    def test_ships_that_would_meet_keep_clear(self):
+        said = self.advise([(1, 0, 0, 0, 0, 10), (2, 0, 0, 4000, 0, -10), (3, 0, 9000, 0, 0, 5), (4, 0, 9000, 2000, 0, 1)])
+        self.assertEqual(said[0], "2 encounters of 4 ships before, 0 after, 0 of them new")
+        self.assertTrue(said[1].startswith("2 ships changed, 2 of them their course"), said[1])
+        self.assertTrue(said[1].endswith("; 0 have no clear change"), said[1])
+
+    def test_without_an_encounter_nothing_is_asked(self):
+        said = self.advise([(1, 0, 0, 0, 0, 10)])
+        self.assertEqual(said, ["0 encounters of 0 ships before, 0 after, 0 of them new",
+                                "0 ships changed, 0 of them their course; 0 have no clear change"])
 
 
 if __name__ == "__main__":
