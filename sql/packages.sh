@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2034
-# What must be on the machine before foresee can be built, and how it gets there. Sourced by sql/demo.sh, tests/run.sh and
-# ext/hosts/pack.sh:
+# What must be on the machine before foresee can be built, and how it gets there. Sourced by sql/demo.sh,
+# tests/run.sh and ext/hosts/pack.sh:
 #
 #   need_packages "${build_packages[@]}"
 #
@@ -30,6 +30,7 @@ host_packages=(
   "pkg-config: command pkg-config"
   "groff-base: command groff"
   "chromium: command chromium"
+  "python3-distributed: python distributed"
 )
 
 # Is one of the headers found by the C++ compiler?

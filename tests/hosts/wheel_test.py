@@ -74,6 +74,14 @@ except RuntimeError as error:
         for way in ("/usr/bin/python3", "pysqlite3-binary", "--enable-loadable-sqlite-extensions"):
             self.assertIn(way, said)
 
+    def test_tiles_without_dask_find_the_module_by_themselves(self):
+        self.say("import foresee\ndb = foresee.connect('ships.db')\n"
+                 "db.execute('CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y, vx, vy, r)')\n"
+                 "db.executemany('INSERT INTO ships VALUES (?, ?, ?, ?, ?, ?)', [(1, 0, 0, 6, 0, 30), (2, 1200, 0, -6, 0, 30)])\ndb.commit()")
+        for tiles in ("foresee_dask plan --table ships --horizon 300 --out pairs ships.db", "foresee_dask.tile_join pairs"):
+            run(self.python, "-m", *tiles.split(), folder=self.folder)
+        self.assertEqual(run(self.python, "-m", "foresee_dask", "merge", "pairs", "pairs.db", folder=self.folder), "1 rows in pairs.db\n")
+
     def test_the_shell_loads_it_too(self):
         path = self.say("import foresee; print(foresee.loadable_path())").strip()
         self.assertRegex(run("sqlite3", ":memory:", f".load {path}", "SELECT foresee_version()"), r"^\d")
@@ -87,6 +95,8 @@ except RuntimeError as error:
         asked = max(int(n) for n in re.findall(rb"GLIBC_2\.(\d+)\0", module))
         self.assertGreaterEqual(int(tag.group(1)), asked)
         self.assertIn("foresee/py.typed", names)
+        sources = [file.name for file in (ROOT / "ext/hosts/python/src/foresee_dask").glob("*.py")]
+        self.assertEqual([name for name in sources if f"foresee_dask/{name}" not in names], [])
         self.assertTrue(any(name.endswith("LICENSE") for name in names), names)
         self.assertEqual([name for name in names if os.path.basename(name) in ("setup.py", "pyproject.toml")], [])
 

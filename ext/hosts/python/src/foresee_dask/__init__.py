@@ -1,0 +1,29 @@
+"""Joins of foresee in tiles: many files, many processes, many machines; the rows are those of the single join.
+
+    python3 -m foresee_dask join --extension build/release/foresee.so --table ships --horizon 600 --out pairs/ ships-*.db
+    python3 -m foresee_dask merge pairs/ pairs.db
+
+docs/scale_dask.md tells the rest. Only run.py knows Dask.
+"""
+
+
+import logging
+import sqlite3
+import sys
+
+
+class Refusal(Exception):
+    """What cannot be done, in one line for people. Nothing that was written before is touched."""
+
+
+def in_one_line(main, *arguments):
+    """main(), of which mistakes are one line and status 1."""
+    try:
+        main(*arguments)
+    except (Refusal, OSError) as error:
+        sys.exit(f"foresee_dask: {error}")
+    except (sqlite3.Error, MemoryError) as error:
+        sys.exit(f"foresee_dask: {type(error).__name__}: {error}")
+    except KeyboardInterrupt:
+        logging.disable(logging.CRITICAL)
+        sys.exit("foresee_dask: cut off; the same command goes on")

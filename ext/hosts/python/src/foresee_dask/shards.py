@@ -1,0 +1,150 @@
+"""Where are the objects? Opens shards read-only, tells what each holds, and refuses those that do not fit together.
+
+A shard is a SQLite file with the table as moving_objects; each object is in one of them. What a shard holds is known by the `stamp` of its
+table, which every change makes anew. Cost: one scan of t and id a shard; ids are compared one by one only where the ranges of two overlap.
+"""
+import heapq
+import os
+import socket
+import sqlite3
+import sys
+from contextlib import closing, contextmanager
+from pathlib import Path
+from urllib.parse import quote
+
+from . import Refusal
+from .question import quoted
+
+
+def connect(extension, database=":memory:"):
+    db = sqlite3.connect(database, isolation_level=None, uri=True)
+    if not hasattr(db, "enable_load_extension"):
+        raise Refusal(f"{sys.executable} cannot load extensions into SQLite: write /usr/bin/python3")
+    db.enable_load_extension(True)
+    try:
+        db.load_extension(str(extension))
+    except sqlite3.Error as error:
+        raise Refusal(f"{extension} cannot be loaded on {socket.gethostname()}: {error}") from None
+    db.enable_load_extension(False)
+    return db
+
+
+def commit(db):
+    """Version and commit of the extension: one for all that take part."""
+    return ", ".join(line for line in db.execute("SELECT foresee_debug()").fetchone()[0].splitlines() if line[:6] in ("Versio", "Commit"))
+
+
+@contextmanager
+def attached(db, path):
+    """The shard as schema `shard`, read-only, in one read transaction."""
+    try:
+        db.execute("ATTACH ? AS shard", (f"file:{quote(str(path))}?mode=ro",))
+    except sqlite3.Error as error:
+        raise Refusal(f"{path} cannot be opened: {error if Path(path).exists() else 'there is no such file'}") from None
+    try:
+        db.execute("BEGIN")
+        yield
+        db.commit()
+    except BaseException:
+        db.rollback()
+        raise
+    finally:
+        db.execute("DETACH shard")
+
+
+@contextmanager
+def reading(db, path):
+    """`attached`, for questions before the tiles: what goes wrong there is wrong with the shard."""
+    try:
+        with attached(db, path):
+            yield
+    except sqlite3.Error as error:
+        raise Refusal(f"{path} cannot be read: {error}") from None
+
+
+def tables_of(db, tables):
+    """{table: {'columns', 'stamp', 'objects'}} of those tables that the attached shard has."""
+    there = {name.lower() for name, in db.execute("SELECT name FROM shard.sqlite_master WHERE sql LIKE '%moving_objects%'")}
+    return {table: dict(db.execute(f"SELECT key, value FROM shard.{quoted(table + '_meta')} WHERE key IN ('columns', 'stamp', 'objects')"))
+            for table in tables if table.lower() in there}
+
+
+def look(extension, path, tables):
+    """What the shard holds now, without reading its objects."""
+    with closing(connect(extension)) as db, reading(db, path):
+        return {"path": str(path), "tables": tables_of(db, tables)}
+
+
+def survey(extension, shard, newest):
+    """`look`, and of every table the range of its ids and, with `newest`, its newest t."""
+    tables = {}
+    with closing(connect(extension)) as db, reading(db, shard["path"]):
+        for table, of in shard["tables"].items():
+            t = "max(t)" if newest and "t" in columns_of(of["columns"])[0] else "NULL"
+            found = db.execute(f"SELECT min(id), max(id), {t} FROM shard.{quoted(table)}").fetchone()
+            tables[table] = {**of, **dict(zip(("first", "last", "newest"), found))}
+    return {**shard, "tables": tables}
+
+
+def columns_of(declared):
+    """The motion columns, and those with +, of 'id, x, y, +name'."""
+    columns = [column.strip() for column in declared.split(",")]
+    return [c for c in columns if c[0] != "+"], [c[1:] for c in columns if c[0] == "+"]
+
+
+def declaration(shards, table, carried):
+    """What `table` is made of in every shard that has it: its motion columns."""
+    having = [shard for shard in shards if table in shard["tables"]]
+    if not having:
+        raise Refusal(f"no shard has a moving_objects table {table}")
+    first = having[0]["tables"][table]["columns"]
+    for shard in having:
+        motion, plus = columns_of(shard["tables"][table]["columns"])
+        if motion != columns_of(first)[0]:
+            raise Refusal(f"declarations of {table} differ: {having[0]['path']} has ({', '.join(columns_of(first)[0])}),"
+                          f" {shard['path']} has ({', '.join(motion)})")
+        for column in carried:
+            if column not in plus:
+                raise Refusal(f"{shard['path']}: {table} has no column +{column}")
+    return columns_of(first)[0]
+
+
+def refuse_twice(paths):
+    """A file that is given twice, under whatever names."""
+    seen = {}
+    for path in paths:
+        try:
+            status = os.stat(path)
+        except OSError:
+            raise Refusal(f"{path} cannot be opened: there is no such file") from None
+        same = status.st_dev, status.st_ino
+        if same in seen:
+            raise Refusal(f"a shard is given twice: {seen[same]} and {path}")
+        seen[same] = path
+
+
+def refuse_shared_ids(extension, shards, table):
+    """Compares ids shard by shard where their ranges overlap."""
+    ranges = sorted((shard["tables"][table]["first"], shard["tables"][table]["last"], shard["path"])
+                    for shard in shards if table in shard["tables"] and shard["tables"][table]["first"] is not None)
+    group, last = [], None
+    for first, end, path in [*ranges, (float("inf"), None, None)]:
+        if group and first > last:
+            _refuse_shared(extension, group, table)
+            group = []
+        group.append(path)
+        last = end if last is None or not group[1:] else max(last, end)
+
+
+def _refuse_shared(extension, paths, table):
+    def ids(path):
+        db = connect(extension, f"file:{quote(path)}?mode=ro")
+        return ((id, path) for id, in db.execute(f"SELECT id FROM {quoted(table)} ORDER BY id"))
+
+    if len(paths) < 2:
+        return
+    before = (None, None)
+    for id, path in heapq.merge(*map(ids, paths)):
+        if id == before[0]:
+            raise Refusal(f"{table}: id {id} is in two shards: {before[1]} and {path}")
+        before = id, path
