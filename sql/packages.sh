@@ -1,5 +1,5 @@
 # shellcheck shell=bash disable=SC2034
-# What must be on the machine before foresee can be built, and how it gets there. Sourced by sql/demo.sh,
+# What must be on the machine before foresee can be built, and how it gets there. Sourced by sql/demo.sh, sql/scale_demo.sh,
 # tests/run.sh and ext/hosts/pack.sh:
 #
 #   need_packages "${build_packages[@]}"
