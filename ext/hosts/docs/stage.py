@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parents[3]
 BESIDE = {"README.md": "index.md", "CHANGELOG.md": "changelog.md", "CONTRIBUTING.md": "contributing.md", "bench/README.md": "bench.md"}
 NAV = [("Start", ["index"]),
        ("Hosts", ["hosts/*"]),
-       ("Use", ["sql_reference", "semantics", "shapes", "geography", "watches", "pictures", "unexpected"]),
+       ("Use", ["sql_reference", "semantics", "shapes", "geography", "watches", "scale", "scale_dask", "pictures", "unexpected"]),
        ("How it works", ["architecture", "gpcd", "exactness", "storage_format"]),
        ("Measured", ["accuracy", "benchmarks", "bench"]),
        ("Project", ["recipes", "contributing", "changelog"])]
