@@ -110,8 +110,13 @@ class Dask(Fleet):
     def test_it_listens_to_nobody_outside_and_an_interrupt_says_how_to_go_on(self):
         self.fleet(1200, 60)
         run = self.begun(2, 5)
-        addresses = listening([run.pid, *children(run)])
+        workers = children(run)
+        for pid in workers:     # or all may be done before the interrupt
+            os.kill(pid, signal.SIGSTOP)
+        addresses = listening([run.pid, *workers])
         run.send_signal(signal.SIGINT)
+        for pid in workers:
+            os.kill(pid, signal.SIGCONT)
         _, errors = run.communicate(timeout=60)
         self.assertGreater(len(addresses), 2)
         self.assertEqual(set(addresses), {"0100007F"})      # 127.0.0.1
