@@ -213,6 +213,7 @@ void Settlement::write_difference(const WatchedPair* before, const WatchedPair* 
   const auto waits = [](const WatchedPair* pair) { return pair && !pair->held; };
   state_.waited += waits(after) && !waits(before);
   state_.dropped += waits(before) && !after;
+  has_written_ |= change.erases || change.writes || change.op;
   if (change.erases) rows_.erase_pair(row.a, row.b);
   if (change.writes) {
     const bool only_moves = before && before->held == row.held && before->due == row.due;

@@ -44,6 +44,9 @@ class Settlement {
   /// `nothing`: the rows of a new watch, which nobody has read yet.
   void settle(Tells tells = Tells::changes);
 
+  /// Whether rows are written already: an error after that leaves changes that nobody is told of.
+  bool has_written() const { return has_written_; }
+
  private:
   void follow_reports();
   std::vector<double> reported_moments() const;
@@ -79,7 +82,7 @@ class Settlement {
   double horizon_end_ = 0;  ///< clock + horizon, rounded
   double reach_ = 0;        ///< how far beyond the clock contact is asked
   std::vector<WatchedPair> old_, new_;
-  bool tells_ = true;
+  bool tells_ = true, has_written_ = false;
 };
 
 }  // namespace foresee::sqlite

@@ -66,7 +66,9 @@ void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value*
     rows->read_state();  // damaged: says so here
     rows->write_asked(moment);
   } else if (word == "rebuild") {
-    table.rows()->write_anew(true);
+    const std::shared_ptr<WatchRows> rows = table.rows();
+    rows->read_state();  // damaged: says so here
+    rows->write_anew(true);
   } else if (word == "integrity-check") {
     const std::string fault = watch_fault(table);
     if (!fault.empty()) throw StoreError(SQLITE_CORRUPT_VTAB, name + ": " + fault);

@@ -13,6 +13,21 @@ bool is_of_watch(const StoreError& error) {
   return code == SQLITE_ERROR || code == SQLITE_CORRUPT;
 }
 
+/// Half a settlement cannot be told later: the rows that it has written look as if they had been told.
+void mark_damaged(WatchRows& rows) try { rows.write_damaged(); } catch (const StoreError& error) {
+  if (!is_of_watch(error)) throw;  // _meta is damaged too, which its reader sees
+}
+
+void settle_or_mark(Connection& connection, WatchRows& rows) {
+  Settlement settlement(connection, rows);
+  try {
+    settlement.settle();
+  } catch (const StoreError& error) {
+    if (is_of_watch(error) && settlement.has_written()) mark_damaged(rows);
+    throw;
+  }
+}
+
 }  // namespace
 
 Watches& watches_of(Connection& connection) {
@@ -40,7 +55,7 @@ std::optional<WatchState> Watches::known_state(Connection& connection, const Qua
 void Watches::settle(Connection& connection, const QualifiedName& watch) try {
   const KeptInsertRowid kept(connection.db());
   const std::shared_ptr<WatchRows> rows = this->rows(connection, watch);
-  Settlement(connection, *rows).settle();
+  settle_or_mark(connection, *rows);
 } catch (const StoreError& error) {
   if (!is_of_watch(error)) throw;
   forget(watch);

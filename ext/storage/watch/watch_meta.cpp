@@ -36,6 +36,10 @@ WatchState WatchRows::read_state() {
     if (const auto found = values[key].integer; found && *found >= 0) return *found;
     damaged("meta");
   };
+  if (values.contains("damaged"))
+    throw StoreError(SQLITE_CORRUPT_VTAB, name_.table +
+                                              ": a commit could not write all of its changes: DROP TABLE " +
+                                              name_.table + " and CREATE it again");
   WatchState state;
   state.tbl = values["tbl"].text;
   if (state.tbl.empty()) damaged("meta");
@@ -115,6 +119,10 @@ void WatchRows::write_asked(std::optional<double> moment) {
 
 void WatchRows::write_anew(bool anew) {
   write_meta("anew", std::optional(std::int64_t{anew}));
+}
+
+void WatchRows::write_damaged() {
+  write_meta("damaged", std::optional(std::int64_t{1}));
 }
 
 }  // namespace foresee::storage

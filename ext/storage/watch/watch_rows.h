@@ -58,6 +58,8 @@ class WatchRows {
   void write_state(const WatchState& state, const WatchState& before);
   void write_asked(std::optional<double> moment);
   void write_anew(bool anew);
+  /// From now on read_state() says so.
+  void write_damaged();
   void write_tables(const WatchDeclaration& declaration);
 
   // --- _pair

@@ -106,5 +106,36 @@ TEST(DamagedWatches, ARebuildMendsRowsAndTellsWhatDiffers) {
   EXPECT_EQ(db.rows("SELECT op, a, b FROM predictive_changes('alerts', 1)"), "~|1|2\n+|1|3\n+|2|3");
 }
 
+// A commit that meets a page of the log that it cannot write has written pairs already.
+TEST(DamagedWatches, ALogThatTakesNoMoreIsToldByEveryReader) {
+  const TemporaryFile file;
+  Database db(file.path());
+  db.exec(
+      "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, vx, r);"
+      "INSERT INTO ships VALUES (1, 0, 1, 10), (2, 120, -1, 10), (3, 900, 0, 1), (4, 901, 0, 1);"
+      "CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 100);"
+      "CREATE TRIGGER full BEFORE INSERT ON alerts_log WHEN new.seq > (SELECT value + 1 FROM alerts_meta "
+      "WHERE key = 'seq') BEGIN SELECT abs(-9223372036854775807 - 1); END");
+  db.exec("DELETE FROM ships WHERE id = 4");  // one change: the log takes it
+  expect_up_to_date(db);
+  db.exec("UPDATE ships SET x = 60 WHERE id = 3");  // two, and the second is refused
+  db.exec("DROP TRIGGER full");
+  const std::string fault =
+      "alerts: a commit could not write all of its changes: DROP TABLE alerts and CREATE it again";
+  const auto is_told = [&](Database& reader) {
+    EXPECT_EQ(reader.rows("SELECT fault FROM predictive_watches"), fault);
+    for (const std::string sql : {"SELECT * FROM alerts", "SELECT * FROM predictive_changes('alerts', 1)",
+                                  "INSERT INTO alerts(alerts) VALUES('rebuild')"})
+      EXPECT_TRUE(reader.error_of(sql).ends_with(fault)) << sql << reader.error_of(sql);
+  };
+  is_told(db);
+  EXPECT_EQ(db.error_of("UPDATE ships SET x = 70 WHERE id = 3"), "");
+  Database fresh(file.path());
+  is_told(fresh);
+  fresh.exec("DROP TABLE alerts; CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 100)");
+  expect_joined(fresh, "h = 100");
+  expect_up_to_date(fresh);
+}
+
 }  // namespace
 }  // namespace foresee::testing
