@@ -76,7 +76,10 @@ bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const W
   changed.b = tables.b && !tables.are_one() ? changed_objects(*tables.b, state.other_stamp) : changed.a;
   if (!changed.a.told || !changed.b.told || are_most(changed.a, tables.a)) return false;
   if (tables.b && are_most(changed.b, *tables.b)) return false;
-  std::vector<ShownPair> pairs = kept_pairs(rows, changed);
+  // Of one object its own pairs are asked anew, however many others have changed.
+  const bool of_one = only_a_ || only_b_;
+  std::vector<ShownPair> pairs = of_one ? std::vector<ShownPair>{} : kept_pairs(rows, changed);
+  if (of_one) rows.pair(0, 0);  // a watch whose pairs are gone says so
   JoinQuestion question = question_of(tables, state, {now_, state.horizon});
   question.wants = {.contact = true, .ends = false, .approach = false};
   PairSearch search(*table_.connection, tables, std::move(question));
@@ -86,8 +89,13 @@ bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const W
       pairs.push_back({exchanged ? row.b : row.a, exchanged ? row.a : row.b, row.contact.t});
     }
   };
-  search.pairs_of(Side::a, changed.a.ids, take);
-  if (tables.b) search.pairs_of(Side::b, changed.b.ids, take);
+  if (of_one) {
+    const std::int64_t id = only_a_ ? *only_a_ : *only_b_;
+    search.pairs_of(only_a_ || !tables.b ? Side::a : Side::b, std::span(&id, 1), take);
+  } else {
+    search.pairs_of(Side::a, changed.a.ids, take);
+    if (tables.b) search.pairs_of(Side::b, changed.b.ids, take);
+  }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   std::erase_if(pairs, [&](const ShownPair& pair) {
