@@ -10,10 +10,9 @@
 -- left out. The result is the table ais_ships: id = MMSI, t as reported, metres and metres per second. Reading the file
 -- again makes it anew.
 --
--- The plane touches the Earth (a sphere of R = 6371008.8 m) at a centre: a stereographic projection, x to the east,
--- y to the north. It keeps angles everywhere; at 150 km from the centre lengths are 0.014 % too long, and the Earth, which
--- is no sphere, is off by up to 0.6 % (geo_to_plane of docs/geography.md knows the ellipsoid). A ship is taken to
--- follow its great circle, so its velocity is the projected one at the moment of the report.
+-- The plane is that of geo_to_plane (docs/geography.md): every ship has its true distance and bearing from the centre, on the
+-- ellipsoid; at 150 km from there other distances are wrong by up to 0.01 %. A ship is taken to follow its geodesic, so its
+-- velocity is the one that it has on the plane at the moment of the report.
 
 -- The parameters. What the table holds already stays: to choose another moment or place, change it and read the file
 -- again, as in   UPDATE ais_parameters SET value = 1641168600 WHERE name = 'moment';
@@ -33,11 +32,10 @@ WITH
 parameter AS (
   SELECT max(value) FILTER (WHERE name = 'moment') AS moment,
          max(value) FILTER (WHERE name = 'heard_within_s') AS heard_within_s,
-         radians(max(value) FILTER (WHERE name = 'centre_lat')) AS lat0,
-         radians(max(value) FILTER (WHERE name = 'centre_lon')) AS lon0,
+         max(value) FILTER (WHERE name = 'centre_lat') AS lat0,
+         max(value) FILTER (WHERE name = 'centre_lon') AS lon0,
          max(value) FILTER (WHERE name = 'reach_m') AS reach_m,
-         max(value) FILTER (WHERE name = 'rest_below_kn') AS rest_below_kn,
-         6371008.8 AS radius
+         max(value) FILTER (WHERE name = 'rest_below_kn') AS rest_below_kn
   FROM ais_parameters),
 
 -- .import delivers text; numbers from here on. A report without a position or a speed says nothing about the future.
@@ -47,39 +45,16 @@ report AS (
   FROM ais_reports
   WHERE t <> '' AND lat <> '' AND lon <> '' AND sog_kn <> ''),
 usable AS (
-  SELECT report.*, sog < rest_below_kn AS at_rest
+  SELECT mmsi, t, lat, lon, nullif(cog, 360) AS course, iif(sog < rest_below_kn, 0, sog * 1852 / 3600) AS speed, place
   FROM report, parameter
   WHERE abs(lat) <= 90 AND abs(lon) <= 180 AND sog BETWEEN 0 AND 102.15
     AND (sog < rest_below_kn OR (cog >= 0 AND cog < 360))
     AND t BETWEEN moment - heard_within_s AND moment),
 newest AS (
   SELECT *, row_number() OVER (PARTITION BY mmsi ORDER BY t DESC, place DESC) AS age
-  FROM usable),
+  FROM usable)
 
--- On the unit sphere: e, n, u are the east, north and outward parts of the position as seen from the centre; de, dn, du
--- those of the direction in which the ship moves.
-angle AS (
-  SELECT mmsi, t, iif(at_rest, 0, sog * 1852 / 3600) AS speed,
-         sin(radians(lat)) AS sin_lat, cos(radians(lat)) AS cos_lat,
-         sin(radians(lon) - lon0) AS sin_lon, cos(radians(lon) - lon0) AS cos_lon,
-         sin(radians(coalesce(cog, 0))) AS east, cos(radians(coalesce(cog, 0))) AS north,
-         sin(lat0) AS sin0, cos(lat0) AS cos0, radius, reach_m
-  FROM newest, parameter WHERE age = 1),
-sphere AS (
-  SELECT mmsi, t, speed, radius, reach_m,
-         cos_lat * sin_lon AS e,
-         cos0 * sin_lat - sin0 * cos_lat * cos_lon AS n,
-         sin0 * sin_lat + cos0 * cos_lat * cos_lon AS u,
-         east * cos_lon - north * sin_lat * sin_lon AS de,
-         east * sin0 * sin_lon + north * (cos0 * cos_lat + sin0 * sin_lat * cos_lon) AS dn,
-         north * (sin0 * cos_lat - cos0 * sin_lat * cos_lon) - east * cos0 * sin_lon AS du
-  FROM angle)
-
--- Stereographic: (x, y) = 2 R (e, n) / (1 + u); the velocity is its derivative along the direction, times speed / R.
 INSERT INTO ais_ships(id, t, x, y, vx, vy)
-  SELECT mmsi, t,
-         2 * radius * e / (1 + u), 2 * radius * n / (1 + u),
-         2 * speed * (de * (1 + u) - e * du) / ((1 + u) * (1 + u)),
-         2 * speed * (dn * (1 + u) - n * du) / ((1 + u) * (1 + u))
-  FROM sphere
-  WHERE u > -1 AND radius * acos(min(1, max(-1, u))) <= reach_m;
+  SELECT n.mmsi, n.t, p.x, p.y, p.vx, p.vy
+  FROM newest n, parameter c, geo_to_plane(n.lat, n.lon, n.speed, n.course, c.lat0, c.lon0) p
+  WHERE n.age = 1 AND p.x * p.x + p.y * p.y <= c.reach_m * c.reach_m;

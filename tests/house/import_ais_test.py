@@ -7,7 +7,8 @@ from pathlib import Path
 
 from house import SHARED_DATA, main, shell
 
-RADIUS = 6371008.8
+MAJOR, FLATTENING = 6378137.0, 1 / 298.257223563     # WGS84
+MINOR = MAJOR * (1 - FLATTENING)
 MOMENT = 1641168600  # 2022-01-03 00:10:00
 CENTRE = (30.0, -90.5)
 
@@ -29,26 +30,61 @@ REPORTS = [
 ]
 
 
+# Vincenty's formulas (Survey Review 23, 1975), right to half a millimetre: an independent look at what Karney's geodesics give.
+def series(u2):
+    a = 1 + u2 / 16384 * (4096 + u2 * (-768 + u2 * (320 - 175 * u2)))
+    return a, u2 / 1024 * (256 + u2 * (-128 + u2 * (74 - 47 * u2)))
+
+
+def correction(b, sin_s, cos_s, cos_2m):
+    return b * sin_s * (cos_2m + b / 4 * (cos_s * (2 * cos_2m**2 - 1) - b / 6 * cos_2m * (4 * sin_s**2 - 3) * (4 * cos_2m**2 - 3)))
+
+
+def longer(sin_a, sigma, sin_s, cos_s, cos_2m):
+    """By how much the longitude on the auxiliary sphere is more."""
+    cos2_a = 1 - sin_a**2
+    c = FLATTENING / 16 * cos2_a * (4 + FLATTENING * (4 - 3 * cos2_a))
+    return (1 - c) * FLATTENING * sin_a * (sigma + c * sin_s * (cos_2m + c * cos_s * (2 * cos_2m**2 - 1)))
+
+
 def projected(lat, lon):
-    """Stereographic projection about CENTRE, by the textbook formula."""
-    p, l, p0 = math.radians(lat), math.radians(lon - CENTRE[1]), math.radians(CENTRE[0])
-    k = 2 * RADIUS / (1 + math.sin(p0) * math.sin(p) + math.cos(p0) * math.cos(p) * math.cos(l))
-    return (k * math.cos(p) * math.sin(l),
-            k * (math.cos(p0) * math.sin(p) - math.sin(p0) * math.cos(p) * math.cos(l)))
+    """As far from CENTRE and in that direction."""
+    if (lat, lon) == CENTRE:
+        return 0.0, 0.0
+    u1, u2 = (math.atan((1 - FLATTENING) * math.tan(math.radians(degrees))) for degrees in (CENTRE[0], lat))
+    l = wanted = math.radians(lon - CENTRE[1])
+    for _ in range(50):
+        east = math.cos(u2) * math.sin(l)
+        north = math.cos(u1) * math.sin(u2) - math.sin(u1) * math.cos(u2) * math.cos(l)
+        sin_s, cos_s = math.hypot(east, north), math.sin(u1) * math.sin(u2) + math.cos(u1) * math.cos(u2) * math.cos(l)
+        sigma, sin_a = math.atan2(sin_s, cos_s), math.cos(u1) * east / sin_s
+        cos_2m = cos_s - 2 * math.sin(u1) * math.sin(u2) / (1 - sin_a**2)
+        l = wanted + longer(sin_a, sigma, sin_s, cos_s, cos_2m)
+    a, b = series((1 - sin_a**2) * (MAJOR**2 - MINOR**2) / MINOR**2)
+    metres = MINOR * a * (sigma - correction(b, sin_s, cos_s, cos_2m))
+    return metres * east / sin_s, metres * north / sin_s
 
 
-def along_great_circle(lat, lon, course, metres):
-    """Where a ship is after so many metres on its great circle."""
-    p, c, d = math.radians(lat), math.radians(course), metres / RADIUS
-    q = math.asin(math.sin(p) * math.cos(d) + math.cos(p) * math.sin(d) * math.cos(c))
-    l = math.atan2(math.sin(c) * math.sin(d) * math.cos(p), math.cos(d) - math.sin(p) * math.sin(q))
-    return math.degrees(q), lon + math.degrees(l)
+def along_geodesic(lat, lon, course, metres):
+    """Where a ship is after so many metres straight on."""
+    u, c = math.atan((1 - FLATTENING) * math.tan(math.radians(lat))), math.radians(course)
+    sin_a, start = math.cos(u) * math.sin(c), math.atan2(math.tan(u), math.cos(c))
+    a, b = series((1 - sin_a**2) * (MAJOR**2 - MINOR**2) / MINOR**2)
+    sigma = straight = metres / (MINOR * a)
+    for _ in range(50):
+        sin_s, cos_s, cos_2m = math.sin(sigma), math.cos(sigma), math.cos(2 * start + sigma)
+        sigma = straight + correction(b, sin_s, cos_s, cos_2m)
+    north = math.sin(u) * math.cos(sigma) + math.cos(u) * math.sin(sigma) * math.cos(c)
+    across = math.hypot(sin_a, math.sin(u) * math.sin(sigma) - math.cos(u) * math.cos(sigma) * math.cos(c))
+    l = math.atan2(math.sin(sigma) * math.sin(c), math.cos(u) * math.cos(sigma) - math.sin(u) * math.sin(sigma) * math.cos(c))
+    l -= longer(sin_a, sigma, math.sin(sigma), math.cos(sigma), math.cos(2 * start + sigma))
+    return math.degrees(math.atan2(north, (1 - FLATTENING) * across)), lon + math.degrees(l)
 
 
 def velocity(lat, lon, sog, course):
-    """By differences, 1 m ahead and behind: an independent look at what the script derives."""
-    ahead, behind = (projected(*along_great_circle(lat, lon, course, metres)) for metres in (1, -1))
-    return tuple((a - b) / 2 * sog * 1852 / 3600 for a, b in zip(ahead, behind))
+    """By differences, 500 m ahead and behind."""
+    ahead, behind = (projected(*along_geodesic(lat, lon, course, metres)) for metres in (500, -500))
+    return tuple((a - b) / 1000 * sog * 1852 / 3600 for a, b in zip(ahead, behind))
 
 
 SET_PARAMETERS = f"""CREATE TABLE ais_parameters(name TEXT PRIMARY KEY, value REAL);
@@ -88,9 +124,9 @@ class MadeUpReports(unittest.TestCase):
             _, dt, lat, lon, sog, cog = report
             self.assertEqual(t, MOMENT + dt)
             for got, wanted in zip((x, y), projected(lat, lon)):
-                self.assertAlmostEqual(got, wanted, delta=1e-6)
+                self.assertAlmostEqual(got, wanted, delta=1e-3)
             for got, wanted in zip((vx, vy), velocity(lat, lon, sog, cog)):
-                self.assertAlmostEqual(got, wanted, delta=1e-6)
+                self.assertAlmostEqual(got, wanted, delta=1e-5)
 
     def test_slow_ships_lie_still(self):
         self.assertEqual(self.ships()[2][3:], (0, 0))
@@ -116,12 +152,13 @@ class RealReports(unittest.TestCase):
             f"|gzip -dc {reports}",
             f"SELECT count(*) FROM predictive_join(600, 'ais_ships', 926, NULL, {MOMENT});", ".mode csv",
             f".import --csv {ships} expected",
-            f"""SELECT count(*), max(abs(s.x - e.x)) < 1e-6, max(abs(s.y - e.y)) < 1e-6, max(abs(s.vx - e.vx)) < 1e-6,
-                       max(abs(s.vy - e.vy)) < 1e-6, max(abs(s.t - 1641168000 - e.t)) = 0
+            # The known answers are of a sphere, whose distances are off by up to 0.6 %.
+            f"""SELECT count(*), max(abs(s.x - e.x)) < 900, max(abs(s.y - e.y)) < 900, max(abs(s.vx - e.vx)) < 0.15,
+                       max(abs(s.vy - e.vy)) < 0.15, max(abs(s.t - 1641168000 - e.t)) = 0
                   FROM ais_ships s JOIN expected e ON e.id = CAST(s.id AS TEXT);""",
             "SELECT count(*) FROM ais_ships;")
         pairs = int(rows[0][0])
-        self.assertLessEqual(abs(pairs - 3993), 0.02 * 3993)
+        self.assertLessEqual(abs(pairs - 3993), 0.01 * 3993)
         self.assertEqual(rows[1:], [["1135", "1", "1", "1", "1", "1"], ["1135"]])
 
 
