@@ -54,7 +54,7 @@ is_there() {
     command) command -v "$1" >/dev/null 2>&1 ;;
     header) has_header "$@" ;;
     sanitizers) has_sanitizers ;;
-    python) /usr/bin/python3 -c "import $1" >/dev/null 2>&1 ;;
+    python) (cd / && /usr/bin/python3 -c "import $1") >/dev/null 2>&1 ;;  # a folder build/ here is a module too
   esac
 }
 
