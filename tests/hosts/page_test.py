@@ -65,7 +65,8 @@ class Page(Host):
         if not (BUILD / "foresee.so").exists():
             skip("the page beside the native build", f"{BUILD} holds no foresee.so")
         try:
-            run("timeout", "120", "npm", "install", "--silent", "--no-audit", "--no-fund", "puppeteer-core", folder=self.folder)
+            # Later ones want a newer Node than Debian has.
+            run("timeout", "120", "npm", "install", "--silent", "--no-audit", "--no-fund", "puppeteer-core@23", folder=self.folder)
         except AssertionError:
             skip("the page in a browser", "npm could not fetch puppeteer-core")
         script = self.write("tour.cjs", TOUR)
