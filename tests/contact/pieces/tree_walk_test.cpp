@@ -18,7 +18,7 @@ int pairs_of_squares(double apart, double height) {
   relative.axis[2].x = apart;
   NeverInterrupt never;
   Steps steps(never);
-  const PairSizes<Bounded> sizes{{}, {height, 0}, {height, 0}};
+  const PairSizes<Bounded> sizes{{}, {{height, 0}}, {{height, 0}}};
   const TreeWalk<3, ObjectPieces> walk(a, b, relative, {0, 10}, sizes, steps);
   int pairs = 0;
   walk.visit(
