@@ -66,11 +66,14 @@ class Chord {
   /// How far out a face is at some moment, at most.
   template <class Lengths>
   Real most(const Size& size, const Lengths& lengths) const {
-    Real most = this->most(size.value, lengths);
-    if (!size.moves()) return most;
-    const Real rate = greater(this->most(size.rate, lengths), Real(0.0)),
-               bend = greater(this->most(size.bend, lengths), Real(0.0));
-    return most + end_ * (rate + end_ * bend) * (1 + 0x1p-40) + 0x1p-1000;
+    const Real first = most(size.value, lengths);
+    return size.moves() ? first + moved(size, lengths) : first;
+  }
+  template <class Lengths>
+  [[gnu::noinline]] Real moved(const Size& size, const Lengths& lengths) const {
+    const Real rate = greater(most(size.rate, lengths), Real(0.0)),
+               bend = greater(most(size.bend, lengths), Real(0.0));
+    return end_ * (rate + end_ * bend) * (1 + 0x1p-40) + 0x1p-1000;
   }
 
   /// When the chord crosses a face: infinite, towards the side that the face is on, if there is none.

@@ -44,8 +44,10 @@ inline int place_of_half_height(const Offsets& at) {
 template <class T>
 PairSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
   const TwoRows<T> rows{row_a, row_b};
+  const bool any_grows = grows(setup.a.layout) || grows(setup.b.layout);
   const auto sum = [&](int place_a, int place_b, int axis, double more) {
     MovingSize<T> size{rows.in_both(place_a, place_b) + Exactly<T>::number(more)};
+    if (!any_grows) return size;
     const Length growth = growth_of_both(setup, axis);
     size.moves = value_or(row_a, growth.a, 0) > 0 || value_or(row_b, growth.b, 0) > 0;
     if (size.moves)
@@ -86,7 +88,7 @@ Powers<T, 2 * K> round_polynomial(const Condition& condition, const Powers<T, K>
     subtract_square_times<2 * K>(p, radius, squared_length<T>(condition.edge));
     return p;
   }
-  subtract_square_times<2 * K>(p, radius, Exactly<T>::number(1));
+  subtract_square_times<2 * K>(p, radius, Once{});
   for (int j = 0; j < 2; ++j) {
     Powers<T, K> gap = x[j];
     gap[0] = gap[0] - begin_of<T>(condition.edge, j);
@@ -110,7 +112,7 @@ auto with_polynomial(const Condition& condition, const std::array<Powers<T, K>, 
       Powers<T, K> p = x[D - 1];
       if (condition.sign < 0)
         for (T& c : p) c = -c;
-      subtract_times<K>(p, condition.sign < 0 ? sizes.below : sizes.above, Exactly<T>::number(1));
+      subtract_times<K>(p, condition.sign < 0 ? sizes.below : sizes.above, Once{});
       return take(p);
     }
     default:

@@ -39,17 +39,27 @@ inline bool is_of_size(const Bounded& size) {
   return size.value > 0;
 }
 
+/// A factor that costs nothing.
+struct Once {
+  template <class T>
+  friend const T& operator*(const T& size, Once) {
+    return size;
+  }
+};
+
 /// Subtracts from a polynomial the size times a factor.
-template <int K, class T>
-void subtract_times(Powers<T, K>& p, const MovingSize<T>& size, const T& factor) {
+template <int K, class T, class Factor>
+[[gnu::always_inline]] inline void subtract_times(Powers<T, K>& p, const MovingSize<T>& size,
+                                                  const Factor& factor) {
   p[0] = p[0] - size.value * factor;
   if constexpr (K > 0)
     if (size.moves) p[1] = p[1] - size.rate * factor;
 }
 
 /// Subtracts its square times a factor.
-template <int K, class T>
-void subtract_square_times(Powers<T, K>& p, const MovingSize<T>& size, const T& factor) {
+template <int K, class T, class Factor>
+[[gnu::always_inline]] inline void subtract_square_times(Powers<T, K>& p, const MovingSize<T>& size,
+                                                         const Factor& factor) {
   p[0] = p[0] - square(size.value) * factor;
   if constexpr (K > 1)
     if (size.moves) {
