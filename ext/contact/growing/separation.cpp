@@ -1,5 +1,7 @@
 #include "contact/growing/separation.h"
 
+#include <optional>
+
 #include "contact/growing/separation_case.h"
 
 namespace foresee::contact {
@@ -11,6 +13,8 @@ Judgement judged(const SeparationCase<D>& question, const ChangedWays<D>& ways) 
   if (question.never_together()) return Judgement::clear;
   if (!question.is_finite()) return Judgement::blocked;
   double tau = 0;
+  std::optional<double> nearest[2];  // of the first and the last change, once known
+  const RoughWay<D>* const ends[] = {&ways.first, &ways.last};
   switch (question.look(ways.middle, tau)) {
     case Look::proven:
       return Judgement::clear;
@@ -18,17 +22,20 @@ Judgement judged(const SeparationCase<D>& question, const ChangedWays<D>& ways) 
       if (question.all_touch_about(tau)) return Judgement::blocked;
       break;
     case Look::open:
-      for (const RoughWay<D>* end : {&ways.first, &ways.last}) {
-        double ignored = 0;
-        if (question.look(*end, ignored) == Look::proven) return Judgement::clear;
+      for (int i = 0; i < 2; ++i) {
+        double near = 0;
+        if (question.look(*ends[i], near) == Look::proven) return Judgement::clear;
+        nearest[i] = near;
       }
       if (question.all_touch_about(tau)) return Judgement::blocked;
       break;
   }
   if (question.ends_touch_about(tau)) return Judgement::blocked;
   if (!question.bends() && !ways.one_interval)
-    for (const RoughWay<D>* end : {&ways.first, &ways.last})
-      if (question.ends_touch_about(question.nearest_moment(*end))) return Judgement::blocked;
+    for (int i = 0; i < 2; ++i) {
+      const double near = nearest[i] ? *nearest[i] : question.nearest_moment(*ends[i]);
+      if (question.ends_touch_about(near)) return Judgement::blocked;
+    }
   const bool one_interval = ways.one_interval && !question.bends();
   if (one_interval && question.touches(ways.first) && question.touches(ways.last)) return Judgement::blocked;
   return Judgement::open;
