@@ -13,6 +13,15 @@ void turn(std::array<double, 3>& vector, double degrees) {
   vector[0] = turned.x, vector[1] = turned.y;
 }
 
+/// Less than a whole turn more, or as much less, is the same heading.
+double turned_heading(double heading, double degrees) {
+  Dyadic sum = Dyadic(heading) + Dyadic(degrees);
+  const Dyadic whole(360.0);
+  if (sum > whole) sum = sum - whole;
+  if (sum < -whole) sum = sum + whole;
+  return rounded(sum) + 0.0;
+}
+
 /// a + k b / m, b one component of the velocity.
 double added_along(double a, double k, double b, double m) {
   return rounded_quotient(Dyadic(a) * Dyadic(m) + Dyadic(k) * Dyadic(b), Dyadic(m));
@@ -76,6 +85,7 @@ OwnMotion changed(const OwnMotion& base, const Change& change, double k) {
     case Manoeuvre::turn:
       turn(motion.v, k), turn(motion.force, k), turn(motion.a, k);
       take_acceleration_of_force(motion);
+      motion.heading = turned_heading(motion.heading, k);
       break;
     case Manoeuvre::speed:
       change_speed(motion, change.speed, k);

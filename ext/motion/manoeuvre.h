@@ -5,7 +5,9 @@
 //   const OwnMotion turned = changed(base, {Manoeuvre::turn, speed_of(base)}, 15);    // 15 degrees to
 //   starboard
 //
-//   turn         velocity and acceleration are turned by k degrees clockwise (x east, y north)
+//   turn         velocity and acceleration are turned by k degrees clockwise (x east, y north), and so is
+//   what
+//                has a heading
 //   speed        k is added to the speed along the course: v (m + k) / m, m = |v| rounded once
 //   climb        k is added to vz
 //   accelerate   k is added to the acceleration along the course: a + k v / m
@@ -35,7 +37,8 @@ struct OwnMotion {
   double t = 0, until = std::numeric_limits<double>::infinity();
   std::array<double, 3> x{}, v{}, a{};
   std::array<double, 3> force{};
-  double mass = 0;  ///< 0: no forces; else a is force / mass, rounded
+  double mass = 0;     ///< 0: no forces; else a is force / mass, rounded
+  double heading = 0;  ///< of what has a shape that can be turned, -360 to 360
 
   friend bool operator==(const OwnMotion&, const OwnMotion&) = default;
 };
