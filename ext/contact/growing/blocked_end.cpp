@@ -5,10 +5,12 @@
 namespace foresee::contact {
 
 template <int D>
-std::optional<double> end_between(const Encounter<D>& met, const OwnMotion& base, const Change& change,
-                                  double p, double q, double width) {
+std::optional<double> end_between(const std::function<const Encounter<D>&(double)>& met_at,
+                                  const OwnMotion& base, const Change& change, double p, double q,
+                                  double width) {
   constexpr double beyond = 1e300;
   const auto gap_at = [&](double k) {
+    const Encounter<D>& met = met_at(k);
     const RoughWay<D> way = relative(met, rough_way<D>(base, change, k));
     if ((way.a != 0).any() || !(way.begin <= way.end)) return beyond;
     return straight_approach<D>(met.extents, way.x, way.v, way.begin, way.end).gap;
@@ -33,11 +35,11 @@ std::optional<double> end_between(const Encounter<D>& met, const OwnMotion& base
   return low + 0.5 * (high - low);
 }
 
-template std::optional<double> end_between<1>(const Encounter<1>&, const OwnMotion&, const Change&, double,
-                                              double, double);
-template std::optional<double> end_between<2>(const Encounter<2>&, const OwnMotion&, const Change&, double,
-                                              double, double);
-template std::optional<double> end_between<3>(const Encounter<3>&, const OwnMotion&, const Change&, double,
-                                              double, double);
+template std::optional<double> end_between<1>(const std::function<const Encounter<1>&(double)>&,
+                                              const OwnMotion&, const Change&, double, double, double);
+template std::optional<double> end_between<2>(const std::function<const Encounter<2>&(double)>&,
+                                              const OwnMotion&, const Change&, double, double, double);
+template std::optional<double> end_between<3>(const std::function<const Encounter<3>&(double)>&,
+                                              const OwnMotion&, const Change&, double, double, double);
 
 }  // namespace foresee::contact

@@ -21,6 +21,8 @@ struct Encounter {
   Vec<D> ex, ev;              ///< errors; a is exact
   GrowingExtents<D> extents;  ///< as of the change
   double begin, end;          ///< both exist within the horizon, in seconds after the change, rounded outward
+  double play = 0;            ///< of some changes the set reaches so much farther, or less far …
+  double chord = 0;           ///< … as it is turned by this, in lengths of what turns
 
   bool bends() const { return (a != 0).any(); }
 };

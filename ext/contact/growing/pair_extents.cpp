@@ -13,14 +13,16 @@ constexpr double rounded_up = 0x1p-50;
 ExtentsRule::ExtentsRule(const Layout& a, const Layout& b, double within, std::optional<double> within_z)
     : a_{a, row_offsets(a)}, b_{b, row_offsets(b)}, within_(within), within_z_(within_z.value_or(0)) {
   const bool boxes = a.shape == Shape::box && b.shape == Shape::box;
-  upright_ = a.shape == Shape::cylinder || b.shape == Shape::cylinder || within_z.has_value();
+  pieces_ = a.shape == Shape::outline || b.shape == Shape::outline;
+  upright_ = a.shape == Shape::cylinder || b.shape == Shape::cylinder || within_z.has_value() ||
+             (pieces_ && a.axes == 3);
   round_ = !upright_ && !boxes && a.axes > 1;
 }
 
 template <int D, class Size>
 PairExtents<D> ExtentsRule::composed(const Size& size, double within, double within_z) const {
   PairExtents<D> pair{Vec<D>::Zero(), 0, upright_ ? 2 : D};
-  for (int axis = 0; axis < D; ++axis) pair.half[axis] = size(&Offsets::half, axis);
+  for (int axis = pieces_ ? 2 : 0; axis < D; ++axis) pair.half[axis] = size(&Offsets::half, axis);
   const double r = size(&Offsets::r, 0) + within;
   if (upright_) {
     pair.radius = r;

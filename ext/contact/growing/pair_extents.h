@@ -1,27 +1,32 @@
 // At which places, seen from one object, does another touch it? For points, discs, balls, boxes, cylinders
 // and their mixtures that is one convex set: a box, grown round by a radius on all axes or in x and y alone.
+// For outlines and prisms it is one for each pair of their convex pieces, whose sum takes the place of the
+// box in x and y (piece_sum.h).
 //
 //   const ExtentsRule rule(ships.layout, ships.layout, 926, std::nullopt);
 //   const PairExtents<2> pair = rule.pair<2>(row_a, row_b, 600);       // half = {0, 0}, radius = r_a + r_b +
 //   926
 //
 // The sets are those of the room's door (make_contact.cpp), with lengths rounded up: what does not touch this
-// does not touch. Outlines and meshes have none.
+// does not touch. Meshes have none.
 #pragma once
 
 #include <optional>
 
+#include "contact/growing/piece_sum.h"
 #include "motion/vec.h"
 #include "shape/layout.h"
 
 namespace foresee::contact {
 
-/// Within `half` of the origin on every axis; the first `round_axes` axes grown together by `radius`.
+/// Within `half` of the origin on every axis, and in `sum`, if there is one, in x and y, where half is 0
+/// then; the first `round_axes` axes grown together by `radius`.
 template <int D>
 struct PairExtents {
   Vec<D> half;
   double radius;
   int round_axes;
+  const PieceSum* sum = nullptr;
 
   void add(const PairExtents& more, double times = 1) {
     half += times * more.half, radius += times * more.radius;
@@ -32,10 +37,18 @@ struct PairExtents {
     const Vec<D> size = n.abs();
     double square = 0;
     for (int axis = 0; axis < round_axes; ++axis) square += n[axis] * n[axis];
-    const double reach = (half * size).sum() + radius * std::sqrt(square);
-    const double magnitude = (half.abs() * size).sum() + std::abs(radius) * std::sqrt(square);
+    double reach = (half * size).sum() + radius * std::sqrt(square);
+    double magnitude = (half.abs() * size).sum() + std::abs(radius) * std::sqrt(square);
+    if constexpr (D > 1)
+      if (sum) {
+        const double along = sum->most(n[0], n[1]);
+        reach += along, magnitude += std::abs(along);
+      }
     return reach + (magnitude * 0x1p-49 + 0x1p-1000);
   }
+
+  /// How far from the origin on any axis, roughly.
+  double size() const { return half.abs().maxCoeff() + std::abs(radius) + (sum ? sum->size() : 0); }
 };
 
 /// As of a moment, and how much larger it is a unit of time later. Before the two are there it may be less
@@ -72,6 +85,7 @@ class ExtentsRule {
 
   Side a_, b_;
   bool upright_ = false, round_ = false;
+  bool pieces_ = false;  ///< boxes too are pieces, in x and y
   double within_, within_z_;
 };
 

@@ -10,9 +10,10 @@
 namespace foresee::contact {
 namespace {
 
-/// A ball, or upright a disc: no box is within.
+/// A ball, or upright a disc: no box is within. Of pieces too the distance is asked on all their axes.
 template <int D>
 bool rounds_alone(const PairExtents<D>& extents) {
+  if (extents.sum) return true;
   for (int axis = 0; axis < extents.round_axes; ++axis)
     if (extents.half[axis] != 0) return false;
   return true;
@@ -148,9 +149,9 @@ Judgement judge_parting(const Encounter<D>& met, const ChangedWays<D>& ways) {
   const SeparationCase<D> question(met, ways);
   if (question.never_together() || question.end() <= 0) return Judgement::clear;
   if (!question.is_finite()) return Judgement::blocked;
-  // What grows may catch up with what turns away ever more slowly.
-  if (met.extents.grows)
-    return question.bends() ? Judgement::blocked : judge_parting_of_growing<D>(met, ways);
+  // What grows may catch up with what turns away ever more slowly, and pieces lie on no side of the middle.
+  if (question.bends() && (met.extents.grows || met.extents.sum)) return Judgement::blocked;
+  if (met.extents.grows) return judge_parting_of_growing<D>(met, ways);
   if (!question.bends()) return judge_straight_parting<D>(met, ways);
   if (never_shrinks<D>(met, ways, 0, question.end(), 6)) return Judgement::clear;
   const bool all_shrink = shrinks(met, ways.first, question.end()) &&
@@ -159,8 +160,76 @@ Judgement judge_parting(const Encounter<D>& met, const ChangedWays<D>& ways) {
   return all_shrink ? Judgement::blocked : Judgement::open;
 }
 
+namespace {
+
+/// What turns by less is not looked at more closely where all of it seems to touch.
+constexpr double least_chord = 0x1p-17;
+
+/// Who moves which way at a line that may part a place from a piece.
+enum class Way : std::uint8_t { out, in, either };
+
+/// Of all that may part them: who is outside at first is beyond one of these lines, and stays so if it moves
+/// out. Requires: near the boundary; paths that are not bent.
+template <int D>
+Way way_at_boundary(const Encounter<D>& met, const ChangedWays<D>& ways, double slack) {
+  const auto& extents = met.extents;
+  const double speed = (ways.most[1].abs().max(ways.least[1].abs()) + met.v.abs() + met.ev).sum();
+  Way way = Way::out;
+  const auto look_along = [&](const Vec<D>& n, double error, double growth) {
+    const double unsure = (error + 0x1p-44) * (speed + growth);
+    if (least_of<D>(n, met.v, met.ev, ways.all.velocity) > growth + unsure || way == Way::in) return;
+    const bool in = (n * met.v).sum() + ways.all.velocity.most(-n) < growth - unsure;
+    way = in ? Way::in : Way::either;
+  };
+  Vec<D> n = Vec<D>::Zero();
+  for (int axis = 2; axis < D; ++axis) {
+    n[axis] = std::copysign(1, met.x[axis]);
+    if (extents.half[axis] - std::abs(met.x[axis]) <= slack) look_along(n, 0, extents.growth.half[axis]);
+    n[axis] = 0;
+  }
+  const double rate = extents.growth.radius, around = extents.radius;
+  if (depth_in_round<D>(extents, met.x.abs(), met.x, n) < -met.play - slack) return way;
+  n.setZero();
+  if (around > 0x1p20 * (met.play + slack)) {
+    // The nearest place of a piece that is off by so little lies in nearly the same direction.
+    const double distance = extents.sum->outside(met.x[0], met.x[1], n[0], n[1]);
+    if (!(distance > 0.5 * around)) return Way::either;
+    look_along(n, 4 * std::sqrt((met.play + slack) / distance), rate);
+  } else if (around > slack) {
+    return Way::either;
+  } else {
+    const double near = 2 * met.chord * (met.x.abs().sum() + extents.size()) + met.play + slack;
+    extents.sum->for_each_edge_near(met.x[0], met.x[1], near, [&](double x, double y, double error) {
+      n[0] = x, n[1] = y;
+      look_along(n, error + 2 * met.chord, rate);
+    });
+  }
+  return way;
+}
+
+}  // namespace
+
+template <int D>
+Judgement judge_parting_of_piece(const Encounter<D>& met, const ChangedWays<D>& ways, std::uint64_t& looks) {
+  const auto judged = [&] { return judge<D>(met, ways, looks); };
+  if (met.begin > 0) return judged();
+  Vec<D> ignored;
+  const double slack = touching_share * (met.x.abs().maxCoeff() + met.extents.size());
+  const double outside = depth_in<D>(met.extents, met.x, ignored);
+  if (outside <= -met.play - slack) return judge_parting<D>(met, ways);
+  if (outside > met.play + slack) return judged();
+  const Judgement parting = judge_parting<D>(met, ways);
+  if (D == 1 || (parting == Judgement::blocked && met.chord < least_chord)) return Judgement::blocked;
+  const Way way = way_at_boundary<D>(met, ways, slack);
+  if (way == Way::in) return met.chord < least_chord ? Judgement::blocked : Judgement::open;
+  return way == Way::out && parting == Judgement::clear ? parting : Judgement::open;
+}
+
 template Judgement judge_parting<1>(const Encounter<1>&, const ChangedWays<1>&);
 template Judgement judge_parting<2>(const Encounter<2>&, const ChangedWays<2>&);
 template Judgement judge_parting<3>(const Encounter<3>&, const ChangedWays<3>&);
+template Judgement judge_parting_of_piece<1>(const Encounter<1>&, const ChangedWays<1>&, std::uint64_t&);
+template Judgement judge_parting_of_piece<2>(const Encounter<2>&, const ChangedWays<2>&, std::uint64_t&);
+template Judgement judge_parting_of_piece<3>(const Encounter<3>&, const ChangedWays<3>&, std::uint64_t&);
 
 }  // namespace foresee::contact

@@ -36,7 +36,11 @@ template <int D>
 bool plane_proves(const Encounter<D>& met, const MotionSet<D>& all, const Vec<D>& n, double begin,
                   double end) {
   if (!(n.abs().maxCoeff() >= least_normal)) return false;
-  const double reach = met.extents.most(n), growth = met.extents.grows ? met.extents.growth.most(n) : 0;
+  double play = 0;  // in x and y
+  if constexpr (D > 1)
+    if (met.play > 0) play = met.play * (std::abs(n[0]) + std::abs(n[1])) * (1 + 0x1p-50);
+  const double reach = met.extents.most(n) + play,
+               growth = met.extents.grows ? met.extents.growth.most(n) : 0;
   const double c0 = least_of<D>(n, met.x, met.ex, all.place) - reach;
   const double v = least_of<D>(n, met.v, met.ev, all.velocity);
   const double c1 = growth == 0 ? v : v - growth - 4 * unit_roundoff * (std::abs(v) + growth);

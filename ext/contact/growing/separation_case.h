@@ -65,12 +65,10 @@ class SeparationCase {
     const double first = std::max(begin_, ways_.last.begin), last = std::min(end_, ways_.first.end);
     if (first > last) return false;
     tau = std::clamp(tau, first, last);
-    const double beside = ways_.turned[0] + tau * (ways_.turned[1] + 0.5 * tau * ways_.turned[2]) -
-                          touching_share * scale_at(tau);
-    Vec<D> ignored;
+    const double slack = touching_share * scale_at(tau), beside = ways_.turned[0] - slack;
+    const double turned = tau * (ways_.turned[1] + 0.5 * tau * ways_.turned[2]) + met_.play;
     for (const RoughWay<D>* end : {&ways_.first, &ways_.last})
-      if (!(depth_in<D>(met_.extents.after(tau), place_at<D>(relative(met_, *end), tau), ignored) <= -beside))
-        return false;
+      if (!touches_at(place_at<D>(relative(met_, *end), tau), tau, beside + turned, beside)) return false;
     return true;
   }
 
@@ -82,6 +80,16 @@ class SeparationCase {
   }
 
  private:
+  /// Whether a place is so deep within, on the axes that are round together, and on the others.
+  bool touches_at(const Vec<D>& place, double tau, double round, double upright) const {
+    const PairExtents<D> extents = met_.extents.after(tau);
+    const Vec<D> over = place.abs() - extents.half;
+    for (int axis = extents.round_axes; axis < D; ++axis)
+      if (!(over[axis] <= -upright)) return false;
+    Vec<D> ignored;
+    return depth_in_round<D>(extents, over, place, ignored) <= -round;
+  }
+
   /// All are on one side at one moment and on the other at another.
   bool all_pass(double first, double last, double tau) const {
     bool below = false, above = false;
@@ -107,7 +115,18 @@ class SeparationCase {
     const double slack = touching_share * scale_at(tau);
     const PairExtents<D> extents = met_.extents.after(tau);
     double square = 0;
-    for (int axis = 0; axis < D; ++axis) {
+    int first = 0;
+    if constexpr (D > 1)
+      if (extents.sum) {
+        const double beside = beside_middle(tau);
+        Vec<D> middle = Vec<D>::Zero(), ignored;
+        for (int axis = 0; axis < 2; ++axis)
+          middle[axis] = 0.5 * (place_of(ways_.most, axis, tau) + place_of(ways_.least, axis, tau));
+        if (!(depth_in_round<D>(extents, middle, middle, ignored) + beside + met_.play <= slack))
+          return false;
+        first = 2;
+      }
+    for (int axis = first; axis < D; ++axis) {
       const double far = farthest(axis, tau) - extents.half[axis];
       if (axis >= extents.round_axes) {
         if (!(far <= slack)) return false;
@@ -115,7 +134,17 @@ class SeparationCase {
         square += far * far;
       }
     }
-    return std::sqrt(square) <= extents.radius + slack;
+    return first > 0 || std::sqrt(square) <= extents.radius + slack;
+  }
+
+  /// How far from the middle of the box around all of them, in x and y, anything of the range is at tau.
+  double beside_middle(double tau) const {
+    double square = 0;
+    for (int axis = 0; axis < 2; ++axis) {
+      const double half = 0.5 * (place_of(ways_.most, axis, tau) - place_of(ways_.least, axis, tau));
+      square += half * half;
+    }
+    return std::sqrt(square);
   }
 
   /// The other on one axis, seen from an end of the range's places, velocities and accelerations.
@@ -131,7 +160,8 @@ class SeparationCase {
   double scale_at(double tau) const {
     const Vec<D> v = ways_.most[1].abs().max(ways_.least[1].abs()) + met_.v.abs();
     const PairExtents<D> extents = met_.extents.after(tau);
-    return (met_.x.abs() + extents.half.abs() + tau * v).maxCoeff() + std::abs(extents.radius);
+    const double sum = extents.sum ? extents.sum->size() : 0;
+    return (met_.x.abs() + extents.half.abs() + tau * v).maxCoeff() + std::abs(extents.radius) + sum;
   }
 
   Look look_at_straight(const RoughWay<D>& way, double& tau) const {

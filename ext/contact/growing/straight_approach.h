@@ -20,26 +20,35 @@
 
 namespace foresee::contact {
 
-/// How far outside the set a place is: below 0 within. `normal`: which way it grows.
+/// How far outside the set a place is in the axes that are round together: below 0 within. `over`: beyond
+/// half extents.
 template <int D>
-double depth_in(const PairExtents<D>& extents, const Vec<D>& place, Vec<D>& normal) {
-  const Vec<D> over = place.abs() - extents.half;
+double depth_in_round(const PairExtents<D>& extents, const Vec<D>& over, const Vec<D>& place,
+                      Vec<D>& normal) {
+  if constexpr (D > 1)
+    if (extents.sum) return extents.sum->outside(place[0], place[1], normal[0], normal[1]) - extents.radius;
   double square = 0, most = -std::numeric_limits<double>::infinity();
   int face = 0;
   for (int axis = 0; axis < extents.round_axes; ++axis) {
     if (over[axis] > 0) square += over[axis] * over[axis];
     if (over[axis] > most) most = over[axis], face = axis;
   }
-  normal.setZero();
-  double outside = most - extents.radius;
-  if (square > 0) {
-    const double length = std::sqrt(square);
-    outside = length - extents.radius;
-    for (int axis = 0; axis < extents.round_axes; ++axis)
-      if (over[axis] > 0) normal[axis] = std::copysign(over[axis] / length, place[axis]);
-  } else {
+  if (!(square > 0)) {
     normal[face] = std::copysign(1.0, place[face]);
+    return most - extents.radius;
   }
+  const double length = std::sqrt(square);
+  for (int axis = 0; axis < extents.round_axes; ++axis)
+    if (over[axis] > 0) normal[axis] = std::copysign(over[axis] / length, place[axis]);
+  return length - extents.radius;
+}
+
+/// How far outside the set a place is: below 0 within. `normal`: which way it grows.
+template <int D>
+double depth_in(const PairExtents<D>& extents, const Vec<D>& place, Vec<D>& normal) {
+  const Vec<D> over = place.abs() - extents.half;
+  normal.setZero();
+  double outside = depth_in_round<D>(extents, over, place, normal);
   for (int axis = extents.round_axes; axis < D; ++axis)
     if (over[axis] > outside) {
       outside = over[axis];

@@ -8,6 +8,19 @@ constexpr Corner square[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 
 }  // namespace
 
+void ObjectPieces::take_row(const Bodies& bodies, const OutlineRows* outlines, std::size_t i) {
+  const ConvexPieces* const known = outlines ? outlines->pieces(i, own_) : nullptr;
+  if (known) return take(*known);
+  const double* const row = bodies.row(i);
+  const Offsets& at = bodies.at;
+  if (!outlines && at.bounds != Offsets::absent) {
+    const double* const bounds = row + at.bounds;
+    return take_box({Vec<2>(bounds[0], bounds[1]), Vec<2>(bounds[2], bounds[3])});
+  }
+  if (at.half == Offsets::absent) return take_point();
+  take_box(row[at.half], row[at.half + 1]);
+}
+
 void ObjectPieces::take_box(const Box<2>& box) {
   pieces_ = nullptr, is_point_ = false;
   box_ = box;

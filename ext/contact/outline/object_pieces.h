@@ -2,15 +2,15 @@
 // outline, or the one that its half extents make; a point is a box of no size.
 //
 //   ObjectPieces pieces;
-//   pieces.take(outlines.pieces(row, pieces.own()));  // or take_box(8, 90), take_box(box), take_point()
+//   pieces.take_row(ships, ships.outlines, 7);        // or take(pieces), take_box(8, 90), take_point()
 //   if (pieces.is_leaf(node)) test(pieces.piece(pieces.item(node)));
 #pragma once
 
 #include <array>
 
 #include "contact/outline/convex_sum.h"
-#include "shape/outline/convex_pieces.h"
-#include "shape/own_pieces.h"
+#include "shape/bodies.h"
+#include "shape/outline/outline_rows.h"
 
 namespace foresee::contact {
 
@@ -21,9 +21,9 @@ class ObjectPieces {
   using Node = BoxTree<2>::Node;
   static constexpr Node root = BoxTree<2>::root;
 
+  /// What row i looks like; without outlines that of such a layout is the rectangle around it.
+  void take_row(const Bodies& bodies, const OutlineRows* outlines, std::size_t i);
   void take(const ConvexPieces& pieces) { pieces_ = &pieces; }
-  /// For pieces that nobody else keeps.
-  OwnPieces<ConvexPieces>& own() { return own_; }
   void take_box(const Box<2>& box);
   void take_box(double hx, double hy) { take_box({Vec<2>(-hx, -hy), Vec<2>(hx, hy)}); }
   void take_point() {

@@ -7,23 +7,6 @@
 #include "contact/pieces/window_near.h"
 
 namespace foresee::contact {
-namespace {
-
-/// What the row of a table looks like.
-void take_row(ObjectPieces& pieces, const Bodies& bodies, const OutlineRows* outlines, std::size_t i) {
-  const ConvexPieces* const known = outlines ? outlines->pieces(i, pieces.own()) : nullptr;
-  if (known) return pieces.take(*known);
-  const double* const row = bodies.row(i);
-  const Offsets& at = bodies.at;
-  if (!outlines && at.bounds != Offsets::absent) {
-    const double* const bounds = row + at.bounds;
-    return pieces.take_box({Vec<2>(bounds[0], bounds[1]), Vec<2>(bounds[2], bounds[3])});
-  }
-  if (at.half == Offsets::absent) return pieces.take_point();
-  pieces.take_box(row[at.half], row[at.half + 1]);
-}
-
-}  // namespace
 
 template <int D, int Degree>
 void FlatKit<D, Degree>::take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables,
@@ -31,8 +14,8 @@ void FlatKit<D, Degree>::take(Pieces& a, Pieces& b, const Setup& setup, const Ta
   if (setup.window && !tables.a)
     a.take_box(window_near<2>(setup, setup.b.row(pair.b)));
   else
-    take_row(a, setup.a, tables.a, pair.a);
-  take_row(b, setup.b, tables.b, pair.b);
+    a.take_row(setup.a, tables.a, pair.a);
+  b.take_row(setup.b, tables.b, pair.b);
   if (a.is_point() && b.is_point()) a.take_box(0, 0);  // a sum needs edges
 }
 

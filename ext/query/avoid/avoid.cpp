@@ -28,6 +28,7 @@ class Manoeuvring {
         base_(base),
         asked_(asked),
         change_{asked.manoeuvre, speed_of(base)},
+        turns_(turns_with_course(question, asked.manoeuvre)),
         interrupt_(interrupt),
         touched_(question, scenes(), interrupt) {}
 
@@ -64,10 +65,10 @@ class Manoeuvring {
         ->reach();
   }
 
-  /// Who does not move cannot turn: all changes are one.
+  /// Who does not move cannot turn, but for an outline with a heading: all changes are one.
   bool changes_nothing() const {
     const auto none = [](const std::array<double, 3>& v) { return v[0] == 0 && v[1] == 0; };
-    return asked_.manoeuvre == Manoeuvre::turn && none(base_.v) && none(base_.a);
+    return asked_.manoeuvre == Manoeuvre::turn && none(base_.v) && none(base_.a) && !turns_;
   }
 
   OwnMotion motion_at(double k) const { return k == 0 ? stored_ : changed(base_, change_, k); }
@@ -78,14 +79,26 @@ class Manoeuvring {
 
   /// Those that make the change touch, exactly.
   std::vector<Intruder> touched_by(double k) {
-    const bool delayed = asked_.manoeuvre == Manoeuvre::delay && k != 0;
-    if (!delayed) return touched_.by(record_at(k));
+    const bool delayed = asked_.manoeuvre == Manoeuvre::delay;
+    if (k == 0 || !(delayed || turns_)) return touched_.by(record_at(k));
     static const std::vector<Intruder> nobody;
-    if (question_.touching == Touching::part) return touched_.by(record_at(k), &nobody);
+    if (delayed && question_.touching == Touching::part) return touched_.by(record_at(k), &nobody);
     const std::vector<Intruder> first = touched_.at_first(question_.record);
     return touched_.by(record_at(k), &first);
   }
-  bool is_clear(double k) { return is_finite(motion_at(k)) && touched_by(k).empty(); }
+  bool is_clear(double k) { return can_be_stored(motion_at(k)) && touched_by(k).empty(); }
+
+  /// As numbers, and as an outline that lies so.
+  bool can_be_stored(const OwnMotion& motion) const {
+    if (!is_finite(motion)) return false;
+    if (!turns_) return true;
+    try {
+      question_.form->extents(motion.heading);
+    } catch (const Error&) {
+      return false;
+    }
+    return true;
+  }
 
   /// What is proven, and the exact word on 0.
   std::vector<KRange> clear_ranges() {
@@ -123,25 +136,32 @@ class Manoeuvring {
     };
     std::vector<Ordered> ordered;
     const Bodies own = question_.own->bodies();
+    std::vector<Bodies> others;
+    for (const auto& near : near_) others.push_back(near->bodies());
+    std::shared_ptr<const OwnOutline> own_outline;
     for (std::size_t table = 0; table < near_.size(); ++table) {
-      const Bodies others = near_[table]->bodies();
-      const ExtentsRule rule(own.layout, others.layout, question_.within, question_.within_z);
-      for (std::size_t i = 0; i < others.count; ++i) {
+      const Bodies& there = others[table];
+      const ExtentsRule rule(own.layout, there.layout, question_.within, question_.within_z);
+      const bool outlines = has_outlines(own.layout, there.layout);
+      if (outlines && !own_outline) own_outline = std::make_shared<OwnOutline>(own, 0, turns_);
+      for (std::size_t i = 0; i < there.count; ++i) {
         if (i % 4096 == 0) interrupt_.check();
         const bool touches = first[table][i] != 0;
         if (touches && question_.touching == Touching::ignore) continue;
-        const auto met = encounter_of<D>(base_, {question_.now, question_.h}, others, others.row(i),
-                                         rule.pair<D>(own.row(0), others.row(i), base_.t));
+        const auto met = encounter_of<D>(base_, {question_.now, question_.h}, there, there.row(i),
+                                         rule.pair<D>(own.row(0), there.row(i), base_.t));
         if (met.begin > met.end) continue;
         const double far = (met.x.abs() - met.extents.half).maxCoeff() - met.extents.radius;
-        ordered.push_back({far, table, near_[table]->ids[i], {met, touches && !delayed}});
+        std::shared_ptr<const OutlinePair> pair;
+        if (outlines) pair = std::make_shared<OutlinePair>(own_outline, there, i);
+        ordered.push_back({far, table, near_[table]->ids[i], {met, touches && !delayed, std::move(pair)}});
       }
     }
     std::sort(ordered.begin(), ordered.end(), [](const Ordered& a, const Ordered& b) {
       return std::tie(a.nearness, a.table, a.id) < std::tie(b.nearness, b.table, b.id);
     });
     std::vector<MetIntruder<D>> met;
-    for (const Ordered& one : ordered) met.push_back(one.met);
+    for (Ordered& one : ordered) met.push_back(std::move(one.met));
     return ClearRanges<D>(base_, change_, std::move(met), interrupt_).between(asked_.lo, asked_.hi);
   }
 
@@ -178,7 +198,7 @@ class Manoeuvring {
   /// Who is touched first, as changes go from one end of a blocked row towards the other.
   std::optional<Blocker> blocker(double end, double other, bool end_is_clear) {
     const auto at = [&](double k) -> std::optional<Blocker> {
-      if (!is_finite(motion_at(k))) return std::nullopt;
+      if (!can_be_stored(motion_at(k))) return std::nullopt;
       const std::vector<Intruder> touched = touched_by(k);
       return touched.empty() ? std::nullopt : touched_.first_of(record_at(k), touched);
     };
@@ -203,6 +223,7 @@ class Manoeuvring {
   const OwnMotion &stored_, &base_;
   AskedChanges asked_;
   Change change_;
+  bool turns_;  ///< an outline of its own
   Interrupt& interrupt_;
   Touched::Scenes near_;
   Touched touched_;

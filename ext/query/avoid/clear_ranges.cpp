@@ -44,25 +44,45 @@ double ClearRanges<D>::narrowest() const {
 template <int D>
 double ClearRanges<D>::narrowest_for(const MetIntruder<D>& intruder) const {
   const bool bends =
-      intruder.met.bends() || std::any_of(base_.a.begin(), base_.a.end(), [](double a) { return a != 0; });
-  return intruder.touches_first && (bends || change_.manoeuvre == Manoeuvre::accelerate) ? width_ * 0x1p-14
-                                                                                         : 0;
+      intruder.met().bends() || std::any_of(base_.a.begin(), base_.a.end(), [](double a) { return a != 0; });
+  return intruder.touches_first() && (bends || change_.manoeuvre == Manoeuvre::accelerate) ? width_ * 0x1p-14
+                                                                                           : 0;
+}
+
+template <int D>
+std::pair<std::uint32_t, std::uint32_t> ClearRanges<D>::parts_of(std::uint32_t intruder) {
+  const auto found = parts_.find(intruder);
+  if (found != parts_.end()) return found->second;
+  std::vector<MetIntruder<D>> parts = intruders_[intruder].parts();
+  const auto begin = static_cast<std::uint32_t>(intruders_.size());
+  for (MetIntruder<D>& part : parts) intruders_.push_back(std::move(part));
+  return parts_[intruder] = {begin, static_cast<std::uint32_t>(intruders_.size())};
+}
+
+template <int D>
+bool ClearRanges<D>::blocks(std::uint32_t intruder, const Range& range) {
+  std::uint64_t looks = 0;
+  const Judgement judgement = intruders_[intruder].judge(range.ways, range.from, range.to, looks);
+  step_.costly(static_cast<std::uint32_t>(16 * (1 + looks)));
+  if (!range.is_first) looks_ += looks;
+  if (judgement != Judgement::open) return judgement == Judgement::blocked;
+  if (range.to - range.from <= narrowest_for(intruders_[intruder])) return true;
+  if (!intruders_[intruder].is_worth_parting(range.ways)) {
+    open_.push_back(intruder);
+    return false;
+  }
+  const auto [begin, end] = parts_of(intruder);
+  for (std::uint32_t part = begin; part < end; ++part)
+    if (blocks(part, range)) return true;
+  return false;
 }
 
 template <int D>
 void ClearRanges<D>::search(double from, double to, std::size_t begin, std::size_t end, double near) {
-  const ChangedWays<D> ways = changed_ways<D>(base_, change_, from, to);
+  const Range range{from, to, begin == 0, changed_ways<D>(base_, change_, from, to)};
   const std::size_t first_open = open_.size();
   for (std::size_t i = begin; i < end; ++i) {
-    const MetIntruder<D>& intruder = intruders_[open_[i]];
-    std::uint64_t looks = 0;
-    const Judgement judgement =
-        intruder.touches_first ? judge_parting<D>(intruder.met, ways) : judge<D>(intruder.met, ways, looks);
-    step_.costly(static_cast<std::uint32_t>(16 * (1 + looks)));
-    if (begin > 0) looks_ += looks;
-    const bool given_up = judgement == Judgement::open && to - from <= narrowest_for(intruder);
-    if (judgement == Judgement::open && !given_up) open_.push_back(open_[i]);
-    if (judgement != Judgement::blocked && !given_up) continue;
+    if (!blocks(open_[i], range)) continue;
     std::swap(open_[i], open_[begin]);  // who blocks here probably does so next to it
     open_.resize(first_open);
     return;
@@ -104,8 +124,11 @@ template <int D>
 std::optional<double> ClearRanges<D>::guessed_end(double from, double to, std::size_t begin,
                                                   std::size_t end) const {
   constexpr std::size_t few = 4;
-  if (end - begin > few || intruders_[open_[begin]].touches_first) return std::nullopt;
-  return end_between<D>(intruders_[open_[begin]].met, base_, change_, from, to, 0.25 * narrowest());
+  const MetIntruder<D>& intruder = intruders_[open_[begin]];
+  if (end - begin > few || intruder.touches_first() || intruder.has_parts()) return std::nullopt;
+  Encounter<D> met;
+  const auto met_at = [&](double k) -> const Encounter<D>& { return met = intruder.met_at(k); };
+  return end_between<D>(met_at, base_, change_, from, to, 0.25 * narrowest());
 }
 
 template class ClearRanges<1>;

@@ -10,26 +10,22 @@
 // halves, and one that touches anybody is left alone, so that each intruder is looked at only where it
 // matters: near the ends that it makes. A range too narrow to halve (2^-40 of all, or what rounding hides) is
 // not clear. Where more is in doubt than usual, as along a path that grazes, narrow ranges are given up
-// earlier: 2^-22 of all after a million looks, 2^-12 after four. Cost: one certificate an intruder, some 100
-// for each end. Memory: four bytes for each intruder on the way down.
+// earlier: 2^-22 of all after a million looks, 2^-12 after four. What has parts is looked at part by part
+// once that is worth it. Cost: one certificate an intruder, some 100 for each end. Memory: four bytes for
+// each intruder on the way down.
 #pragma once
 
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "base/steps.h"
-#include "contact/growing/separation.h"
+#include "query/avoid/met_intruder.h"
 
 namespace foresee::query {
 
 struct KRange {
   double from, to;
-};
-
-/// An intruder as it is seen from the change.
-template <int D>
-struct MetIntruder {
-  Encounter<D> met;
-  bool touches_first;  ///< must part
 };
 
 template <int D>
@@ -43,8 +39,17 @@ class ClearRanges {
   std::vector<KRange> between(double lo, double hi);
 
  private:
+  struct Range {
+    double from, to;
+    bool is_first;
+    ChangedWays<D> ways;
+  };
   /// `near`: an end that is known, beside the range, or infinite.
   void search(double from, double to, std::size_t begin, std::size_t end, double near);
+  /// Whether nothing of the range is clear of an intruder; what is left in doubt of it is open.
+  bool blocks(std::uint32_t intruder, const Range& range);
+  /// Where its parts are among the intruders: made once.
+  std::pair<std::uint32_t, std::uint32_t> parts_of(std::uint32_t intruder);
   /// In two: at the end that an intruder makes, if one is guessed; near a known end, where ever less room is
   /// in doubt, at the mean of the distances from it as numbers of digits; else in the middle.
   void cut(double from, double to, std::size_t begin, std::size_t end, double near);
@@ -54,7 +59,8 @@ class ClearRanges {
 
   const OwnMotion& base_;
   Change change_;
-  std::vector<MetIntruder<D>> intruders_;
+  std::vector<MetIntruder<D>> intruders_;  ///< then parts of them
+  std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> parts_;
   Steps step_;
   double width_ = 0, least_change_ = 0;
   std::uint64_t looks_ = 0;          ///< beyond the first at each intruder

@@ -8,12 +8,22 @@
 namespace foresee::query {
 namespace {
 
+/// Around what turns with its course, whichever that is.
+template <int D>
+Extents<D> extents_of_changed(const AvoidQuestion& question, const Change& change, const Bodies& own) {
+  Extents<D> extents = extents_of<D>(own, 0);
+  if (!turns_with_course(question, change.manoeuvre)) return extents;
+  const double far = reach_of(extents).template head<std::min(D, 2)>().sum();
+  for (int axis = 0; axis < std::min(D, 2); ++axis) extents.lower[axis] = -far, extents.upper[axis] = far;
+  return extents;
+}
+
 /// A box around all changed motions, and when any of them is there.
 template <int D>
-MovingBox<D> box_around(const AvoidQuestion& question, const OwnMotion& base, const MotionSet<D>& all,
-                        const Vec<D>& margin) {
+MovingBox<D> box_around(const AvoidQuestion& question, const OwnMotion& base, const Change& change,
+                        const MotionSet<D>& all, const Vec<D>& margin) {
   const Bodies own = question.own->bodies();
-  const Extents<D> extents = extents_of<D>(own, 0);
+  const Extents<D> extents = extents_of_changed<D>(question, change, own);
   const Horizon horizon{question.now, question.h};
   Bounds<D> bounds;
   for (int axis = 0; axis < D; ++axis) {
@@ -93,12 +103,13 @@ std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const OwnM
   with_axes(near->layout.axes, [&]<int D>(Axes<D>) {
     const MotionSet<D> all = motions_between<D>(base, change, asked.lo, asked.hi);
     const Vec<D> margin = 2 * margin_of<D>(reach);  // of both together
-    const MovingBox<D> box = box_around<D>(question, base, all, margin);
+    const MovingBox<D> box = box_around<D>(question, base, change, all, margin);
     if (others.scene)
       walk_scene<D>(*others.scene, box, horizon, itself, interrupt, *near);
     else
       walk_tree<D>(*others.tree, box, horizon, itself, interrupt, *near);
   });
+  if (others.tree) near->take_forms(others.tree->forms(), interrupt);
   return near;
 }
 

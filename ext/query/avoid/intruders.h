@@ -3,7 +3,8 @@
 // them as it is about one object.
 //
 // Guarantee: everybody whom any change can touch during the horizon, once, and others: from a scene the same
-// as from a tree. Cost: the nodes that meet the moving box around all changes; a scene is looked at whole.
+// as from a tree. Cost: the nodes that meet the moving box around all changes; a scene is looked at whole,
+// and must not be of outlines.
 #pragma once
 
 #include <memory>

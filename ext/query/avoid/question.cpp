@@ -57,11 +57,11 @@ void require_columns(const AvoidQuestion& question) {
   }
 }
 
-void require_simple_shapes(const AvoidQuestion& question) {
+void require_no_meshes(const AvoidQuestion& question) {
   const auto require = [](const std::string& name, const Layout& layout) {
-    if (is_stored_apart(layout.shape))
-      throw Error("predictive_avoid answers for points, discs, balls, boxes and cylinders, not yet for " +
-                  name + ", which declares shape: ask about a table with r, or hx and hy, around each");
+    if (layout.shape == Shape::mesh)
+      throw Error("predictive_avoid does not answer for meshes, which " + name +
+                  " has: declare hz beside shape for prisms, or ask about a table with r around each");
   };
   require(question.own->name, question.own->layout);
   if (question.also) require(question.also->name, question.also->layout());
@@ -97,12 +97,16 @@ Touching touching_of(std::string_view name) {
 void require_valid(const AvoidQuestion& question) {
   require_range(question);
   require_columns(question);
-  require_simple_shapes(question);
+  require_no_meshes(question);
   require_join(question, question.others);
   if (question.also) require_join(question, *question.also);
   if (!question.own->layout.has_t && question.now != 0)
     throw Error("now must be 0 in a table without t: write now = 0, or declare t in " + question.own->name +
                 "; a change from " + shown(question.now) + " on cannot be stored there");
+}
+
+bool turns_with_course(const AvoidQuestion& question, Manoeuvre manoeuvre) {
+  return manoeuvre == Manoeuvre::turn && question.own->layout.has_heading && question.form;
 }
 
 std::vector<AskedChanges> asked_changes(const AvoidQuestion& question, const OwnMotion& stored,

@@ -20,9 +20,10 @@ enum class Touching : std::uint8_t {
 };
 
 struct AvoidQuestion {
-  std::shared_ptr<const Scene> own;  ///< the object that changes, or nobody
-  std::vector<double> record;        ///< its numbers as they are stored; empty: nobody
-  Searched others;                   ///< own's table: an object with own's id is own itself
+  std::shared_ptr<const Scene> own;       ///< the object that changes, or nobody
+  std::vector<double> record;             ///< its numbers as they are stored; empty: nobody
+  std::shared_ptr<const Form> form = {};  ///< the outline that it has; null: none
+  Searched others;                        ///< own's table: an object with own's id is own itself
   std::optional<Searched> also = {};
   double now = 0;
   bool now_given = false;
@@ -58,6 +59,9 @@ Touching touching_of(std::string_view name);
 /// Throws Error for all that is wrong with a question whoever the object is: numbers that are no limits, a
 /// range that the manoeuvre cannot have, columns that the table does not declare, shapes without a distance.
 void require_valid(const AvoidQuestion& question);
+
+/// Whether what the object looks like turns too.
+bool turns_with_course(const AvoidQuestion& question, Manoeuvre manoeuvre);
 
 /// A manoeuvre and the changes asked about.
 struct AskedChanges {

@@ -6,9 +6,9 @@
 #include <tuple>
 
 #include "base/axes.h"
-#include "contact/growing/parting.h"
 #include "contact/set/relative_motion.h"
 #include "numbers/dyadic.h"
+#include "query/avoid/met_intruder.h"
 #include "query/join/question.h"
 #include "shape/shapes.h"
 
@@ -51,6 +51,7 @@ void with_places(const Layout& layout, Record& record, Motion& motion, Use&& use
     if (place != Offsets::absent) use(record[static_cast<std::size_t>(place)], value);
   };
   number(at.t, motion.t), number(at.until, motion.until), number(at.mass, motion.mass);
+  number(at.heading, motion.heading);
   vector(at.x, motion.x), vector(at.v, motion.v), vector(at.a, motion.a), vector(at.force, motion.force);
 }
 
@@ -58,10 +59,12 @@ void with_places(const Layout& layout, Record& record, Motion& motion, Use&& use
 /// rounded up. `out`: of the same layout, but that no size is left out.
 void grow_row(const Layout& layout, const double* row, double age, Layout out_layout, double* out) {
   const Offsets from = row_offsets(layout), to = row_offsets(out_layout);
-  const int sizes_end = from.growth != Offsets::absent ? from.growth : from.growth_z;
-  std::copy_n(row, sizes_end, out);
-  double* const rest = std::fill_n(out + sizes_end, to.size - from.size, 0.0);
-  std::copy(row + sizes_end, row + from.size, rest);
+  const int left_out = from.size == to.size ? to.size : to.r;  // r, or r and hz
+  std::copy_n(row, std::min(left_out, from.size), out);
+  if (left_out < to.size) {
+    double* const rest = std::fill_n(out + left_out, to.size - from.size, 0.0);
+    std::copy(row + left_out, row + from.size, rest);
+  }
   const auto grow = [&](int place, int axis) {
     const double more = age * value_or(row, growth_place(layout.shape, from, axis), 0);
     const double size = (out[place] + more) * (more > 0 ? 1 + 0x1p-49 : 1);
@@ -71,6 +74,21 @@ void grow_row(const Layout& layout, const double* row, double age, Layout out_la
     for (int axis = 0; axis < layout.axes; ++axis) grow(to.half + axis, axis);
   if (to.r != Offsets::absent) grow(to.r, 0);
   if (to.hz != Offsets::absent) grow(to.hz, 2);
+}
+
+/// The form of the one object that changes.
+struct OneForm final : FormSource {
+  explicit OneForm(std::shared_ptr<const Form> only) : only(std::move(only)) {}
+  std::shared_ptr<const Form> form(std::int64_t /*number*/) override { return only; }
+
+  std::shared_ptr<const Form> only;
+};
+
+bool are_convex(const Bodies& own, const Bodies& others, std::size_t row) {
+  if (!has_outlines(own.layout, others.layout)) return true;
+  ObjectPieces one, other;
+  one.take_row(own, own.outlines, 0), other.take_row(others, others.outlines, row);
+  return one.count() == 1 && other.count() == 1;
 }
 
 }  // namespace
@@ -93,6 +111,7 @@ Touched::Touched(const AvoidQuestion& question, Scenes near, Interrupt& interrup
     : question_(question), interrupt_(interrupt), near_(std::move(near)) {
   own_.name = question.own->name, own_.layout = question.own->layout;
   own_.layout.starts_as_point = false;
+  if (own_.layout.shape == Shape::outline && grows(own_.layout)) own_.layout.has_radius = true;
   own_.ids = {0};
   own_.rows.resize(static_cast<std::size_t>(row_offsets(own_.layout).size));
   take(question.record);
@@ -114,10 +133,28 @@ void Touched::take(const std::vector<double>& record) {
   } else {
     row_from_record(layout, record.data(), own_.rows.data());
   }
+  if (layout.shape == Shape::outline) take_form();
   const double first = std::max(question_.now, t);
   if (first == first_moment_) return;
   first_moment_ = first;
   for (auto& contact : at_first_) contact.reset();
+}
+
+void Touched::take_form() {
+  const Offsets at = row_offsets(own_.layout);
+  const double heading = value_or(own_.rows.data(), at.heading, 0);
+  if (question_.form) {
+    const Extents<3> around = question_.form->extents(heading);
+    for (int axis = 0; axis < 2; ++axis) {
+      own_.rows[static_cast<std::size_t>(at.bounds + axis)] = around.lower[axis];
+      own_.rows[static_cast<std::size_t>(at.bounds + 2 + axis)] = around.upper[axis];
+    }
+  }
+  if (own_.forms && heading == heading_) return;
+  heading_ = heading;
+  if (!own_.forms) own_.forms = std::make_unique<RowForms>();
+  OneForm source(question_.form);
+  own_.forms->assign(own_.bodies(), source, interrupt_);
 }
 
 std::unique_ptr<Contact> Touched::contact(std::size_t table, const Horizon& horizon) const {
@@ -126,35 +163,57 @@ std::unique_ptr<Contact> Touched::contact(std::size_t table, const Horizon& hori
                       own_.name, near.name);
 }
 
-std::vector<Intruder> Touched::at_first(const std::vector<double>& record) {
-  take(record);
+std::vector<Intruder> Touched::decided(std::vector<std::unique_ptr<Contact>>& contacts,
+                                       const std::vector<std::vector<std::uint8_t>>& left_out) {
   std::vector<Intruder> touched;
-  if (!(first_moment_ - question_.now <= question_.h)) return touched;
   for (std::size_t table = 0; table < near_.size(); ++table) {
-    if (!at_first_[table]) at_first_[table] = contact(table, {first_moment_, 0});
     std::vector<Pair> pairs, hits;
     const auto count = static_cast<std::uint32_t>(near_[table]->size());
     for (std::uint32_t row = 0; row < count;) {
       interrupt_.check();
       pairs.clear();
-      for (; row < count && pairs.size() < pairs_at_once; ++row) pairs.push_back({0, row});
-      at_first_[table]->decide(pairs, hits);
+      for (; row < count && pairs.size() < pairs_at_once; ++row)
+        if (left_out.empty() || !left_out[table][row]) pairs.push_back({0, row});
+      contacts[table]->decide(pairs, hits);
     }
     for (const Pair& hit : hits) touched.push_back({static_cast<int>(table), hit.b});
   }
   return touched;
 }
 
-bool Touched::parts(const Intruder& intruder) const {
+std::vector<Intruder> Touched::at_first(const std::vector<double>& record) {
+  take(record);
+  if (!(first_moment_ - question_.now <= question_.h)) return {};
+  for (std::size_t table = 0; table < near_.size(); ++table)
+    if (!at_first_[table]) at_first_[table] = contact(table, {first_moment_, 0});
+  return decided(at_first_, {});
+}
+
+bool Touched::touches(Contact& contact, const Intruder& intruder) const {
+  const Pair pair{0, intruder.row};
+  std::vector<Pair> hits;
+  contact.decide({&pair, 1}, hits);
+  return !hits.empty();
+}
+
+bool Touched::touches_first(const Intruder& intruder) {
+  const auto table = static_cast<std::size_t>(intruder.table);
+  if (!at_first_[table]) at_first_[table] = contact(table, {first_moment_, 0});
+  return touches(*at_first_[table], intruder);
+}
+
+bool Touched::parts(const Intruder& intruder) {
   const Scene& near = *near_[static_cast<std::size_t>(intruder.table)];
   const Bodies own = own_.bodies(), others = near.bodies();
   const double *own_row = own.row(0), *row = others.row(intruder.row);
   const Moments moments = moments_of({own, others, {question_.now, question_.h}}, own_row, row);
   if (moments.none || (moments.t_begin == moments.t_end && moments.dt_begin == moments.dt_end)) return true;
   const Horizon first{first_moment_, 0};
+  if (has_outlines(own.layout, others.layout) && !touches_first(intruder))
+    return !touches(*contacts_[static_cast<std::size_t>(intruder.table)], intruder);
   return with_axes(own.layout.axes, [&]<int D>(Axes<D>) {
     const bool grow = grows_at_all<D>(own, own_row) || grows_at_all<D>(others, row);
-    if (!grow && !bends(own, own_row) && !bends(others, row))
+    if (!grow && !bends(own, own_row) && !bends(others, row) && are_convex(own, others, intruder.row))
       return parts_exactly<D>({own, others, first}, own_row, row);
     OwnMotion motion;
     motion.t = value_or(own_row, own.at.t, 0), motion.until = value_or(own_row, own.at.until, infinity);
@@ -167,30 +226,27 @@ bool Touched::parts(const Intruder& intruder) const {
     const ExtentsRule rule(own.layout, others.layout, question_.within, question_.within_z);
     const auto met =
         encounter_of<D>(base, {question_.now, question_.h}, others, row, rule.pair<D>(own_row, row, base.t));
-    return judge_parting<D>(met, changed_ways<D>(base, {Manoeuvre::speed, 1}, 0, 0)) == Judgement::clear;
+    std::shared_ptr<const OutlinePair> outlines;
+    if (has_outlines(own.layout, others.layout))
+      outlines =
+          std::make_shared<OutlinePair>(std::make_shared<OwnOutline>(own, 0, false), others, intruder.row);
+    return is_clear_of<D>({met, true, outlines}, changed_ways<D>(base, {Manoeuvre::speed, 1}, 0, 0), 0);
   });
 }
 
-std::vector<Intruder> Touched::by(const std::vector<double>& record, const std::vector<Intruder>* spared) {
-  const std::vector<Intruder> first = at_first(record);
-  std::vector<Intruder> touched;
-  for (std::size_t table = 0; table < near_.size(); ++table) {
-    std::vector<std::uint8_t> left_out(near_[table]->size());
-    for (const Intruder& intruder : spared ? *spared : first)
-      if (static_cast<std::size_t>(intruder.table) == table) left_out[intruder.row] = 1;
-    std::vector<Pair> pairs, hits;
-    const auto count = static_cast<std::uint32_t>(left_out.size());
-    for (std::uint32_t row = 0; row < count;) {
-      interrupt_.check();
-      pairs.clear();
-      for (; row < count && pairs.size() < pairs_at_once; ++row)
-        if (!left_out[row]) pairs.push_back({0, row});
-      contacts_[table]->decide(pairs, hits);
-    }
-    for (const Pair& hit : hits) touched.push_back({static_cast<int>(table), hit.b});
-  }
-  if (!spared && question_.touching == Touching::part)
-    for (const Intruder& intruder : first)
+std::vector<Intruder> Touched::by(const std::vector<double>& record, const std::vector<Intruder>* first) {
+  std::vector<Intruder> own_first;
+  if (first)
+    take(record);
+  else
+    own_first = at_first(record), first = &own_first;
+  std::vector<std::vector<std::uint8_t>> left_out;
+  for (const auto& near : near_) left_out.emplace_back(near->size());
+  for (const Intruder& intruder : *first)
+    left_out[static_cast<std::size_t>(intruder.table)][intruder.row] = 1;
+  std::vector<Intruder> touched = decided(contacts_, left_out);
+  if (question_.touching == Touching::part)
+    for (const Intruder& intruder : *first)
       if (!parts(intruder)) touched.push_back(intruder);
   return touched;
 }

@@ -8,8 +8,8 @@
 // report, from what is known now.
 //
 // Who is touched at the object's first moment is not counted if Touching says so: never for ignore; for part
-// if the distance of the centres never shrinks, decided exactly where neither path is bent (else proven, or
-// counted). Cost: some 100 ns an intruder.
+// if the distance of the centres never shrinks and they do not touch again, decided exactly where neither
+// path is bent and both shapes are convex (else proven, or counted). Cost: some 100 ns an intruder.
 #pragma once
 
 #include <functional>
@@ -39,9 +39,9 @@ class Touched {
   /// Those touched at the object's first moment, whatever comes then.
   std::vector<Intruder> at_first(const std::vector<double>& record);
 
-  /// Those that make the motion touch. `delayed_from`: who may be touched at first, where that is not whom
-  /// this motion touches then.
-  std::vector<Intruder> by(const std::vector<double>& record, const std::vector<Intruder>* spared = nullptr);
+  /// Those that make the motion touch. `first`: who is touched when the change is made, where that is not
+  /// whom this motion touches at first.
+  std::vector<Intruder> by(const std::vector<double>& record, const std::vector<Intruder>* first = nullptr);
 
   /// Of those of by() the one that is touched first: ties by table, then by id.
   std::optional<Blocker> first_of(const std::vector<double>& record, const std::vector<Intruder>& touched);
@@ -53,15 +53,21 @@ class Touched {
 
  private:
   void take(const std::vector<double>& record);
+  /// The own row's form, turned by the row's heading.
+  void take_form();
   std::unique_ptr<Contact> contact(std::size_t table, const Horizon& horizon) const;
-  bool parts(const Intruder& intruder) const;
+  std::vector<Intruder> decided(std::vector<std::unique_ptr<Contact>>& contacts,
+                                const std::vector<std::vector<std::uint8_t>>& left_out);
+  bool touches(Contact& contact, const Intruder& intruder) const;
+  bool touches_first(const Intruder& intruder);
+  bool parts(const Intruder& intruder);
 
   const AvoidQuestion& question_;
   Interrupt& interrupt_;
   Scenes near_;
   Scene own_;  ///< of one row, which take() changes
   std::vector<std::unique_ptr<Contact>> contacts_, at_first_;
-  double first_moment_ = 0;
+  double first_moment_ = 0, heading_ = 0;
 };
 
 }  // namespace foresee::query

@@ -1,4 +1,5 @@
 // predictive_avoid(h, tbl, id, …) in SQL: the object is looked up, the others are asked for in the tree.
+#include "base/integer_of.h"
 #include "index/tpr_tree/tpr_tree.h"
 #include "query/avoid/avoid.h"
 #include "sqlite/functions/table_functions.h"
@@ -154,7 +155,13 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   }
   question.now = given_now.value_or(newest), question.now_given = given_now.has_value();
   if (auto record = table.store->read(id)) question.record = std::move(*record);
-  question.own = Connection::load_object(table, id);
+  const auto own = Connection::load_object(table, id);
+  FormSource* const forms = table.store->forms();
+  own->take_forms(forms, connection.interrupt());
+  question.own = own;
+  const Offsets at = record_offsets(own->layout);
+  const double form = question.record.empty() ? 0 : value_or(question.record.data(), at.outline, 0);
+  if (const auto number = integer_of(form); number.value_or(0) != 0) question.form = forms->form(*number);
   question.wants_motion = reads_any(call, out_t, out_heading);
   question.wants_ends = reads_any(call, out_below, out_t_above);
   std::vector<AvoidRow> rows = avoid(question, connection.interrupt());

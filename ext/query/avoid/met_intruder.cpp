@@ -1,0 +1,96 @@
+#include "query/avoid/met_intruder.h"
+
+#include <algorithm>
+
+#include "contact/growing/parting.h"
+
+namespace foresee::query {
+namespace {
+
+/// How far, in shares of its distance from the middle, what turns by at most `degrees` comes: twice the sine
+/// of half of it.
+double chord_of(double degrees) {
+  if (degrees >= 180) return 2;
+  return 2 * (quick_sine_cosine(0.5 * degrees).sine * (1 + 0x1p-40) + 0x1p-1000);
+}
+
+}  // namespace
+
+template <int D>
+MetIntruder<D>::MetIntruder(const Encounter<D>& met, bool touches_first,
+                            std::shared_ptr<const OutlinePair> outlines)
+    : met_(met),
+      touches_first_(touches_first),
+      stage_(outlines ? Stage::whole : Stage::simple),
+      outlines_(std::move(outlines)),
+      round_(met.extents.radius) {
+  if (outlines_) met_.extents.radius += outlines_->reach() * (1 + 0x1p-50);
+}
+
+template <int D>
+Judgement MetIntruder<D>::judge(const ChangedWays<D>& ways, double p, double q, std::uint64_t& looks) const {
+  if (touches_first_) ++looks;
+  if (stage_ == Stage::simple)
+    return touches_first_ ? judge_parting<D>(met_, ways) : contact::judge<D>(met_, ways, looks);
+  if (has_parts())
+    return contact::judge<D>(met_, ways, looks) == Judgement::clear ? Judgement::clear : Judgement::open;
+  const Encounter<D> turned = turns() ? met_between(p, q) : met_;
+  if (!touches_first_) return contact::judge<D>(turned, ways, looks);
+  const bool surely_first = outlines_->is_sole() && !outlines_->turns();
+  return surely_first ? judge_parting<D>(turned, ways) : judge_parting_of_piece<D>(turned, ways, looks);
+}
+
+template <int D>
+Encounter<D> MetIntruder<D>::met_between(double p, double q) const {
+  Encounter<D> met = met_;
+  if (!turns()) return met;
+  const double middle = p + 0.5 * (q - p), half = std::max(middle - p, q - middle);
+  sum_->turn(middle);
+  if (half > 0) met.chord = chord_of(half * (1 + 0x1p-50)), met.play = sum_->own_reach() * met.chord;
+  return met;
+}
+
+template <int D>
+bool MetIntruder<D>::is_worth_parting(const ChangedWays<D>& ways) const {
+  if (!has_parts()) return false;
+  const double end = std::min(met_.end, ways.all.end);
+  const Vec<D> apart = (ways.most[0] - ways.least[0]) +
+                       end * ((ways.most[1] - ways.least[1]) + (0.5 * end) * (ways.most[2] - ways.least[2]));
+  const double size = stage_ == Stage::boxes ? outlines_->size_of(part_) : 0;
+  return touches_first_ || 4 * (size + 2 * met_.extents.after(end).radius) >= apart.maxCoeff();
+}
+
+template <int D>
+std::vector<MetIntruder<D>> MetIntruder<D>::parts() const {
+  std::vector<MetIntruder> parts;
+  for (const OutlinePair::Part& part :
+       stage_ == Stage::whole ? outlines_->parts() : outlines_->parts(part_)) {
+    MetIntruder one = *this;
+    one.stage_ = part.pieces ? Stage::pieces : Stage::boxes;
+    one.part_ = part;
+    one.sum_ = outlines_->sum_of(part);
+    one.met_.extents.sum = one.sum_.get();
+    one.met_.extents.radius = round_ + outlines_->more_round(part) * (1 + 0x1p-50);
+    parts.push_back(std::move(one));
+  }
+  return parts;
+}
+
+template <int D>
+bool is_clear_of(const MetIntruder<D>& intruder, const ChangedWays<D>& ways, double k) {
+  std::uint64_t looks = 0;
+  const Judgement judgement = intruder.judge(ways, k, k, looks);
+  if (judgement != Judgement::open || !intruder.has_parts()) return judgement == Judgement::clear;
+  const std::vector<MetIntruder<D>> parts = intruder.parts();
+  return std::all_of(parts.begin(), parts.end(),
+                     [&](const MetIntruder<D>& part) { return is_clear_of<D>(part, ways, k); });
+}
+
+template class MetIntruder<1>;
+template class MetIntruder<2>;
+template class MetIntruder<3>;
+template bool is_clear_of<1>(const MetIntruder<1>&, const ChangedWays<1>&, double);
+template bool is_clear_of<2>(const MetIntruder<2>&, const ChangedWays<2>&, double);
+template bool is_clear_of<3>(const MetIntruder<3>&, const ChangedWays<3>&, double);
+
+}  // namespace foresee::query

@@ -1,0 +1,102 @@
+// predictive_avoid for outlines, by hand: a hull that turns with its course, gaps, holes, quays, what cannot
+// be turned.
+#include "sqlite/database.h"
+
+namespace foresee::testing {
+namespace {
+
+struct AvoidHulls : ::testing::Test {
+  /// A hull of 2 by 12, on its way north at 5, and what is in its way.
+  void make(const std::string& heading, const std::string& others) {
+    db.exec(
+        "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, shape" + heading +
+        ", +name); INSERT INTO ships VALUES (1, 0, 0, 0, 0, 5, 'POLYGON((-1 -6, 1 -6, 1 6, -1 6, -1 -6))'" +
+        (heading.empty() ? "" : ", 0") + ", 'Anna');");
+    db.exec("CREATE VIRTUAL TABLE quays USING moving_objects(id, x, y, shape); INSERT INTO quays VALUES " +
+            others);
+  }
+  std::string avoid(const std::string& more) {
+    return db.rows(
+        "SELECT clear, round(k_from, 4), round(k_to, 4), below, above, below_tbl FROM "
+        "predictive_avoid(10, 'ships', 1, 0, " +
+        more + ")");
+  }
+
+  Database db;
+};
+
+/// The quay is 2 to the right of the way: turned to port, the stern swings to it, by asin(2 / |(1, 6)|) less
+/// atan(1 / 6).
+TEST_F(AvoidHulls, TurnWithTheirCourse) {
+  make(", heading", "(1, 0, 0, 'POLYGON((2 -50, 3 -50, 3 50, 2 50, 2 -50))')");
+  EXPECT_EQ(avoid("'turn', -90, 0, NULL, 'quays'"), "0|-90.0|-9.7335|1|1|quays\n1|-9.7335|0.0|1|NULL|quays");
+  EXPECT_EQ(
+      db.rows("SELECT heading, round(vx, 6), x FROM predictive_avoid(10, 'ships', 1, 0, 'turn', -9, -9)"),
+      "-9.0|-0.782172|0.0");
+}
+
+TEST_F(AvoidHulls, WithoutAHeadingKeepTheirs) {
+  make("", "(1, 0, 0, 'POLYGON((2 -50, 3 -50, 3 50, 2 50, 2 -50))')");
+  EXPECT_EQ(avoid("'turn', -90, 0, NULL, 'quays'"), "1|-90.0|0.0|NULL|NULL|NULL");
+}
+
+TEST_F(AvoidHulls, PassThroughAGapThatTheirBoxesDoNot) {
+  make(", heading",
+       "(1, 0, 30, 'POLYGON((-50 0, -1.5 0, -1.5 4, -50 4, -50 0))'), (2, 0, 30, 'POLYGON((1.5 0, 50 0, 50 "
+       "4, 1.5 4, 1.5 0))')");
+  EXPECT_EQ(avoid("'turn', -45, 45, NULL, 'quays'"),
+            "0|-45.0|-0.8423|1|1|quays\n1|-0.8423|0.8423|1|2|quays\n0|0.8423|45.0|2|2|quays");
+  EXPECT_EQ(avoid("'speed', -5, 5, NULL, 'quays'"), "1|-5.0|5.0|NULL|NULL|NULL");
+}
+
+/// Within a lock: whoever stays clear of the outline around it stays there.
+TEST_F(AvoidHulls, KeepWithinAHole) {
+  make(", heading",
+       "(1, 0, 0, 'POLYGON((-20 -20, 20 -20, 20 60, -20 60, -20 -20), (-10 -10, 10 -10, 10 54, -10 54, -10 "
+       "-10))')");
+  EXPECT_EQ(avoid("'speed', -5, 5, NULL, 'quays'"), "1|-5.0|-0.2|NULL|1|NULL\n0|-0.2|5.0|1|1|quays");
+}
+
+/// Moored alongside a quay of two parts: away from it, not along it.
+TEST_F(AvoidHulls, PartFromWhatTheyTouch) {
+  make("", "(1, 10, 0, 'POLYGON((-9 -10, -1 -10, -1 10, -5 10, -5 0, -9 0, -9 -10))')");
+  EXPECT_EQ(avoid("'turn', -180, 0, NULL, 'quays'"),
+            "0|-180.0|-180.0|1|NULL|quays\n1|-180.0|-0.0|NULL|NULL|NULL\n0|-0.0|0.0|NULL|1|NULL");
+}
+
+TEST_F(AvoidHulls, TurnOnTheSpot) {
+  make(", heading", "(1, 4, 0, 'POLYGON((-1 -1, 1 -1, 1 1, -1 1, -1 -1))')");
+  db.exec("UPDATE ships SET vy = 0");
+  EXPECT_EQ(
+      db.rows("SELECT count(*) > 3, max(clear), min(clear) FROM predictive_avoid(10, 'ships', 1, 0, 'turn', "
+              "-180, 180, NULL, 'quays')"),
+      "1|1|0");
+}
+
+TEST_F(AvoidHulls, ThatCannotBeTurnedAreNotClear) {
+  make(", heading", "(1, 900, 0, 'POLYGON((-1 -1, 1 -1, 1 1, -1 1, -1 -1))')");
+  db.exec("UPDATE ships SET shape = 'POLYGON((0 0, 9 0, 9 9, 0 9, 0 0), (0 4, 3 3, 3 5, 0 4))'");
+  EXPECT_NE(db.error_of("UPDATE ships SET heading = 30"), "");
+  EXPECT_EQ(avoid("'turn', 30, 30"), "0|30.0|30.0|NULL|NULL|NULL");
+  EXPECT_EQ(avoid("'turn', 90, 90"), "1|90.0|90.0|NULL|NULL|NULL");
+}
+
+TEST_F(AvoidHulls, AreInterrupted) {
+  make(", heading", "(1, 0, 30, 'POLYGON((-50 0, -1.5 0, -1.5 4, -50 4, -50 0))')");
+  sqlite3_progress_handler(
+      db.handle(), 1, [](void*) { return 1; }, nullptr);
+  EXPECT_NE(db.error_of("SELECT * FROM predictive_avoid(10, 'ships', 1, 0, 'turn', -45, 45, NULL, 'quays')"),
+            "");
+  sqlite3_progress_handler(db.handle(), 0, nullptr, nullptr);
+}
+
+TEST_F(AvoidHulls, OfTrianglesInSpaceAreRefused) {
+  db.exec("CREATE VIRTUAL TABLE rocks USING moving_objects(id, x, y, z, vx, vy, vz, shape)");
+  EXPECT_EQ(db.error_of("SELECT * FROM predictive_avoid(60, 'rocks', 1)"),
+            "predictive_avoid: predictive_avoid does not answer for meshes, which rocks has: declare hz "
+            "beside shape "
+            "for prisms, or ask about a table with r around each");
+}
+
+}  // namespace
+}  // namespace foresee::testing
