@@ -3,6 +3,7 @@
 //   bench_sql_avoid [--quick] [FILE]
 //
 //   uniform  one disc of radius 10 for each (100 m)^2, |v| <= 10 an axis, 60 s: 10^3 to 10^5 objects
+//   hulls    the same with 10^4 hulls of 8 by 20 for discs, turned to their course
 //   crowd    10^4 discs in one spot
 //   FILE     ships: id, t, x, y, vx, vy of a CSV file, those that would come within 200 m of another in 600 s
 //
@@ -28,18 +29,27 @@ struct Scene {
   std::vector<std::int64_t> asked;
 };
 
-void make_table(Database& db) {
+/// What ships look like: columns, their values as of a velocity ?4, ?5, and those of a copy turned by k.
+struct Look {
+  std::string columns, drawn, turned;
+};
+const Look disc{"r", "10", "r"};
+const Look hull{"shape, heading",
+                "'POLYGON((-4 -10, 4 -10, 4 6, 0 10, -4 6, -4 -10))', degrees(atan2(?4, ?5))",
+                "shape, mod(heading + k + 540, 360) - 180"};
+
+void make_table(Database& db, const Look& look) {
   register_foresee(db);
-  db.run(
-      "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, r);"
-      "CREATE VIRTUAL TABLE turned USING moving_objects(id, t, x, y, vx, vy, r)");
+  for (const char* table : {"ships", "turned"})
+    db.run(std::string("CREATE VIRTUAL TABLE ") + table + " USING moving_objects(id, t, x, y, vx, vy, " +
+           look.columns + ")");
 }
 
-Scene fill_uniform(Database& db, std::size_t count, double side, const std::string& name) {
+Scene fill_uniform(Database& db, const Look& look, std::size_t count, double side, const std::string& name) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> place(0, side), speed(-10, 10);
   db.run("BEGIN");
-  Statement insert(db, "INSERT INTO ships VALUES (?1, 0, ?2, ?3, ?4, ?5, 10)");
+  Statement insert(db, "INSERT INTO ships VALUES (?1, 0, ?2, ?3, ?4, ?5, " + look.drawn + ")");
   for (std::size_t i = 0; i < count; ++i) {
     insert.bind(1, static_cast<std::int64_t>(i) + 1);
     for (int place_of = 2; place_of <= 3; ++place_of) insert.bind(place_of, place(random));
@@ -91,13 +101,14 @@ double seconds_a_question(Statement& statement, const Scene& scene, std::int64_t
 }
 
 /// One object's 361 turned copies, written and joined with the table.
-double seconds_of_copies(Database& db, const Scene& scene, std::int64_t id) {
+double seconds_of_copies(Database& db, const Scene& scene, const Look& look, std::int64_t id) {
   Statement write(
       db,
       "WITH RECURSIVE d(k) AS (SELECT -180 UNION ALL SELECT k + 1 FROM d WHERE k < 180) INSERT INTO "
       "turned SELECT k + 181, t, x, y, vx * cos(k * 0.017453292519943295) + vy * sin(k * "
       "0.017453292519943295), vy * cos(k * 0.017453292519943295) - vx * sin(k * "
-      "0.017453292519943295), r FROM ships, d WHERE id = ?1");
+      "0.017453292519943295), " +
+          look.turned + " FROM ships, d WHERE id = ?1");
   const std::string join = "SELECT a, count(*) FROM predictive_join(" + std::to_string(scene.h) +
                            ", 'turned', " + std::to_string(scene.within) +
                            ", 'ships') WHERE b <> ?1 GROUP BY a";
@@ -111,7 +122,7 @@ double seconds_of_copies(Database& db, const Scene& scene, std::int64_t id) {
   });
 }
 
-void measure(Database& db, const Scene& scene, int repetitions) {
+void measure(Database& db, const Scene& scene, const Look& look, int repetitions) {
   const std::string numbers = std::to_string(scene.h) + ", 'ships'", within = std::to_string(scene.within);
   Statement avoid(
       db, "SELECT manoeuvre, clear, k_from, k_to FROM predictive_avoid(" + numbers + ", ?1, " + within + ")");
@@ -126,7 +137,7 @@ void measure(Database& db, const Scene& scene, int repetitions) {
     joined.push_back(seconds_a_question(join, scene, pairs));
     ratios.push_back(ours.back() / joined.back());
     copies.push_back(
-        seconds_of_copies(db, scene, scene.asked[static_cast<std::size_t>(i) % scene.asked.size()]));
+        seconds_of_copies(db, scene, look, scene.asked[static_cast<std::size_t>(i) % scene.asked.size()]));
   }
   const double asked = static_cast<double>(scene.asked.size());
   std::printf(
@@ -140,25 +151,25 @@ void measure(Database& db, const Scene& scene, int repetitions) {
 int main_of(const Options& options) {
   const bool quick = options.has("--quick");
   const int repetitions = quick ? 3 : 9;
-  for (const std::size_t count : {1000, 10000, 100000}) {
+  const auto measure_uniform = [&](const Look& look, std::size_t count, const std::string& name) {
     Database db(":memory:");
-    make_table(db);
-    measure(db,
-            fill_uniform(db, count, 100 * std::sqrt(static_cast<double>(count)),
-                         "uniform " + std::to_string(count)),
-            repetitions);
-  }
+    make_table(db, look);
+    const double side = 100 * std::sqrt(static_cast<double>(count));
+    measure(db, fill_uniform(db, look, count, side, name + " " + std::to_string(count)), look, repetitions);
+  };
+  for (const std::size_t count : {1000, 10000, 100000}) measure_uniform(disc, count, "uniform");
+  measure_uniform(hull, 10000, "hulls");
   {
     Database db(":memory:");
-    make_table(db);
-    Scene crowd = fill_uniform(db, 10000, 100, "crowd 10000");
+    make_table(db, disc);
+    Scene crowd = fill_uniform(db, disc, 10000, 100, "crowd 10000");
     crowd.asked.resize(4);
-    measure(db, crowd, repetitions);
+    measure(db, crowd, disc, repetitions);
   }
   for (const std::string& path : options.names({})) {
     Database db(":memory:");
-    make_table(db);
-    measure(db, fill_ships(db, path), repetitions);
+    make_table(db, disc);
+    measure(db, fill_ships(db, path), disc, repetitions);
   }
   return 0;
 }
