@@ -51,6 +51,12 @@ NodeNumber MemoryPages::allocate() {
   return static_cast<NodeNumber>(nodes_.size() - 1);
 }
 
+NodeNumber MemoryPages::reserve(std::size_t count) {
+  const auto first = static_cast<NodeNumber>(nodes_.size());
+  for (std::size_t i = 0; i < count; ++i) nodes_.push_back(std::make_shared<Node>());
+  return first;
+}
+
 void MemoryPages::put(NodeNumber number, Node node) {
   at(number) = std::make_shared<Node>(std::move(node));
 }

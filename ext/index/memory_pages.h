@@ -26,6 +26,7 @@ class MemoryPages final : public Pages {
   Node& modify(NodeNumber number) override;
   double* modify_record(NodeNumber leaf, std::size_t slot) override;
   NodeNumber allocate() override;
+  NodeNumber reserve(std::size_t count) override;
   void put(NodeNumber number, Node node) override;
   void free(NodeNumber number) override;
   void set_root(NodeNumber number) override { root_ = number; }

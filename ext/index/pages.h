@@ -90,6 +90,8 @@ class Pages : public NodeSource {
   virtual double* modify_record(NodeNumber leaf, std::size_t slot) = 0;
   /// A new number, with an empty node.
   virtual NodeNumber allocate() = 0;
+  /// The first of so many new numbers in a row, without nodes: each is put() before it is asked for.
+  virtual NodeNumber reserve(std::size_t count) = 0;
   /// Replaces a node whole; no reference to it is in use.
   virtual void put(NodeNumber number, Node node) = 0;
   /// In the middle of a large change: no reference is in use.

@@ -24,8 +24,9 @@ inline constexpr FileFault all_file_faults[] = {FileFault::read_fails,     FileF
 class FaultyFiles {
  public:
   static constexpr bool once = false, for_good = true;
+  static constexpr bool default_for_all = true;  ///< databases that name no VFS, too
 
-  FaultyFiles() {
+  explicit FaultyFiles(bool is_default = false) {
     real_ = sqlite3_vfs_find(nullptr);
     vfs_ = *real_;
     vfs_.zName = "faulty";
@@ -33,7 +34,7 @@ class FaultyFiles {
     vfs_.szOsFile = static_cast<int>(sizeof(File)) + real_->szOsFile;
     vfs_.xOpen = open;
     vfs_.xDelete = erase;
-    sqlite3_vfs_register(&vfs_, 0);
+    sqlite3_vfs_register(&vfs_, is_default);
   }
   ~FaultyFiles() { sqlite3_vfs_unregister(&vfs_); }
   FaultyFiles(const FaultyFiles&) = delete;

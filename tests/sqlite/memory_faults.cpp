@@ -1,12 +1,15 @@
 #include "memory_faults.h"
 
+#include <malloc.h>
+
+#include <algorithm>
 #include <cstdlib>
 #include <new>
 
 namespace foresee::testing {
 
 Faults faults;
-std::size_t bytes_asked = 0;
+std::size_t bytes_asked = 0, bytes_held = 0, bytes_peak = 0;
 
 namespace {
 
@@ -19,7 +22,23 @@ void* faulty_realloc(void* memory, int size) {
   return faults.fails() ? nullptr : ordinary.xRealloc(memory, size);
 }
 
+void* counted(void* memory) {
+  bytes_held += malloc_usable_size(memory);
+  bytes_peak = std::max(bytes_peak, bytes_held);
+  return memory;
+}
+
 }  // namespace
+
+void* allocate(std::size_t size) {
+  bytes_asked += size;
+  return faults.fails() ? nullptr : counted(std::malloc(size == 0 ? 1 : size));
+}
+
+void release(void* memory) {
+  bytes_held -= malloc_usable_size(memory);
+  std::free(memory);
+}
 
 MemoryFaults::MemoryFaults() {
   sqlite3_shutdown();
@@ -45,18 +64,16 @@ MemoryFaults::~MemoryFaults() {
 #pragma GCC diagnostic ignored "-Wunknown-warning-option"
 #pragma GCC diagnostic ignored "-Wmismatched-new-delete"
 void* operator new(std::size_t size) {
-  foresee::testing::bytes_asked += size;
-  if (!foresee::testing::faults.fails())
-    if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
+  if (void* memory = foresee::testing::allocate(size)) return memory;
   throw std::bad_alloc();
 }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  return foresee::testing::faults.fails() ? nullptr : std::malloc(size == 0 ? 1 : size);
+  return foresee::testing::allocate(size);
 }
 void operator delete(void* memory) noexcept {
-  std::free(memory);
+  foresee::testing::release(memory);
 }
 void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
+  foresee::testing::release(memory);
 }
 #pragma GCC diagnostic pop

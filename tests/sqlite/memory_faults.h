@@ -29,7 +29,8 @@ struct Faults {
 };
 
 extern Faults faults;
-extern std::size_t bytes_asked;  ///< by our own code, ever
+extern std::size_t bytes_asked;             ///< by our own code, ever
+extern std::size_t bytes_held, bytes_peak;  ///< … and not given back; the most at once: set it to begin anew
 
 /// No database is open before or after.
 struct MemoryFaults : ::testing::Test {

@@ -1,5 +1,7 @@
 #include "index/tpr_tree/bulk_load.h"
 
+#include <numeric>
+
 #include "base/steps.h"
 #include "index/tpr_tree/order.h"
 
@@ -21,43 +23,68 @@ double typical_t(const LeafReader<D>& reader, std::span<const double> records) {
 template <int D>
 class TreeLoad {
  public:
-  TreeLoad(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
-           Interrupt& interrupt)
-      : state_(state), ids_(ids), records_(records), interrupt_(interrupt) {}
+  TreeLoad(TreeState<D>& state, Interrupt& interrupt) : state_(state), interrupt_(interrupt) {}
 
-  void run() {
-    if (!state_.clock.runs()) state_.clock.set(typical_t(state_.reader, records_));
-    const auto levels = level_sizes(state_.leaves_for(ids_.size()), state_.pages.inner_capacity());
-    const auto order = leaf_order(state_, records_, levels, interrupt_);
-    for (const std::size_t nodes : levels) {
-      auto& numbers = numbers_.emplace_back(nodes);
-      for (NodeNumber& number : numbers) number = state_.pages.allocate();
+  void run(std::span<const std::int64_t> ids, std::span<const double> records) {
+    start_clock(state_, records);
+    number_nodes(state_.leaves_for(ids.size()));
+    write_leaves(ids, records, {0, levels_[0]});
+    write_inner_levels();
+  }
+
+  void run(ObjectParts& parts) {
+    const std::span<const std::size_t> counts = parts.counts();
+    std::vector<std::size_t> leaves;
+    for (const std::size_t count : counts) leaves.push_back(count == 0 ? 0 : state_.leaves_for(count));
+    number_nodes(std::accumulate(leaves.begin(), leaves.end(), std::size_t{0}));
+    std::vector<std::int64_t> ids;
+    std::vector<double> records;
+    for (std::size_t i = 0, first = 0; i < leaves.size(); first += leaves[i++]) {
+      if (leaves[i] == 0) continue;
+      parts.read(i, ids, records);
+      write_leaves(ids, records, {first, leaves[i]});
     }
-    write_leaves(order);
-    for (std::size_t level = 1; level < levels.size(); ++level) write_inner_nodes(level);
-    state_.pages.set_root(numbers_.back()[0]);
+    std::vector<double>().swap(records);
+    write_inner_levels();
   }
 
  private:
-  void write_leaves(const std::vector<std::uint32_t>& order) {
-    const std::size_t leaves = numbers_[0].size(), size = state_.reader.record_size();
-    for (std::size_t i = 0; i < leaves; ++i) {
-      Node leaf = objects_at(part_of(order, i, leaves), ids_, records_, size);
-      state_.pages.place(leaf.keys, numbers_[0][i]);
-      finish(std::move(leaf), 0, i);
+  void number_nodes(std::size_t leaves) {
+    levels_ = level_sizes(leaves, state_.pages.inner_capacity());
+    std::size_t nodes = 0;
+    for (const std::size_t level : levels_) firsts_.push_back(static_cast<NodeNumber>(nodes)), nodes += level;
+    const NodeNumber first = state_.pages.reserve(nodes);
+    for (NodeNumber& number : firsts_) number += first;
+  }
+
+  NodeNumber number(std::size_t level, std::size_t i) const {
+    return firsts_[level] + static_cast<NodeNumber>(i);
+  }
+
+  void write_leaves(std::span<const std::int64_t> ids, std::span<const double> records, LeafRange leaves) {
+    const auto order = leaf_order(state_, records, levels_, leaves, interrupt_);
+    for (std::size_t i = 0; i < leaves.count; ++i) {
+      Node leaf = objects_at(part_of(order, i, leaves.count), ids, records, state_.reader.record_size());
+      state_.pages.place(leaf.keys, number(0, leaves.first + i));
+      finish(std::move(leaf), 0, leaves.first + i);
     }
+  }
+
+  void write_inner_levels() {
+    for (std::size_t level = 1; level < levels_.size(); ++level) write_inner_nodes(level);
+    state_.pages.set_root(number(levels_.size() - 1, 0));
   }
 
   void write_inner_nodes(std::size_t level) {
     const std::vector<Entry<D>> below = std::exchange(entries_, {});
-    const std::size_t nodes = numbers_[level].size();
+    const std::size_t nodes = levels_[level];
     for (std::size_t i = 0; i < nodes; ++i) {
       Node inner;
       inner.level = static_cast<int>(level);
       inner.epoch = state_.clock.now();
       const std::size_t last = first_child(i + 1, nodes, below.size());
       for (std::size_t child = first_child(i, nodes, below.size()); child < last; ++child)
-        add_entry(inner, numbers_[level - 1][child], below[child]);
+        add_entry(inner, number(level - 1, child), below[child]);
       finish(std::move(inner), level, i);
     }
   }
@@ -66,24 +93,28 @@ class TreeLoad {
   void finish(Node node, std::size_t level, std::size_t i) {
     if (i % 64 == 0) interrupt_.check();
     entries_.push_back(summary(node, state_.reader, state_.clock.now()));
-    if (level + 1 < numbers_.size()) {
-      const std::size_t nodes = numbers_[level].size(), parents = numbers_[level + 1].size();
+    if (level + 1 < levels_.size()) {
+      const std::size_t nodes = levels_[level], parents = levels_[level + 1];
       std::size_t parent = i * parents / nodes;
       while (first_child(parent + 1, parents, nodes) <= i) ++parent;
-      node.parent = numbers_[level + 1][parent];
+      node.parent = number(level + 1, parent);
     }
-    state_.pages.put(numbers_[level][i], std::move(node));
+    state_.pages.put(number(level, i), std::move(node));
   }
 
   TreeState<D>& state_;
-  std::span<const std::int64_t> ids_;
-  std::span<const double> records_;
   Interrupt& interrupt_;
-  std::vector<std::vector<NodeNumber>> numbers_;  ///< by level
-  std::vector<Entry<D>> entries_;                 ///< of the nodes written last, for the level above
+  std::vector<std::size_t> levels_;  ///< nodes of each
+  std::vector<NodeNumber> firsts_;   ///< the first node of each; the others follow
+  std::vector<Entry<D>> entries_;    ///< of the nodes written last, for the level above
 };
 
 }  // namespace
+
+template <int D>
+void start_clock(TreeState<D>& state, std::span<const double> records) {
+  if (!state.clock.runs()) state.clock.set(typical_t(state.reader, records));
+}
 
 void free_all(Pages& pages, Interrupt& interrupt) {
   std::vector<Unread> all;
@@ -103,14 +134,25 @@ void free_all(Pages& pages, Interrupt& interrupt) {
 template <int D>
 void bulk_load_tree(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
                     Interrupt& interrupt) {
-  if (!ids.empty()) TreeLoad<D>(state, ids, records, interrupt).run();
+  if (!ids.empty()) TreeLoad<D>(state, interrupt).run(ids, records);
 }
 
+template <int D>
+void bulk_load_tree(TreeState<D>& state, ObjectParts& parts, Interrupt& interrupt) {
+  TreeLoad<D>(state, interrupt).run(parts);
+}
+
+template void start_clock<1>(TreeState<1>&, std::span<const double>);
 template void bulk_load_tree<1>(TreeState<1>&, std::span<const std::int64_t>, std::span<const double>,
                                 Interrupt&);
+template void bulk_load_tree<1>(TreeState<1>&, ObjectParts&, Interrupt&);
+template void start_clock<2>(TreeState<2>&, std::span<const double>);
 template void bulk_load_tree<2>(TreeState<2>&, std::span<const std::int64_t>, std::span<const double>,
                                 Interrupt&);
+template void bulk_load_tree<2>(TreeState<2>&, ObjectParts&, Interrupt&);
+template void start_clock<3>(TreeState<3>&, std::span<const double>);
 template void bulk_load_tree<3>(TreeState<3>&, std::span<const std::int64_t>, std::span<const double>,
                                 Interrupt&);
+template void bulk_load_tree<3>(TreeState<3>&, ObjectParts&, Interrupt&);
 
 }  // namespace foresee::index

@@ -19,7 +19,7 @@ void LeafPack<D>::add(NodeNumber number, const Node& leaf) {
 template <int D>
 void LeafPack<D>::arrange(std::size_t leaves) {
   NeverInterrupt never;
-  const auto order = leaf_order(state_, records_, {leaves, 1}, never);
+  const auto order = leaf_order(state_, records_, {leaves, 1}, {0, leaves}, never);
   const std::size_t size = state_.reader.record_size();
   leaves_.resize(leaves);
   for (std::size_t i = 0; i < leaves; ++i) {

@@ -45,10 +45,16 @@ inline Node objects_at(std::span<const std::uint32_t> places, std::span<const st
   return leaf;
 }
 
-/// Positions of the records in leaf order: leaf i of the tree holds places first_child(i, leaves, objects)
-/// up to that of i + 1.
+/// Leaves of a tree side by side.
+struct LeafRange {
+  std::size_t first, count;
+};
+
+/// Positions of the records in the order of these leaves of the tree: the i-th of them holds places
+/// first_child(i, count, objects) up to that of i + 1.
 template <int D>
 std::vector<std::uint32_t> leaf_order(const TreeState<D>& state, std::span<const double> records,
-                                      const std::vector<std::size_t>& levels, Interrupt& interrupt);
+                                      const std::vector<std::size_t>& levels, LeafRange leaves,
+                                      Interrupt& interrupt);
 
 }  // namespace foresee::index

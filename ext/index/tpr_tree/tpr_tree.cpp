@@ -3,6 +3,7 @@
 #include "base/axes.h"
 #include "base/steps.h"
 #include "index/tpr_tree/bulk_load.h"
+#include "index/tpr_tree/division.h"
 #include "index/tpr_tree/grow.h"
 #include "index/tpr_tree/merge.h"
 #include "index/tpr_tree/order.h"
@@ -87,7 +88,7 @@ class Tree final : public TprTree {
     see_newest(records);
     const std::size_t portions = (ids.size() + portion() - 1) / portion();
     if (portions == 1) return merge_neighbours(ids, records, interrupt);
-    const auto order = leaf_order(state_, records, {portions, 1}, interrupt);
+    const auto order = leaf_order(state_, records, {portions, 1}, {0, portions}, interrupt);
     for (std::size_t i = 0; i < portions; ++i) {
       const Node some = objects_at(part_of(order, i, portions), ids, records, size);
       merge_neighbours(some.keys, some.values, interrupt);
@@ -99,6 +100,18 @@ class Tree final : public TprTree {
     see_newest(records);
     free_all(state_.pages, interrupt);
     bulk_load_tree(state_, ids, records, interrupt);
+  }
+
+  std::unique_ptr<SpaceDivision> divide(std::span<const double> sample, std::size_t parts,
+                                        std::span<const double> newest, Interrupt& interrupt) override {
+    if (newest.empty()) state_.clock = {};
+    see_newest(newest);
+    return divide_space(state_, sample, parts, interrupt);
+  }
+
+  void bulk_load_parts(ObjectParts& parts, Interrupt& interrupt) override {
+    free_all(state_.pages, interrupt);
+    bulk_load_tree(state_, parts, interrupt);
   }
 
   void rebuild(Interrupt& interrupt) override {

@@ -24,6 +24,9 @@ struct MemoryLimits {
   /// interrupts a question loses nothing: room for as many new objects as may be pending, not for a large old
   /// tree beside.
   std::size_t waiting = 128 << 20;
+  /// … of objects that are put in order together for new leaves; of more a part is, and the others wait in a
+  /// temporary file.
+  std::size_t ordered = 64 << 20;
 };
 
 /// A table, as far as its memory goes.
@@ -43,6 +46,7 @@ class MemoryBudget {
   explicit MemoryBudget(const MemoryLimits& limits = {}) : limits_(limits) {}
 
   std::size_t most_kept() const { return limits_.memory; }
+  std::size_t most_ordered() const { return limits_.ordered; }
   bool too_much_waits() const { return pending_ > limits_.pending || waiting_ + map_ > limits_.memory; }
   /// … to put more of them in the middle of a change, of a table that holds `own` bytes of them: enough to be
   /// worth writing.

@@ -118,6 +118,9 @@ void NodeCache::set_dirty(Slot& slot, bool dirty) noexcept {
   dirty_ += static_cast<std::size_t>(dirty) - static_cast<std::size_t>(slot.state.dirty);
   waiting_is_stale_ |= slot.state.dirty != dirty;
   slot.state.dirty = dirty;
+  const bool holds = dirty && slot.state.node;
+  dirty_held_ += static_cast<std::size_t>(holds) - static_cast<std::size_t>(slot.holds);
+  slot.holds = holds;
 }
 
 void NodeCache::note_changed(NodeNumber number, Slot& slot) {
@@ -139,7 +142,8 @@ void NodeCache::about_to_change(NodeNumber number, Slot& slot) {
 NodeCache::Slot& NodeCache::overwritten(NodeNumber number) {
   const auto found = slots_.find(number);
   if (found != slots_.end()) return found->second;
-  return undo_.snapshots() > 0 ? fetch(number) : add_slot(number);
+  Slot* stored = undo_.snapshots() > 0 ? fetch_if_stored(number) : nullptr;
+  return stored ? *stored : add_slot(number);
 }
 
 Node& NodeCache::modify(NodeNumber number) {
@@ -170,18 +174,25 @@ double* NodeCache::modify_record(NodeNumber leaf, std::size_t place) {
   return record;
 }
 
-NodeNumber NodeCache::allocate() {
+NodeNumber NodeCache::reserve(std::size_t count) {
   if (head_.last == TreeHead::unknown)
     head_.last = std::max<std::int64_t>(shadow_rows_->read_largest_node(), 0);
-  if (head_.last == std::numeric_limits<std::int64_t>::max()) damaged("there is no node number left");
+  const auto more = static_cast<NodeNumber>(count);
+  if (head_.last > std::numeric_limits<std::int64_t>::max() - more) damaged("there is no node number left");
+  const NodeNumber first = head_.last + 1;
+  head_.last += more;
+  return first;
+}
+
+NodeNumber NodeCache::allocate() {
   auto node = std::make_shared<Node>();
-  const NodeNumber number = head_.last + 1;
+  const NodeNumber number = reserve(1);
   Slot& slot = add_slot(number);
   about_to_change(number, slot);
   slot.state.node = std::move(node);
   slot.learned = false;
   set_dirty(slot, true);
-  return head_.last = number;
+  return number;
 }
 
 void NodeCache::put(NodeNumber number, Node node) {
@@ -196,13 +207,17 @@ void NodeCache::put(NodeNumber number, Node node) {
 
 void NodeCache::make_room() {
   note_memory();
-  if (!share_.budget().too_many_nodes_wait(dirty_ * format_.node_size)) return;
+  if (!share_.budget().too_many_nodes_wait(dirty_held_ * format_.node_size)) return;
+  about_to_write_early();
+  write_nodes(Gone::wait);  // their rows may be written anew
+  evict_if_full();
+}
+
+void NodeCache::about_to_write_early() {
   hand_change_to_undo_log();
   wrote_in_change_ = in_change_;  // from here on only a rollback helps, or one to a savepoint
   change_log_.clear();
   wrote_early_ = true;
-  write_nodes();
-  evict_if_full();
 }
 
 void NodeCache::free(NodeNumber number) {
@@ -220,6 +235,7 @@ void NodeCache::set_root(NodeNumber number) {
 }
 
 void NodeCache::place(std::span<const std::int64_t> ids, NodeNumber leaf) {
+  if (packed_map_) return packed_map_->place(ids, leaf);
   for (const std::int64_t id : ids) map_.set(id, leaf);
 }
 

@@ -20,6 +20,7 @@
 #include "storage/nodes/leaf_hints.h"
 #include "storage/nodes/map_changes.h"
 #include "storage/nodes/memory_budget.h"
+#include "storage/nodes/packed_map.h"
 #include "storage/nodes/undo_log.h"
 #include "storage/rows/shadow_rows.h"
 
@@ -42,6 +43,7 @@ class NodeCache final : public Pages {
   Node& modify(NodeNumber number) override;
   double* modify_record(NodeNumber leaf, std::size_t slot) override;
   NodeNumber allocate() override;
+  NodeNumber reserve(std::size_t count) override;
   void put(NodeNumber number, Node node) override;
   void make_room() override;
   void free(NodeNumber number) override;
@@ -64,7 +66,8 @@ class NodeCache final : public Pages {
   bool waits() const { return dirty_ > 0 || map_.waits() || head_.root_dirty || wrote_early_; }
   /// Tells the share what is held.
   void note_memory() noexcept {
-    share_.hold_nodes(dirty_ * format_.node_size, map_.memory(), slots_.size() * format_.node_size);
+    const std::size_t gone = dirty_ - dirty_held_, held = slots_.size() - std::min(gone, slots_.size());
+    share_.hold_nodes(dirty_held_ * format_.node_size, map_.memory(), held * format_.node_size);
   }
   /// Nodes that can be read again go: those not used since the last time, or all.
   void drop_nodes(bool all);
@@ -76,6 +79,10 @@ class NodeCache final : public Pages {
   NodeNumber next_waiting(NodeNumber after, NodeNumber before);
   /// Frees every node, whatever the tree says, and voids the map.
   void erase_everything();
+  /// place() tells this map of all objects that there will be, until write_packed_map() or cancel_change().
+  void place_into(PackedMap& map) noexcept { packed_map_ = &map; }
+  /// Writes it in place of the stored one. Requires: in a change.
+  void write_packed_map(Interrupt& interrupt);
   /// What is wrong with a node's bytes; null: nothing.
   const char* fault(NodeNumber number, std::span<const std::byte> blob) const;
 
@@ -114,6 +121,7 @@ class NodeCache final : public Pages {
     std::uint64_t changed = 0;  ///< the transaction that changed it last
     std::uint64_t used = 0;
     bool learned = false;  ///< where its objects are
+    bool holds = false;    ///< it waits, and is not gone: counted in dirty_held_
   };
 
   [[noreturn]] void damaged(const std::string& what) const;
@@ -150,8 +158,12 @@ class NodeCache final : public Pages {
   void back_to(NodeNumber number, const NodeState& state) noexcept;
   /// Nodes that wait, ascending. Cost: a sort of what this transaction has changed, once after each change.
   const std::vector<NodeNumber>& waiting_numbers();
+  /// Those that are gone: their rows go, or wait on.
+  enum class Gone : std::uint8_t { go, wait };
   /// Nodes that wait, by number.
-  void write_nodes();
+  void write_nodes(Gone gone);
+  /// In the middle of a change.
+  void about_to_write_early();
   void hand_change_to_undo_log();
   /// Before memory takes one more node: where the connection holds too many, some go.
   void evict_if_full();
@@ -169,7 +181,8 @@ class NodeCache final : public Pages {
   MapChanges map_;
   LeafHints hints_;
   std::optional<IdBlock> last_block_;  ///< that was read, as the rows say
-  std::size_t dirty_ = 0;
+  PackedMap* packed_map_ = nullptr;    ///< in place of map_, while all is loaded anew
+  std::size_t dirty_ = 0, dirty_held_ = 0;
   std::uint64_t use_ = 1;  ///< moves whenever nodes that were not used are dropped
 
   UndoLog undo_;

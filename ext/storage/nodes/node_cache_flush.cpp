@@ -37,7 +37,7 @@ void NodeCache::erase_slot(NodeNumber number) noexcept {
 // --- writing
 
 void NodeCache::write(Interrupt& interrupt) {
-  write_nodes();
+  write_nodes(Gone::go);
   if (map_.waits()) {
     if (map_.stored_is_void()) shadow_rows_->map().erase_all();
     std::vector<IdHashMap::Entry> changes = map_.waiting();
@@ -54,13 +54,28 @@ void NodeCache::write(Interrupt& interrupt) {
   evict_if_full();
 }
 
-void NodeCache::write_nodes() {
+void NodeCache::write_packed_map(Interrupt& interrupt) {
+  about_to_write_early();
+  map_.void_stored();
+  shadow_rows_->map().erase_all();
+  packed_map_->for_each_part([&](std::span<const IdHashMap::Entry> part) {
+    interrupt.check();
+    shadow_rows_->write_map(part);
+  });
+  packed_map_ = nullptr;
+  map_.written(!undo_.none());
+  last_block_.reset();
+}
+
+void NodeCache::write_nodes(Gone gone) {
   const std::vector<NodeNumber> numbers = waiting_numbers();
   wrote_in_change_ |= in_change_ && !numbers.empty();
   for (const NodeNumber number : numbers) {
     Slot& slot = slots_.at(number);
+    const Node* node = slot.state.node.get();
+    if (!node && gone == Gone::wait) continue;
     about_to_change(number, slot);
-    if (const Node* node = slot.state.node.get())
+    if (node)
       shadow_rows_->write_node(number, node->is_leaf() ? encode_leaf(format_, number, *node)
                                                        : encode_inner(format_, number, *node));
     else

@@ -11,8 +11,8 @@ namespace foresee::storage {
 void NodeCache::back_to(NodeNumber number, const NodeState& state) noexcept {
   const auto found = slots_.find(number);
   if (found == slots_.end()) return;
-  set_dirty(found->second, state.dirty);
   found->second.state.node = state.node;
+  set_dirty(found->second, state.dirty);
   found->second.kept_by = 0;
   if (state.node || state.dirty) return;
   erase_slot(number);
@@ -55,6 +55,7 @@ void NodeCache::cancel_change() noexcept {
   take_back_record();
   map_.rewind(map_before_change_);
   head_ = head_before_change_;
+  packed_map_ = nullptr;
   in_change_ = false;
 }
 
@@ -117,7 +118,7 @@ void NodeCache::forget_all() noexcept {
   changed_.clear();
   waiting_.clear();
   waiting_is_stale_ = wrote_early_ = false;
-  dirty_ = 0;
+  dirty_ = dirty_held_ = 0;
   note_memory();
 }
 

@@ -25,6 +25,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <unordered_set>
 
 #include "index/tpr_tree/tpr_tree.h"
 #include "storage/format/declaration.h"
@@ -234,10 +235,19 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   void load_anew(Interrupt& interrupt);
   void append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records) const;
   void flush();
-  void collect_stored(std::vector<std::int64_t>& ids, std::vector<double>& records, Interrupt& interrupt);
+
+  // the tree anew (store_pack.cpp)
+  class LoadInParts;
+  /// Every stored leaf, sound, until use() says false; false: it did.
+  bool read_stored_leaves(Interrupt& interrupt, const std::function<bool(const LeafView&)>& use);
+  /// Sorts them.
+  void require_unique(std::vector<std::int64_t>& ids, Interrupt& interrupt) const;
   void pack(Interrupt& interrupt);
-  /// Outlines that none of these records names go, unless a snapshot may still ask for them.
-  void drop_unused_forms(std::span<const double> records);
+  void pack_in_parts(Interrupt& interrupt);
+  void load_anew_in_parts(Interrupt& interrupt);
+  std::int64_t form_of(const double* record) const;
+  /// Outlines that none of these numbers names go, unless a snapshot may still ask for them.
+  void keep_only_forms(const std::unordered_set<std::int64_t>& used);
 
   // transactions (store_life.cpp)
   /// Something is not stored yet.

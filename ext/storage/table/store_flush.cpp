@@ -1,5 +1,4 @@
-// From memory to the tables: pending objects into the tree, and all that waits into the rows. And the tree
-// anew: 'rebuild' and 'optimize'.
+// From memory to the tables: pending objects into the tree, and all that waits into the rows.
 #include <algorithm>
 
 #include "base/steps.h"
@@ -14,7 +13,6 @@ namespace {
 
 // Bulk loading everything anew costs a twentieth of so many inserts, and leaves a better tree.
 constexpr double worth_loading = 1.0 / 8;
-constexpr double most_loaded = 1 << 30;  // bytes of records in memory at once
 
 }  // namespace
 
@@ -26,11 +24,13 @@ void Store::merge_pending() {
   AtomicChange atomic_change(*this);
   with_sound_tree([&] {
     const double pending = static_cast<double>(pending_->count()), stored = estimate_objects(cache_);
-    const bool fits = (pending + stored) * static_cast<double>(format_.record_size) < most_loaded;
-    if (stored == 0 || (pending > stored * worth_loading && fits))
-      load_anew(interrupt);
-    else
+    const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
+    if (stored > 0 && pending <= stored * worth_loading)
       merge_into_tree(interrupt);
+    else if (stored > 0 && bytes > static_cast<double>(memory_->most_ordered()))
+      load_anew_in_parts(interrupt);
+    else
+      load_anew(interrupt);
   });
   const std::uint64_t undo_position = undo_position_;
   const bool differs = differs_from_version_;
@@ -120,70 +120,6 @@ void Store::note_memory() noexcept {
 void Store::write_out() {
   if (own_statements_ == 0 && !torn_) flush();
   note_memory();
-}
-
-// --- 'rebuild' and 'optimize'
-
-void Store::rebuild(Interrupt& interrupt) {
-  changes_unknown_ = true;  // of a damaged table it may bring objects back
-  pack(interrupt);
-  const OwnStatements own(*this);
-  if (!has_auxiliaries()) return;
-  flush();
-  shadow_rows().match_auxiliaries_to_map();
-}
-
-void Store::optimize(Interrupt& interrupt) {
-  const std::vector<std::string> faults = integrity_check(interrupt);
-  if (!faults.empty()) throw StoreError(SQLITE_CORRUPT_VTAB, faults.front());
-  pack(interrupt);
-}
-
-/// Every object that a stored leaf holds, whether or not the tree leads there. Inner nodes may be anything.
-void Store::collect_stored(std::vector<std::int64_t>& ids, std::vector<double>& records,
-                           Interrupt& interrupt) {
-  const auto size = static_cast<std::size_t>(format_.at.size);
-  unsigned nodes = 0;
-  shadow_rows().read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
-    if (++nodes % 16 == 0) interrupt.check();
-    if (is_inner(format_, blob, number)) return;
-    read_stored_leaf(number, blob, [&](const LeafView& leaf) {
-      const std::size_t before = ids.size();
-      ids.resize(before + static_cast<std::size_t>(leaf.count()));
-      records.resize(ids.size() * size);
-      leaf.copy_ids(ids.data() + before);
-      leaf.copy_records(records.data() + before * size);
-    });
-  });
-  std::vector<std::int64_t> sorted = ids;
-  Steps step(interrupt);
-  std::sort(sorted.begin(), sorted.end(), [&](std::int64_t a, std::int64_t b) { return step(), a < b; });
-  const auto twice = std::adjacent_find(sorted.begin(), sorted.end(),
-                                        [&](std::int64_t a, std::int64_t b) { return step(), a == b; });
-  if (twice != sorted.end()) damaged("object " + std::to_string(*twice) + " is in two leaves");
-}
-
-void Store::pack(Interrupt& interrupt) {
-  start_change({});
-  flush();
-  std::vector<std::int64_t> ids;
-  std::vector<double> records;
-  collect_stored(ids, records, interrupt);
-  interrupt.check();
-  AtomicChange atomic_change(*this);
-  cache_.erase_everything();
-  with_sound_tree([&] { tree_->bulk_load(ids, records, interrupt); });
-  write_count(static_cast<std::int64_t>(ids.size()));
-  if (forms_) drop_unused_forms(records);
-  atomic_change.done();
-}
-
-void Store::drop_unused_forms(std::span<const double> records) {
-  if (cache_.has_snapshots()) return;
-  std::unordered_set<std::int64_t> used;
-  for (std::size_t i = 0; i < records.size(); i += static_cast<std::size_t>(format_.at.size))
-    used.insert(static_cast<std::int64_t>(records[i + static_cast<std::size_t>(format_.at.outline)]));
-  forms_->keep_only(used);
 }
 
 }  // namespace foresee::storage

@@ -29,6 +29,7 @@ class CountingPages final : public Pages {
     return ++changes, pages_.modify_record(leaf, slot);
   }
   NodeNumber allocate() override { return ++changes, pages_.allocate(); }
+  NodeNumber reserve(std::size_t count) override { return ++changes, pages_.reserve(count); }
   void put(NodeNumber number, Node node) override { ++changes, pages_.put(number, std::move(node)); }
   void free(NodeNumber number) override { ++changes, pages_.free(number); }
   void set_root(NodeNumber number) override { pages_.set_root(number); }

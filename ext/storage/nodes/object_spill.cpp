@@ -1,0 +1,110 @@
+#include "storage/nodes/object_spill.h"
+
+#include <algorithm>
+#include <cstring>
+#include <new>
+
+#include "storage/rows/store_error.h"
+
+namespace foresee::storage {
+namespace {
+
+constexpr std::size_t largest_row = 256 << 10;  // bytes: more makes no write cheaper
+
+/// Who may not ask, as an authorizer may say, gets a file.
+bool keeps_in_memory(sqlite3* db) try {
+  constexpr std::int64_t memory = 2;
+  Statement asks(db, "PRAGMA temp_store");
+  Statement::Run run(asks);
+  return run.step() && run.integer(0) == memory;
+} catch (const StoreError&) {
+  return false;
+}
+
+template <class T>
+void append(std::span<const std::byte> bytes, std::vector<T>& values) {
+  const std::size_t before = values.size();
+  values.resize(before + bytes.size() / sizeof(T));
+  if (!bytes.empty()) std::memcpy(values.data() + before, bytes.data(), bytes.size() / sizeof(T) * sizeof(T));
+}
+
+}  // namespace
+
+ObjectSpill::ObjectSpill(sqlite3* db, const QualifiedName& name, std::size_t record_size, std::size_t parts,
+                         std::size_t most_held)
+    : table_(name.table),
+      record_size_(record_size),
+      objects_a_row_(std::max<std::size_t>(
+          1, std::min(largest_row, most_held / parts) / ((record_size + 1) * sizeof(double)))),
+      parts_(parts),
+      counts_(parts) {
+  const char* where = keeps_in_memory(db) ? ":memory:" : "";
+  in_file([&] {
+    sqlite3* file = nullptr;
+    const int code = sqlite3_open(where, &file);
+    file_.reset(file);
+    if (!file) throw std::bad_alloc();
+    if (code != SQLITE_OK) throw_sqlite_error(file, code);
+    execute(file,
+            "PRAGMA page_size = 32768; PRAGMA journal_mode = OFF; BEGIN;"
+            "CREATE TABLE objects(number INTEGER PRIMARY KEY, ids BLOB, records BLOB)");
+    write_ = Statement(file, "INSERT INTO objects VALUES(?1, ?2, ?3)");
+    read_ = Statement(file, "SELECT ids, records FROM objects WHERE number = ?1");
+  });
+}
+
+template <class Body>
+void ObjectSpill::in_file(Body body) {
+  try {
+    body();
+  } catch (const StoreError& error) {
+    throw StoreError(
+        error.code,
+        table_ + ": a temporary file for loading it anew (where SQLITE_TMPDIR says): " + error.what());
+  }
+}
+
+void ObjectSpill::add(std::size_t part_number, std::int64_t id, const double* record) {
+  Part& part = parts_[part_number];
+  part.ids.push_back(id);
+  part.records.insert(part.records.end(), record, record + record_size_);
+  ++counts_[part_number];
+  if (part.ids.size() >= objects_a_row_) write(part);
+}
+
+void ObjectSpill::write(Part& part) {
+  if (part.ids.empty()) return;
+  in_file([&] {
+    Statement::Run run(write_);
+    run.bind(1, ++rows_);
+    run.bind(2, std::as_bytes(std::span(part.ids)));
+    run.bind(3, std::as_bytes(std::span(part.records)));
+    run.step();
+  });
+  part.rows.push_back(rows_);
+  part.ids.clear(), part.records.clear();
+}
+
+void ObjectSpill::finish() {
+  for (Part& part : parts_) {
+    write(part);
+    part.ids = {}, part.records = {};
+  }
+}
+
+void ObjectSpill::read(std::size_t part, std::vector<std::int64_t>& ids, std::vector<double>& records) {
+  ids.clear(), records.clear();
+  ids.reserve(counts_[part]), records.reserve(counts_[part] * record_size_);
+  in_file([&] {
+    for (const std::int64_t row : parts_[part].rows) {
+      Statement::Run run(read_);
+      run.bind(1, row);
+      if (!run.step()) continue;
+      append(run.blob(0), ids), append(run.blob(1), records);
+    }
+  });
+  if (ids.size() != counts_[part] || records.size() != ids.size() * record_size_)
+    throw StoreError(SQLITE_IOERR, table_ + ": a temporary file gave back other bytes than were written");
+}
+
+}  // namespace foresee::storage
