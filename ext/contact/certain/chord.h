@@ -53,6 +53,14 @@ class Chord {
     return asked;
   }
 
+  /// What a crossing is made of.
+  struct Along {
+    Real at;     ///< where the chord begins
+    Real steep;  ///< 1 over its slope
+    Real room;   ///< how far beside it the motion can be
+  };
+  Along along(int axis) const { return {at_[axis], steep_[axis], room_[axis]}; }
+
  private:
   /// A length, at most.
   template <class Lengths>

@@ -92,6 +92,13 @@ class PairStays {
             more = take(PiecePair{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
         });
   }
+  /// Whether one lies within the other when what is asked about begins. Where the surfaces touch then it may
+  /// say anything.
+  bool is_within_at_begin() {
+    const Period<double>& near = walk_.near();
+    return within_.may_be() && near.begin <= asked_.begin.high && near.begin <= near.end &&
+           within_.at_begin();
+  }
   bool is_grown() const { return is_of_size(sizes_.radius); }  ///< near counts as touching
 
   /// Whether one lies within the other. Requires: their surfaces do not touch then.

@@ -12,9 +12,8 @@
 #include <cstdint>
 
 #include "base/steps.h"
-#include "contact/certain/chord.h"
+#include "contact/pieces/box_chord.h"
 #include "contact/pieces/moving_size.h"
-#include "motion/box.h"
 
 namespace foresee::contact {
 
@@ -34,14 +33,19 @@ class TreeWalk {
         b_(b),
         chord_(relative, asked.end),
         asked_(overlap_along_z(chord_, asked, sizes)),
-        grown_(largest(sizes.radius, asked.end)),
+        boxes_(chord_, a.box(Pieces::root), b.box(Pieces::root), largest(sizes.radius, asked.end)),
+        near_(near(Pieces::root, Pieces::root, asked_)),
         steps_(steps) {}
+
+  /// When the two could touch, at most: never if the end is before the begin.
+  const Period<double>& near() const { return near_; }
 
   /// Gives `visit` every pair of pieces that could touch, and when at most, as long as `wanted`, which is
   /// asked again and again, is for some of that time.
   template <class Wanted, class Visit>
   void visit(Order order, Wanted&& wanted, Visit&& visit) const {
-    descend({Pieces::root, Pieces::root, near(Pieces::root, Pieces::root, asked_)}, order, wanted, visit);
+    steps_();
+    if (near_.begin <= near_.end) descend({Pieces::root, Pieces::root, near_}, order, wanted, visit);
   }
 
  private:
@@ -53,11 +57,11 @@ class TreeWalk {
     Period<double> near;
   };
 
+  /// Requires: they could touch. Steps are counted where it is asked whether they could.
   template <class Wanted, class Visit>
   void descend(const Nodes& nodes, Order order, Wanted&& wanted, Visit&& visit) const {
-    steps_();
     const Period<double>& near = nodes.near;
-    if (!(near.begin <= near.end) || !wanted(near)) return;
+    if (!wanted(near)) return;
     if (a_.is_leaf(nodes.a) && b_.is_leaf(nodes.b)) {
       steps_.costly(64);  // where exact signs are needed
       return visit(a_.item(nodes.a), b_.item(nodes.b), near);
@@ -67,11 +71,17 @@ class TreeWalk {
       one.a = Pieces::left(nodes.a), other.a = Pieces::right(nodes.a);
     else
       one.b = Pieces::left(nodes.b), other.b = Pieces::right(nodes.b);
+    steps_(), steps_();
     one.near = this->near(one.a, one.b, near), other.near = this->near(other.a, other.b, near);
-    const bool swap =
-        order == Order::earlier_first ? other.near.begin < one.near.begin : other.near.end > one.near.end;
-    descend(swap ? other : one, order, wanted, visit);
-    descend(swap ? one : other, order, wanted, visit);
+    const bool has_one = one.near.begin <= one.near.end, has_other = other.near.begin <= other.near.end;
+    if (has_one && has_other) {
+      const bool swap =
+          order == Order::earlier_first ? other.near.begin < one.near.begin : other.near.end > one.near.end;
+      descend(swap ? other : one, order, wanted, visit);
+      descend(swap ? one : other, order, wanted, visit);
+    } else if (has_one || has_other) {
+      descend(has_one ? one : other, order, wanted, visit);
+    }
   }
 
   bool splits_a(Node a, Node b) const {
@@ -96,22 +106,14 @@ class TreeWalk {
 
   /// Of `asked`, when boxes could touch.
   Period<double> near(Node a, Node b, const Period<double>& asked) const {
-    static constexpr Faces faces[] = {{.axis = 0, .below = {0}, .above = {1}},
-                                      {.axis = 1, .below = {2}, .above = {3}},
-                                      {.axis = 2, .below = {4}, .above = {5}}};
-    const Box<axes>&box_a = a_.box(a), &box_b = b_.box(b);
-    Bounded reach[2 * axes];
-    for (int j = 0; j < axes; ++j) {
-      reach[2 * j] = Bounded{box_b.upper[j]} - Bounded{box_a.lower[j]} + grown_;
-      reach[2 * j + 1] = Bounded{box_a.upper[j]} - Bounded{box_b.lower[j]} + grown_;
-    }
-    return chord_.between(faces, axes, reach, asked);
+    return boxes_.between(a_.box(a), b_.box(b), asked);
   }
 
   const Pieces &a_, &b_;
   const Chord<D> chord_;
   const Period<double> asked_;
-  const Bounded grown_;
+  const BoxChord<axes, D> boxes_;
+  const Period<double> near_;  ///< of the roots
   Steps& steps_;
 };
 

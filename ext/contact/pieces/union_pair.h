@@ -31,7 +31,7 @@ class UnionPair : public PairStays<Kit> {
 
   /// Is there a contact? Stops at the first that is certain. If it is uncertain, the pieces alone tell.
   Verdict touches() {
-    if (within_.at_begin()) return Verdict::yes;
+    if (Base::is_within_at_begin()) return Verdict::yes;
     Verdict touches = Verdict::no;
     walk_.visit(
         Order::earlier_first, [&](const Period<double>&) { return touches != Verdict::yes; },
@@ -44,7 +44,7 @@ class UnionPair : public PairStays<Kit> {
 
   /// Is there a contact, and when does it begin? yes: `begin` is known.
   Verdict first_contact(Instant& begin) {
-    begins_within_ = within_.at_begin();
+    begins_within_ = Base::is_within_at_begin();
     if (begins_within_) {
       met_by_ = asked_.begin.high, begin = {moments_.dt_begin, moments_.t_begin};
       return Verdict::yes;
