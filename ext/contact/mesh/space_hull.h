@@ -29,19 +29,24 @@ class SpaceHull {
  public:
   SpaceHull(const SpacePiece& a, const SpacePiece& b) : a_(a), b_(b) {}
 
-  /// Each is made when it comes, as few are needed where the two pass each other.
+  /// Each is made when it comes, as few are needed where the two pass each other. Of two triangles only those
+  /// across the axes wanted: normals, then edges of A with edges of B, and all that lie in one plane.
   template <class Take>
-  void for_each(Take&& take) const {
+  void for_each(Take&& take, unsigned axes = ~0U) const {
     if (a_.is_box() && b_.is_box()) return static_cast<void>(across_box(a_, take));
     bool is_flat = false;
-    for (const SpacePiece* piece : {&a_, &b_})
+    int axis = 0;
+    const auto is_wanted = [&] { return (axes >> axis++ & 1) != 0; };
+    for (const SpacePiece* piece : {&a_, &b_}) {
+      if (!is_wanted()) continue;
       if (piece->is_box() ? !piece->is_point() && !across_box(*piece, take)
                           : !across(normal_of(*piece), take, &is_flat))
         return;
+    }
     if (a_.is_point() || b_.is_point()) return along(a_.is_point() ? b_ : a_, take);
     for (const Run& u : a_.runs())
       for (const Run& v : b_.runs())
-        if (!across({.factors = 2, .u = u, .v = v}, take)) return;
+        if (is_wanted() && !across({.factors = 2, .u = u, .v = v}, take)) return;
     if (is_flat && !a_.is_box() && !b_.is_box()) along(a_, take);
   }
 

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "contact/certain/certain_motion.h"
-#include "contact/mesh/plainly_apart.h"
+#include "contact/mesh/plain_passing.h"
 #include "contact/mesh/round_parts.h"
 #include "contact/pieces/pair_tests.h"
 #include "contact/pieces/seen_from.h"
@@ -31,7 +31,9 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
         relative_(relative),
         radius_(sizes.radius),
         lost_(relative.underflow + 0x1p-1060),
-        x_(from_now(relative, sizes)) {}
+        x_(from_now(relative, sizes)) {
+    for (std::size_t j = 0; j < 3; ++j) std::copy(x_[j].begin(), x_[j].end(), plain_x_[j].begin());
+  }
 
  private:
   friend Base;
@@ -47,32 +49,35 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     return x;
   }
 
-  void test(const PiecePair& pair) {
+  /// Whether it is told, as it is not of what begins later than `by`.
+  bool test(const PiecePair& pair, double by) {
     Base::begin_test();
     const SpacePiece a = a_.piece(pair.a), b = b_.piece(pair.b);
-    if (pass_each_other(a, b)) return;
+    unsigned axes = ~0U;
+    if (!a.is_box() && !b.is_box()) {
+      const PlainPassing passing = plain_passing(a, b, plain_x_, radius_, asked_);
+      if (passing.is_apart()) return true;
+      if (passing.near.begin > by) return false;
+      axes = passing.axes;
+    }
     if (radius_.value > 0)
       test_grown(a, b);
     else
-      test_as_they_are(a, b);
+      test_as_they_are(a, b, axes);
+    return true;
   }
 
-  bool pass_each_other(const SpacePiece& a, const SpacePiece& b) const {
-    if (a.is_box() || b.is_box()) return false;
-    std::array<Powers<Bounded, 2>, 3> x{};
-    for (std::size_t j = 0; j < 3; ++j) std::copy(x_[j].begin(), x_[j].end(), x[j].begin());
-    return are_plainly_apart(a, b, x, radius_, asked_);
-  }
-
-  void test_as_they_are(const SpacePiece& a, const SpacePiece& b) {
+  void test_as_they_are(const SpacePiece& a, const SpacePiece& b, unsigned axes) {
     std::optional<SpacePlanes> flat;
-    SpaceHull(a, b).for_each([&](const SpacePlanes& pair) {
-      if (pair.is_flat && a_or_b_is_a_mesh())
-        flat = pair;  // of a triangle's sum, all such are the plane that it lies in
-      else
-        keep(pair);
-      return !space_.clipped.empty();
-    });
+    SpaceHull(a, b).for_each(
+        [&](const SpacePlanes& pair) {
+          if (pair.is_flat && a_or_b_is_a_mesh())
+            flat = pair;  // of a triangle's sum, all such are the plane that it lies in
+          else
+            keep(pair);
+          return !space_.clipped.empty();
+        },
+        axes);
     if (space_.clipped.empty()) return;
     if (flat)
       end_flat_part(*flat);
@@ -173,6 +178,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   const double lost_;
   std::vector<SpacePlanes> planes_;                 ///< of the pair at hand
   const std::array<Powers<Bounded, Degree>, 3> x_;  ///< the motion from now on
+  std::array<Powers<Bounded, 2>, 3> plain_x_{};     ///< the same, whatever the degree
 };
 
 }  // namespace foresee::contact

@@ -47,7 +47,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
   using Base::asked_, Base::space_;
   using Base::begin_part, Base::end_part, Base::is_decided, Base::keep, Base::share;
 
-  void test(const PiecePair& pair) {
+  bool test(const PiecePair& pair, double /*by*/) {
     Base::begin_test();
     if constexpr (D == 3)
       for (const int side : {-1, 1})
@@ -57,6 +57,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
       test_grown(a, b);
     else
       test_as_they_are(a, b);
+    return true;
   }
 
   void test_as_they_are(const ConvexPiece& a, const ConvexPiece& b) {

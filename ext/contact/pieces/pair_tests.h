@@ -4,8 +4,9 @@
 //
 //   for (const PieceStay& stay : tests.of(piece_a, piece_b)) best = std::min(best, stay.begin.high);
 //
-// Test, which derives from this, has a function test(pair): it calls begin_test() and then, for each part of
-// where the two touch, keep() with its conditions and end_part().
+// Test, which derives from this, has a function test(pair, by): it calls begin_test() and then, for each part
+// of where the two touch, keep() with its conditions and end_part(). It may leave that, and return false,
+// where they surely touch no earlier than after `by`.
 #pragma once
 
 #include <algorithm>
@@ -18,17 +19,19 @@ namespace foresee::contact {
 template <class Test, class Condition>
 class PairTests {
  public:
-  /// The stays of two pieces, until others are asked for.
-  std::span<const PieceStay> of(std::size_t a, std::size_t b) {
+  /// The stays of two pieces, until others are asked for. Those that begin later than `by` may be left out.
+  std::span<const PieceStay> of(std::size_t a, std::size_t b, double by = Stay::inf) {
     const PiecePair pair{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)};
     if (!times_wanted_ || is_full()) space_.clear();
-    if (!times_wanted_) return stays_of(pair);  // whoever wants no times asks once
+    if (!times_wanted_) return test_of(pair, by).stays;  // whoever wants no times asks once
     const auto [number, is_new] = space_.numbers.add(pair);
-    if (is_new) {
+    if (is_new) space_.tested.emplace_back();
+    auto& tested = space_.tested[number];
+    if (!tested.is_told) {
       const auto first = static_cast<std::uint32_t>(space_.stays.size());
-      space_.tested.push_back({first, static_cast<std::uint32_t>(stays_of(pair).size())});
+      const auto [stays, is_told] = test_of(pair, by);
+      tested = {first, static_cast<std::uint32_t>(stays.size()), is_told};
     }
-    const auto& tested = space_.tested[number];
     return std::span<const PieceStay>(space_.stays).subspan(tested.first_stay, tested.stay_count);
   }
 
@@ -105,11 +108,15 @@ class PairTests {
   /// Some megabytes.
   static constexpr std::size_t most_known = 1 << 15;
 
+  struct Tested {
+    std::span<const PieceStay> stays;
+    bool is_told;
+  };
   /// Their stays join all others.
-  [[gnu::noinline]] std::span<const PieceStay> stays_of(const PiecePair& pair) {
+  [[gnu::noinline]] Tested test_of(const PiecePair& pair, double by) {
     const std::size_t first = space_.stays.size();
-    static_cast<Test&>(*this).test(pair);
-    return std::span<const PieceStay>(space_.stays).subspan(first);
+    const bool is_told = static_cast<Test&>(*this).test(pair, by);
+    return {std::span<const PieceStay>(space_.stays).subspan(first), is_told};
   }
 };
 

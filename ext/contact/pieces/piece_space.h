@@ -30,7 +30,8 @@ struct PieceStay : Stay {
 template <class Condition>
 struct PieceSpace {
   struct Tested {
-    std::uint32_t first_stay, stay_count;
+    std::uint32_t first_stay = 0, stay_count = 0;
+    bool is_told = false;  ///< else they begin later than was asked about
   };
   TestedPairs numbers;
   std::vector<Tested> tested;  ///< by those numbers

@@ -55,7 +55,7 @@ class UnionPair : public PairStays<Kit> {
         [this](const Period<double>& near) { return near.begin <= met_by_ && !begins_at_once(); },
         [&](std::size_t a, std::size_t b, const Period<double>&) {
           if (tests_.is_full()) take_begins();
-          for (const PieceStay& stay : tests_.of(a, b)) {
+          for (const PieceStay& stay : tests_.of(a, b, met_by_)) {
             possible = true;
             if (stay.is_certain()) met_by_ = std::min(met_by_, stay.begin.high);
           }

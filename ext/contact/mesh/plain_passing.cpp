@@ -1,4 +1,4 @@
-#include "contact/mesh/plainly_apart.h"
+#include "contact/mesh/plain_passing.h"
 
 #include <algorithm>
 
@@ -33,6 +33,7 @@ struct Corners {
   double size() const { return sum_of_sizes(at[0]) + sum_of_sizes(at[1]) + sum_of_sizes(at[2]); }
 };
 
+/// Time is cut axis after axis.
 class Passing {
  public:
   Passing(const Corners& a, const Corners& b, const std::array<Powers<Bounded, 2>, 3>& x,
@@ -49,44 +50,81 @@ class Passing {
     slack_ = 0x1p-44 * (size + radius_) + 2 * lost;
   }
 
-  /// Cuts the time that is left by when they may touch along n; whether none is left.
-  bool are_apart_along(const Triple& n) {
+  /// Whether none is left across u x v.
+  bool are_apart_across(const Triple& u, const Triple& v) {
+    const Triple n = cross(u, v);
     const Triple a{dot(n, a_.at[0]), dot(n, a_.at[1]), dot(n, a_.at[2])};
     const Triple b{dot(n, b_.at[0]), dot(n, b_.at[1]), dot(n, b_.at[2])};
     const auto [least_a, greatest_a] = std::minmax({a[0], a[1], a[2]});
     const auto [least_b, greatest_b] = std::minmax({b[0], b[1], b[2]});
     // What underflows in n is no harm either, and in the sums it is less than this.
     const double slack = slack_ * sum_of_sizes(n) + 0x1p-1000;
-    const double square = dot(n, n);
-    const double more = radius_ * (square > 0x1p-900 ? std::sqrt(square) : sum_of_sizes(n)) + slack;
     const double swing = dot(n, swing_), at = dot(n, place_), speed = dot(n, speed_);
-    const double low = least_a - greatest_b - more + std::min(swing, 0.0);
-    const double high = greatest_a - least_b + more + std::max(swing, 0.0);
+    const double low = least_a - greatest_b, high = greatest_a - least_b;
+    // n is off by less than 2^-49 of |u| |v|.
+    const double wide = 2 * slack_ * (sum_of_sizes(u) * sum_of_sizes(v)) + 2 * slack;
+    within_[count_++] = {low + wide + std::max(swing, 0.0), high - wide + std::min(swing, 0.0), at, speed};
+    const double more = radius_ > 0 ? radius_ * length(n) + slack : slack;
+    return cut(low - more + std::min(swing, 0.0), high + more + std::max(swing, 0.0), at, speed, slack);
+  }
+
+  /// Those across which d may come to lie where the sum ends, in the time that is left. Requires: radius 0.
+  unsigned axes_that_matter() const {
+    unsigned axes = 0;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const Within& within = within_[i];
+      const double first = within.at + within.speed * begin_, last = within.at + within.speed * end_;
+      const bool stays = std::min(first, last) >= within.low && std::max(first, last) <= within.high;
+      if (!stays) axes |= 1U << i;
+    }
+    return axes;
+  }
+  Period<double> left() const { return {begin_, end_}; }
+
+ private:
+  /// Where n d surely has no say, and n d along the chord.
+  struct Within {
+    double low, high, at, speed;
+  };
+
+  static double length(const Triple& n) {
+    const double square = dot(n, n);
+    return square > 0x1p-900 ? std::sqrt(square) : sum_of_sizes(n);
+  }
+
+  bool cut(double low, double high, double at, double speed, double slack) {
     if (!(std::abs(speed) * end_ > slack)) return at < low - 4 * slack || at > high + 4 * slack;
     const double one = (low - at) / speed, other = (high - at) / speed;
     begin_ = std::max(begin_, std::min(one, other)), end_ = std::min(end_, std::max(one, other));
     return begin_ > end_ + 0x1p-40 * std::abs(end_);
   }
 
- private:
   const Corners &a_, &b_;
   const double radius_;
   Triple place_, speed_, swing_;  ///< the chord of d, and how far d is before it in between
   double begin_, end_, slack_;
+  std::array<Within, 11> within_;
+  std::size_t count_ = 0;
 };
+
+constexpr PlainPassing apart{{1, 0}, 0};
+constexpr unsigned all_axes = ~0U;
 
 }  // namespace
 
-bool are_plainly_apart(const SpacePiece& a, const SpacePiece& b, const std::array<Powers<Bounded, 2>, 3>& x,
-                       const Bounded& radius, const Stay& asked) {
+PlainPassing plain_passing(const SpacePiece& a, const SpacePiece& b,
+                           const std::array<Powers<Bounded, 2>, 3>& x, const Bounded& radius,
+                           const Stay& asked) {
   const Corners corners_a(a), corners_b(b);
   Passing passing(corners_a, corners_b, x, radius, asked);
   for (const Corners* corners : {&corners_a, &corners_b})
-    if (passing.are_apart_along(cross(corners->edge(0), corners->edge(1)))) return true;
+    if (passing.are_apart_across(corners->edge(0), corners->edge(1))) return apart;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k)
-      if (passing.are_apart_along(cross(corners_a.edge(i), corners_b.edge(k)))) return true;
-  return false;
+      if (passing.are_apart_across(corners_a.edge(i), corners_b.edge(k))) return apart;
+  Period<double> left = passing.left();
+  left.end = std::max(left.begin, left.end);  // by a rounding
+  return {left, radius.value > 0 ? all_axes : passing.axes_that_matter()};
 }
 
 }  // namespace foresee::contact
