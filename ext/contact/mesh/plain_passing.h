@@ -3,7 +3,7 @@
 //
 //   const PlainPassing passing = plain_passing(a, b, x, radius, asked);
 //   if (passing.is_apart() || passing.near.begin > by) return;      // else they may touch by then
-//   passing.asks_for(i)                                             // about the planes across axis i, too
+//   SpaceHull(a, b).for_each(take, passing.axes);                   // the planes that matter
 //
 // Whatever direction n is, the two touch only while n d lies between the least and the greatest of n (p - q)
 // over their corners. So the roundings of n do no harm, and those of the products are far less than the slack
@@ -23,7 +23,6 @@ struct PlainPassing {
   unsigned axes;        ///< a bit for each that may say when they touch: numbered as SpaceHull has them
 
   bool is_apart() const { return !(near.begin <= near.end); }
-  bool asks_for(int axis) const { return (axes >> axis & 1) != 0; }
 };
 
 /// `x`: d by powers of the time from now on. Requires: two triangles.

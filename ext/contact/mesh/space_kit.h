@@ -1,6 +1,7 @@
 // What contact of meshes is made of (pieces/union_pair.h): triangles, boxes and points in space.
 #pragma once
 
+#include "contact/mesh/plate_tests.h"
 #include "contact/mesh/space_polynomials.h"
 #include "contact/mesh/space_tests.h"
 #include "contact/mesh/within.h"
@@ -20,6 +21,7 @@ struct SpaceKit {
   using Sizes = SpaceSizes<T>;
   using Space = PieceSpace<SpaceCondition>;
   using Tests = SpaceTests<Degree>;
+  using NodeTests = PlateTests;
   using Within = contact::Within;
   using Polynomials = SpacePolynomials;
 
@@ -27,7 +29,7 @@ struct SpaceKit {
   static SpaceSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
     return {radius_of<T>(setup, row_a, row_b), steady_axes_of(setup, row_a, row_b)};
   }
-  /// None: triangles are many, and asked one by one (plainly_apart.h).
+  /// None: triangles are many, and asked one by one (plain_passing.h).
   static PlainAnswer plain_answer(const Setup&, const double*, const double*, const Pieces&, const Pieces&,
                                   const Moments&, bool) {
     return {};

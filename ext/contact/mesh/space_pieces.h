@@ -78,6 +78,8 @@ class SpacePieces {
   static Node left(Node node) { return 2 * node + 1; }
   static Node right(Node node) { return 2 * node + 2; }
 
+  /// None: it is a box.
+  const TriangleTree* triangles() const { return triangles_; }
   bool is_mesh() const { return triangles_ != nullptr; }
   /// Its triangles, if they enclose it: what its pieces leave out is the inside of these.
   const TriangleTree* solid() const { return triangles_ && triangles_->is_solid() ? triangles_ : nullptr; }

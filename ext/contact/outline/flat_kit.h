@@ -7,6 +7,7 @@
 #include "contact/outline/piece_tests.h"
 #include "contact/outline/plainly_near.h"
 #include "contact/outline_contact.h"
+#include "contact/pieces/tree_walk.h"
 
 namespace foresee::contact {
 
@@ -21,6 +22,7 @@ struct FlatKit {
   using Sizes = PairSizes<T>;
   using Space = FlatSpace;
   using Tests = PieceTests<D, Degree>;
+  using NodeTests = BoxTests<D, ObjectPieces>;
 
   /// Pieces fill their outline.
   struct Within {

@@ -31,11 +31,19 @@ class BoxChord {
   }
 
   /// Of `asked`.
-  Period<double> between(const Box<axes>& a, const Box<axes>& b, Period<double> asked) const {
-    if (!is_plain_) return carefully_between(a, b, asked);
-    for (int j = 0; j < axes; ++j) {
-      const double one = (a.lower[j] - b.upper[j] + below_[j]) * steep_[j];
-      const double other = (a.upper[j] - b.lower[j] + above_[j]) * steep_[j];
+  Period<double> between(const Box<axes>& a, const Box<axes>& b, const Period<double>& asked) const {
+    return is_plain_ ? plainly_between(a, b, asked) : carefully_between(a, b, asked);
+  }
+
+  bool is_plain() const { return is_plain_; }
+  /// Also of boxes of floats. Requires: is_plain().
+  template <class AnyBox>
+  Period<double> plainly_between(const AnyBox& a, const AnyBox& b, Period<double> asked) const {
+    const auto gap = [](double to, double from) { return to - from; };
+    for (int i = 0; i < axes; ++i) {
+      const auto j = static_cast<decltype(a.lower.size())>(i);
+      const double one = (gap(a.lower[j], b.upper[j]) + below_[i]) * steep_[i];
+      const double other = (gap(a.upper[j], b.lower[j]) + above_[i]) * steep_[i];
       asked.begin = greater(lesser(one, other), asked.begin);
       asked.end = lesser(greater(one, other), asked.end);
     }

@@ -7,8 +7,9 @@
 //   }
 //
 // A Kit says what the pieces are. It has `axes` and `degree` of the motion, the types Pieces (of one object,
-// under a tree), Condition, Sizes<T>, Space and Tests (pair_tests.h), sizes_of<T>() and Within, which tells
-// of solids whether one lies within the other; `has_solids` says that there may be some.
+// under a tree), Condition, Sizes<T>, Space, Tests (pair_tests.h) and NodeTests (tree_walk.h), sizes_of<T>()
+// and Within, which tells of solids whether one lies within the other; `has_solids` says that there may be
+// some.
 #pragma once
 
 #include "contact/certain/advancement.h"
@@ -116,7 +117,7 @@ class PairStays {
   const typename Kit::template Sizes<Bounded> sizes_;
   typename Kit::Within within_;
   typename Kit::Tests tests_;
-  const TreeWalk<Kit::axes, Pieces> walk_;
+  const TreeWalk<Kit::axes, Pieces, typename Kit::NodeTests> walk_;
 
  private:
   /// Outward and inward.

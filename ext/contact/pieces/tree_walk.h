@@ -5,8 +5,8 @@
 //   walk.visit(Order::earlier_first, [](const Period<double>& near) { return near.begin <= best; },
 //              [&](std::size_t piece_a, std::size_t piece_b, const Period<double>& near) { … });
 //
-// A box along the axes is enough for a node: nothing turns, so that none ever loosens. Cost: some ten
-// nanoseconds a pair of nodes.
+// Nothing turns, so that no box ever loosens: boxes along the axes are enough, but for surfaces, which have
+// plates beside them (mesh/plate_tests.h). Cost: some ten nanoseconds a pair of nodes.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,37 @@ namespace foresee::contact {
 /// Which of two children comes first: that which could be met earlier, or left later.
 enum class Order : std::uint8_t { earlier_first, later_first };
 
-/// `Pieces`: of one object, under a tree of boxes on its first axes; the others are of upright prisms.
+/// What boxes along the axes tell of two nodes.
 template <int D, class Pieces>
+class BoxTests {
+ public:
+  using Node = typename Pieces::Node;
+
+  /// What is given must outlive this, but the motion and the sizes.
+  template <class Sizes>
+  BoxTests(const Pieces& a, const Pieces& b, const Chord<D>& chord, const CertainMotion<D>& /*relative*/,
+           const Sizes& sizes, double end)
+      : a_(a), b_(b), boxes_(chord, a.box(Pieces::root), b.box(Pieces::root), largest(sizes.radius, end)) {}
+
+  /// Of `asked`, when what is below the nodes could touch.
+  Period<double> near(Node a, Node b, const Period<double>& asked) const {
+    return boxes_.between(a_.box(a), b_.box(b), asked);
+  }
+  /// Whether the first node is the larger.
+  bool is_larger(Node a, Node b) const { return size_of(a_.box(a)) >= size_of(b_.box(b)); }
+
+  const BoxChord<Pieces::axes, D>& boxes() const { return boxes_; }
+
+ private:
+  static double size_of(const Box<Pieces::axes>& box) { return (box.upper - box.lower).sum(); }
+
+  const Pieces &a_, &b_;
+  const BoxChord<Pieces::axes, D> boxes_;
+};
+
+/// `Pieces`: of one object, under a tree of boxes on its first axes; the others are of upright prisms.
+/// `NodeTests`: made and asked as BoxTests are.
+template <int D, class Pieces, class NodeTests = BoxTests<D, Pieces>>
 class TreeWalk {
  public:
   /// `asked`: the moments asked about. `sizes`: how near counts as touching, and of prisms how far along z.
@@ -33,8 +62,8 @@ class TreeWalk {
         b_(b),
         chord_(relative, asked.end),
         asked_(overlap_along_z(chord_, asked, sizes)),
-        boxes_(chord_, a.box(Pieces::root), b.box(Pieces::root), largest(sizes.radius, asked.end)),
-        near_(near(Pieces::root, Pieces::root, asked_)),
+        tests_(a, b, chord_, relative, sizes, asked.end),
+        near_(tests_.near(Pieces::root, Pieces::root, asked_)),
         steps_(steps) {}
 
   /// When the two could touch, at most: never if the end is before the begin.
@@ -72,7 +101,7 @@ class TreeWalk {
     else
       one.b = Pieces::left(nodes.b), other.b = Pieces::right(nodes.b);
     steps_(), steps_();
-    one.near = this->near(one.a, one.b, near), other.near = this->near(other.a, other.b, near);
+    one.near = tests_.near(one.a, one.b, near), other.near = tests_.near(other.a, other.b, near);
     const bool has_one = one.near.begin <= one.near.end, has_other = other.near.begin <= other.near.end;
     if (has_one && has_other) {
       const bool swap =
@@ -86,9 +115,8 @@ class TreeWalk {
 
   bool splits_a(Node a, Node b) const {
     if (a_.is_leaf(a) || b_.is_leaf(b)) return b_.is_leaf(b);
-    return size_of(a_.box(a)) >= size_of(b_.box(b));
+    return tests_.is_larger(a, b);
   }
-  static double size_of(const Box<axes>& box) { return (box.upper - box.lower).sum(); }
 
   /// Of `asked`, when two prisms could overlap along z, whatever their outlines.
   template <class Sizes>
@@ -104,15 +132,10 @@ class TreeWalk {
     }
   }
 
-  /// Of `asked`, when boxes could touch.
-  Period<double> near(Node a, Node b, const Period<double>& asked) const {
-    return boxes_.between(a_.box(a), b_.box(b), asked);
-  }
-
   const Pieces &a_, &b_;
   const Chord<D> chord_;
   const Period<double> asked_;
-  const BoxChord<axes, D> boxes_;
+  const NodeTests tests_;
   const Period<double> near_;  ///< of the roots
   Steps& steps_;
 };

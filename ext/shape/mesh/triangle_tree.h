@@ -12,8 +12,7 @@
 
 #include <memory>
 
-#include "shape/mesh/mesh.h"
-#include "shape/outline/box_tree.h"
+#include "shape/mesh/plates.h"
 
 namespace foresee::shape {
 
@@ -28,6 +27,8 @@ class TriangleTree {
   bool is_solid() const { return solid_; }
   /// Item t of the tree is triangle t.
   const BoxTree<3>& tree() const { return tree_; }
+  /// Of the nodes of the tree.
+  const Plates& plates() const { return plates_; }
   const SpaceCorner& corner(std::size_t t, int i) const {
     return corners_[links_->triangles[t][static_cast<std::size_t>(i)]];
   }
@@ -38,7 +39,9 @@ class TriangleTree {
   std::size_t parts() const { return links_ ? links_->part_corners.size() : 0; }
   const SpaceCorner& part_corner(std::size_t part) const { return corners_[links_->part_corners[part]]; }
   /// Bytes, without what all headings share.
-  std::size_t memory() const { return sizeof *this + corners_.size() * sizeof(SpaceCorner) + tree_.memory(); }
+  std::size_t memory() const {
+    return sizeof *this + corners_.size() * sizeof(SpaceCorner) + tree_.memory() + plates_.memory();
+  }
 
  private:
   /// The same for all headings of a mesh.
@@ -51,6 +54,7 @@ class TriangleTree {
   std::shared_ptr<const Links> links_;
   std::vector<SpaceCorner> corners_;
   BoxTree<3> tree_;
+  Plates plates_;
   bool solid_ = false;
 };
 

@@ -6,7 +6,8 @@
 namespace foresee::shape {
 
 template <int D>
-BoxTree<D>::BoxTree(std::span<const Box<D>> boxes) : nodes_(2 * boxes.size() - 1) {
+BoxTree<D>::BoxTree(std::span<const Box<D>> boxes)
+    : nodes_(2 * boxes.size() - 1), first_leaf_(static_cast<Node>(nodes_.size() / 2)) {
   std::copy(boxes.begin(), boxes.end(), nodes_.begin() + static_cast<std::ptrdiff_t>(first_leaf()));
   for (std::size_t node = first_leaf(); node-- > 0;) {
     const Box<D>&one = nodes_[2 * node + 1], &other = nodes_[2 * node + 2];

@@ -44,9 +44,10 @@ class BoxTree {
   Node leaf(std::size_t item) const { return static_cast<Node>(item + first_leaf()); }
 
  private:
-  std::size_t first_leaf() const { return nodes_.size() / 2; }
+  Node first_leaf() const { return first_leaf_; }
 
   std::vector<Box<D>> nodes_;
+  Node first_leaf_ = 0;
 };
 
 /// Which box is to be the first item of a tree, which the second, and so on: each node's boxes are halved
