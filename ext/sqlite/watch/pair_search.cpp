@@ -8,8 +8,8 @@ namespace foresee::sqlite {
 namespace {
 
 // A probe costs some ten microseconds, the join of few objects with all some hundred nanoseconds for each of
-// all; the pairs of a changed object are read and written in any case.
-constexpr double few = 32, share_of_few = 1.0 / 200, many = 64, share_of_many = 0.3;
+// all, which it has to decode anew; the pairs of a changed object are read and written in any case.
+constexpr double few = 32, share_of_few = 1.0 / 50, many = 64, share_of_many = 0.3;
 
 double objects_of(const Connection::OpenTable& table) {
   return static_cast<double>(table.store->likely_objects());

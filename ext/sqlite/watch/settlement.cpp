@@ -65,13 +65,14 @@ void Settlement::settle(Tells tells) {
 // --- anew, or by changes
 
 void Settlement::compute_anew() {
+  if (before_.clock && !before_.anew) adapt_look();
   look_further();
   for (const StoredPair& pair : rows_.pairs()) old_.push_back(watched(pair));
   JoinQuestion all = question_of_all(connection_, tables_, state_, asked_horizon());
   all.wants = {.contact = true, .ends = true, .approach = false};
   Join join(std::move(all), connection_.interrupt());
   for (auto rows = join.next(); !rows.empty(); rows = join.next()) take(rows, true);
-  write_differences();
+  write_differences(true);
 }
 
 void Settlement::follow_changes() {
@@ -88,7 +89,7 @@ void Settlement::follow_changes() {
   ask_due_pairs();
   search_changed();
   if (looks_ahead) look_ahead(known_to);
-  write_differences();
+  write_differences(false);
 }
 
 void Settlement::read_old_pairs() {
@@ -178,9 +179,11 @@ void Settlement::decide_ties() {
 }
 
 /// A contact that outlasts the reach: its row is due half-way to the end. So a row is asked for seldom, and a
-/// report that moves the end a little writes nothing.
+/// report that moves the end a little writes nothing. The reach shrinks as the clock nears known_to: an end
+/// looked for in proportion to it would come earlier at every report.
 void Settlement::find_far_ends() {
-  const double near = std::nextafter(clock_ + reach_, clock_), far = 64 * reach_;
+  const double near = std::nextafter(clock_ + reach_, clock_),
+               far = 64 * std::max(state_.horizon, state_.further);
   if (!std::isfinite(far) || !std::isfinite(clock_ + far)) return;
   std::vector<PairIds> asked;
   for (const WatchedPair& pair : new_)
@@ -192,18 +195,36 @@ void Settlement::find_far_ends() {
   }
 }
 
-void Settlement::write_differences() {
+void Settlement::for_each_difference(const std::function<void(const WatchedPair*, const WatchedPair*)>& use) {
+  auto before = old_.begin();
+  for (const WatchedPair& after : new_) {
+    for (; before != old_.end() && by_ids(*before, after); ++before) use(&*before, nullptr);
+    const bool known = before != old_.end() && same_ids(*before, after);
+    use(known ? &*before : nullptr, &after);
+    if (known) ++before;
+  }
+  for (; before != old_.end(); ++before) use(&*before, nullptr);
+}
+
+void Settlement::write_differences(bool all_are_known) {
   decide_ties();
   sort_and_unique(old_), sort_and_unique(new_);
   find_far_ends();
-  auto before = old_.begin();
-  for (const WatchedPair& after : new_) {
-    for (; before != old_.end() && by_ids(*before, after); ++before) write_difference(&*before, nullptr);
-    const bool known = before != old_.end() && same_ids(*before, after);
-    write_difference(known ? &*before : nullptr, &after);
-    if (known) ++before;
+  if (all_are_known && differ_mostly()) {
+    replaces_ = has_written_ = true;
+    rows_.erase_all_pairs();
   }
-  for (; before != old_.end(); ++before) write_difference(&*before, nullptr);
+  for_each_difference(
+      [&](const WatchedPair* before, const WatchedPair* after) { write_difference(before, after); });
+}
+
+bool Settlement::differ_mostly() {
+  std::size_t kept = 0;
+  for_each_difference([&](const WatchedPair* before, const WatchedPair* after) {
+    const PairChange change = compare(before, after, {clock_, state_.tolerance});
+    kept += !change.writes && !change.erases;
+  });
+  return old_.size() + new_.size() > 4 * kept;
 }
 
 void Settlement::write_difference(const WatchedPair* before, const WatchedPair* after) {
@@ -214,11 +235,16 @@ void Settlement::write_difference(const WatchedPair* before, const WatchedPair* 
   state_.waited += waits(after) && !waits(before);
   state_.dropped += waits(before) && !after;
   has_written_ |= change.erases || change.writes || change.op;
-  if (change.erases) rows_.erase_pair(row.a, row.b);
-  if (change.writes) {
+  const auto write = [&](const WatchedPair& pair, PairWrite how) {
+    rows_.write_pair({pair.a, pair.b, pair.t, pair.due, pair.told, pair.held}, how, state_.tolerance > 0);
+  };
+  if (replaces_) {
+    if (!change.erases) write(change.writes ? row : *before, PairWrite::adds);
+  } else if (change.erases) {
+    rows_.erase_pair(row.a, row.b);
+  } else if (change.writes) {
     const bool only_moves = before && before->held == row.held && before->due == row.due;
-    const auto how = !before ? PairWrite::adds : only_moves ? PairWrite::moves : PairWrite::changes;
-    rows_.write_pair({row.a, row.b, row.t, row.due, row.told, row.held}, how, state_.tolerance > 0);
+    write(row, !before ? PairWrite::adds : only_moves ? PairWrite::moves : PairWrite::changes);
   }
   if (change.op && tells_) rows_.append({++state_.seq, change.op, row.a, row.b, clock.shown(row.t), clock_});
 }

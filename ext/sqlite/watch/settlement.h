@@ -19,6 +19,7 @@
 #pragma once
 
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <span>
 #include <vector>
@@ -67,7 +68,12 @@ class Settlement {
   void take(std::span<const JoinRow> found, bool with_ends);
   void decide_ties();
   void find_far_ends();
-  void write_differences();
+  /// `all_are_known`: old_ is every row that is stored.
+  void write_differences(bool all_are_known);
+  /// In order of the ids; null where the pair is not known before or after.
+  void for_each_difference(const std::function<void(const WatchedPair*, const WatchedPair*)>& use);
+  /// So much that writing all rows is cheaper than finding those that differ.
+  bool differ_mostly();
   void write_difference(const WatchedPair* before, const WatchedPair* after);
 
   Horizon asked_horizon() const { return {clock_, reach_}; }
@@ -83,6 +89,7 @@ class Settlement {
   double reach_ = 0;        ///< how far beyond the clock contact is asked
   std::vector<WatchedPair> old_, new_;
   bool tells_ = true, has_written_ = false;
+  bool replaces_ = false;  ///< every row is written, into a table without any
 };
 
 }  // namespace foresee::sqlite

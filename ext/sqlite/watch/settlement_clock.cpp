@@ -79,21 +79,25 @@ bool Settlement::must_compute_anew() const {
   return are_most(changed_a_, tables_.a) || (tables_.b && are_most(changed_b_, *tables_.b));
 }
 
-/// A look costs nearly the same however far it goes; what it finds costs a row each, for nothing where the
-/// pair is dropped before it is seen.
+/// A look costs nearly the same however far it goes, some hundred nanoseconds for each object; what it finds
+/// costs two rows, for nothing where the pair is dropped before it is seen. The two are kept alike.
 void Settlement::adapt_look() {
-  if (10 * state_.dropped <= state_.waited)
+  double objects = static_cast<double>(tables_.a.store->likely_objects());
+  if (tables_.b && !tables_.are_one()) objects += static_cast<double>(tables_.b->store->likely_objects());
+  const double dropped = static_cast<double>(state_.dropped), fair = std::max(objects / 64, 16.0);
+  if (dropped < fair / 2 && 10 * state_.dropped <= state_.waited)
     state_.further *= 2;
-  else if (2 * state_.dropped > state_.waited)
+  else if (dropped > 2 * fair || 2 * state_.dropped > state_.waited)
     state_.further /= 2;
 }
 
-/// At least far enough that the next look comes after some steps of the clock; a single leap does not count.
+/// At least far enough that the next look comes after some steps of the clock, where these are small beside
+/// the horizon; a single leap does not count.
 void Settlement::look_further() {
   const double largest = std::max(std::abs(clock_), std::abs(horizon_end_));
   const double rounding = 8 * (next_above(largest) - largest);  // what it cannot swallow
   const double step = std::min(state_.step, before_.step);
-  const double least = std::max(rounding, 16 * step);
+  const double least = std::max(rounding, std::min(16 * step, state_.horizon / 64));
   const double most = std::max({least, state_.horizon, 1024 * step});
   if (state_.further <= 0) state_.further = state_.horizon / 4;
   state_.further = std::clamp(state_.further, least, most);

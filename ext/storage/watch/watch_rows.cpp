@@ -47,6 +47,7 @@ WatchRows::WatchRows(sqlite3* db, const QualifiedName& name) : name_(name) {
   move_pair_ = sql("UPDATE {pair} SET t = ?3, told = ?6 WHERE a = ?1 AND b = ?2");
   change_pair_ = sql("UPDATE {pair} SET t = ?3, due = ?4, state = ?5, told = ?6 WHERE a = ?1 AND b = ?2");
   erase_pair_ = sql("DELETE FROM {pair} WHERE a = ?1 AND b = ?2");
+  erase_all_pairs_ = sql("DELETE FROM {pair}");
   count_pairs_ = sql("SELECT count(*) FROM {pair} WHERE state = ?1");
   by_b_ = sql("SELECT a, b FROM {pair} ORDER BY b, a");
   by_due_ = sql("SELECT a, b, due, state FROM {pair} ORDER BY state, due, a, b");
@@ -136,6 +137,11 @@ void WatchRows::erase_pair(std::int64_t a, std::int64_t b) {
   Statement::Run run(erase_pair_);
   run.bind(1, a);
   run.bind(2, b);
+  run.step();
+}
+
+void WatchRows::erase_all_pairs() {
+  Statement::Run run(erase_all_pairs_);
   run.step();
 }
 

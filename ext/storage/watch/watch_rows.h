@@ -70,6 +70,8 @@ class WatchRows {
   std::optional<StoredPair> pair(std::int64_t a, std::int64_t b);
   void write_pair(const StoredPair& pair, PairWrite how, bool with_told);
   void erase_pair(std::int64_t a, std::int64_t b);
+  /// Cost: the pages of the tables are let go, no row is looked at.
+  void erase_all_pairs();
   std::int64_t count_pairs(bool held);
   /// Whether each index holds the rows, and nothing else.
   bool indexes_agree();
@@ -94,7 +96,7 @@ class WatchRows {
   QualifiedName name_;
   Statement meta_, write_meta_;
   Statement pairs_, pairs_of_a_, pairs_of_b_, due_pairs_, pair_, count_pairs_, by_b_, by_due_;
-  Statement add_pair_, move_pair_, change_pair_, erase_pair_;
+  Statement add_pair_, move_pair_, change_pair_, erase_pair_, erase_all_pairs_;
   Statement append_, trim_, oldest_, changes_;
 };
 

@@ -194,6 +194,16 @@ TEST_F(WatchTime, AGiantThatTouchesAllTellsNothingWhereItStaysInTouch) {
   expect_up_to_date(db);
 }
 
+TEST_F(WatchTime, ReportsOfShipsThatLieTogetherWriteNoPair) {
+  create("t, x, vx", "horizon = 100, within = 10");
+  db.exec("INSERT INTO ships VALUES (1, 0, 0, 0), (2, 0, 5, 0), (3, 0, 3, 0.0001)");
+  const std::string pairs = "SELECT a, b, t, due, state FROM alerts_pair";
+  const std::string before = db.rows(pairs);
+  for (int t = 1; t <= 20; ++t) db.exec("UPDATE ships SET t = " + std::to_string(t) + ", x = x + vx");
+  EXPECT_EQ(db.rows(pairs), before);
+  expect_up_to_date(db);
+}
+
 TEST_F(WatchTime, AllObjectsMayChangeAtOnce) {
   create("t, x, y, vx, vy, r", "horizon = 5, within = 2");
   db.exec(
