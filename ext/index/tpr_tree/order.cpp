@@ -60,7 +60,8 @@ class LeafOrder {
       const std::size_t middle = boundary_near_middle(first, last);
       const auto begin = items_.begin() + object(first), nth = items_.begin() + object(middle),
                  end = items_.begin() + object(last);
-      const std::size_t along = widest_axis<D>(std::span<const OrderItem<D>>(begin, end));
+      const std::span<const OrderItem<D>> items(&*begin, static_cast<std::size_t>(end - begin));
+      const std::size_t along = widest_axis<D>(items);
       std::nth_element(begin, nth, end, [this, along](const OrderItem<D>& a, const OrderItem<D>& b) {
         step_();
         return a.place[along] < b.place[along];
