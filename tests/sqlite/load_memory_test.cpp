@@ -1,9 +1,11 @@
 // How much memory do a load, one UPDATE of all rows, 'rebuild' and 'optimize' take, and what if there is
 // none, or no room on the disk? With limits far below those of an application, so that few objects are many.
 #include <array>
+#include <filesystem>
 
 #include "fault_steps.h"
 #include "faulty_files.h"
+#include "killed_writer.h"
 #include "memory_faults.h"
 #include "storage/database.h"
 #include "storage/rows/shadow_schema.h"
@@ -17,17 +19,9 @@ constexpr MemoryLimits small{.pending = 3'000'000, .memory = 400'000, .waiting =
 
 class LargeTable {
  public:
+  /// A file that is there has the table already.
   explicit LargeTable(const MemoryLimits& limits = small, const std::string& path = "")
-      : db(path.empty() ? file.path() : path) {
-    db.run("PRAGMA synchronous = OFF");
-    static const QualifiedName name{"main", "ships"};
-    db.run("BEGIN IMMEDIATE");
-    const NodeFormat format = create_shadow_tables(db, name, ships());
-    auto rows = std::make_unique<ShadowRows>(shadow_tables(db, name, ships()), ships());
-    store = std::make_shared<Store>(db, name, ships(), format, std::move(rows), true,
-                                    std::make_shared<MemoryBudget>(limits));
-    commit(db, *store);
-  }
+      : LargeTable(limits, path, std::filesystem::exists(path)) {}
 
   void load(std::int64_t objects) {
     begin(db, *store);
@@ -59,6 +53,21 @@ class LargeTable {
   NeverInterrupt never;
 
  private:
+  LargeTable(const MemoryLimits& limits, const std::string& path, bool is_there)
+      : db(path.empty() ? file.path() : path) {
+    db.run("PRAGMA synchronous = OFF");
+    static const QualifiedName name{"main", "ships"};
+    db.run("BEGIN IMMEDIATE");
+    const ShadowTables tables = shadow_tables(db, name, ships());
+    const NodeFormat made = is_there ? NodeFormat() : create_shadow_tables(db, name, ships());
+    auto rows = std::make_unique<ShadowRows>(tables, ships());
+    const NodeFormat format = is_there ? read_node_format(tables, rows->meta(), ships()) : made;
+    store = std::make_shared<Store>(db, name, ships(), format, std::move(rows), !is_there,
+                                    std::make_shared<MemoryBudget>(limits));
+    if (is_there) db.run("COMMIT");
+    if (!is_there) commit(db, *store);
+  }
+
   static std::int64_t id_of(std::int64_t i) { return i * 7919 % 200'003; }
   static std::vector<double> at(std::int64_t i) {
     return {1, static_cast<double>(i * 31 % 997), static_cast<double>(i * 17 % 991), 1, -1, 1};
@@ -91,6 +100,25 @@ TEST(LoadMemory, GrowsByFewBytesARow) {
   for (std::size_t work = 0; work < most.size(); ++work) {
     EXPECT_LT((many[work] - few[work]) / (more - some), most[work]) << "bytes a row: work " << work;
     EXPECT_LT(many[work], 16e6) << "all of it: work " << work;
+  }
+}
+
+TEST(LoadFile, KilledInTheMiddleARebuildLeavesEveryObject) {
+  testing::TemporaryFile file;
+  const MemoryLimits limits{.pending = 100'000, .memory = 60'000, .waiting = 20'000, .ordered = 20'000};
+  LargeTable(limits, file.path()).load(6'000);
+  const auto before = contents(*LargeTable(limits, file.path()).store);
+  for (std::uint64_t seed = 0; seed < 6; ++seed) {
+    testing::write_and_kill(seed, [&](testing::Announce announce) {
+      LargeTable table(limits, file.path());
+      for (std::int64_t number = 1;; ++number) {
+        number % 2 ? table.rebuild() : table.optimize();
+        announce(number);
+      }
+    });
+    LargeTable table(limits, file.path());
+    EXPECT_EQ(contents(*table.store), before) << seed;
+    EXPECT_EQ(faults(*table.store), std::vector<std::string>{}) << seed;
   }
 }
 
