@@ -84,7 +84,7 @@ struct Kind {
   int least_axes;
 };
 
-struct Cost {
+struct PairCost {
   std::size_t pairs = 0, hits = 0;
   double mean = 0, most = 0;  ///< seconds
 };
@@ -106,9 +106,9 @@ double cost_of(const Object& a, const Object& b, const ContactQuestion& question
   return least;
 }
 
-Cost cost_of(const Kind& kind, int axes, Law law, Fuzz fuzz, std::size_t pairs) {
+PairCost cost_of(const Kind& kind, int axes, Law law, Fuzz fuzz, std::size_t pairs) {
   Numbers numbers(fuzz, 20260101);
-  Cost cost;
+  PairCost cost;
   while (cost.pairs < pairs) {
     numbers.next_pair();
     const Object a = object(numbers, axes, kind.a, law);
@@ -146,7 +146,7 @@ int main(int count, char** arguments) {
     for (int axes = kind.least_axes; axes <= 3; ++axes)
       for (Law law : {Law::uniform, Law::accelerated})
         for (Fuzz fuzz : {Fuzz::wide, Fuzz::few, Fuzz::ends, Fuzz::grid}) {
-          const Cost cost = cost_of(kind, axes, law, fuzz, pairs);
+          const PairCost cost = cost_of(kind, axes, law, fuzz, pairs);
           most = std::max(most, cost.most);
           std::printf("\"%s\",%d,%s,%s,%zu,%zu,%.1f,%.1f\n", kind.name, axes,
                       law == Law::uniform ? "uniform" : "accelerated", fuzz_names[static_cast<int>(fuzz)],

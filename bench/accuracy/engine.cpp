@@ -46,7 +46,7 @@ class Stages {
 
  private:
   template <class Answer>
-  Answer exactly(std::size_t i, Answer (*ask)(PairPolynomials&, const ExactMoments&)) const {
+  Answer exactly(std::size_t i, Answer (*ask)(PiecePolynomials&, const ExactMoments&)) const {
     PairPolynomials polynomials(set_, setup_, a(i), b(i));
     return ask(polynomials, exact_moments_of(setup_, a(i), b(i)));
   }
@@ -99,10 +99,10 @@ bool objects_to(const Family& family, std::size_t i, const std::optional<Contact
   oracle::Rule rule;
   for (int j = 0; j < 3; ++j) {
     rule.axes.push_back(oracle::relative_axis(a, b, j, family.horizon.now));
-    rule.half.push_back(oracle::Exact(a.half[j]) + oracle::Exact(b.half[j]));
+    rule.half.push_back({oracle::Exact(a.half[j]) + oracle::Exact(b.half[j])});
   }
   if (family.balls()) rule.round = {0, 1, 2};
-  rule.radius = oracle::Exact(a.r) + oracle::Exact(b.r);
+  rule.radius = {oracle::Exact(a.r) + oracle::Exact(b.r)};
   return !oracle::judge(rule, a, b, family.horizon, answer).empty();
 }
 
