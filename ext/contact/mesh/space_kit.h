@@ -6,6 +6,7 @@
 #include "contact/mesh/space_tests.h"
 #include "contact/mesh/within.h"
 #include "contact/mesh_contact.h"
+#include "contact/pieces/pair_way.h"
 #include "contact/pieces/plain_answer.h"
 
 namespace foresee::contact {
@@ -30,10 +31,7 @@ struct SpaceKit {
     return {radius_of<T>(setup, row_a, row_b), steady_axes_of(setup, row_a, row_b)};
   }
   /// None: triangles are many, and asked one by one (plain_passing.h).
-  static PlainAnswer plain_answer(const Setup&, const double*, const double*, const Pieces&, const Pieces&,
-                                  const Moments&, bool) {
-    return {};
-  }
+  static PlainAnswer plain_answer(const PairWay<SpaceKit>&, bool) { return {}; }
   static constexpr bool is_cut(const SpaceCondition&) { return false; }
   /// What the rows of a pair look like.
   static void take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables, const Pair& pair);

@@ -7,7 +7,7 @@
 #include "contact/outline/piece_tests.h"
 #include "contact/outline/plainly_near.h"
 #include "contact/outline_contact.h"
-#include "contact/pieces/tree_walk.h"
+#include "contact/pieces/pair_way.h"
 
 namespace foresee::contact {
 
@@ -53,9 +53,7 @@ struct FlatKit {
     return contact::sizes_of<T>(setup, row_a, row_b);
   }
   /// Of prisms only that their outlines are apart.
-  static PlainAnswer plain_answer(const Setup& setup, const double* row_a, const double* row_b,
-                                  const Pieces& a, const Pieces& b, const Moments& moments,
-                                  bool times_wanted);
+  static PlainAnswer plain_answer(const PairWay<FlatKit>& way, bool times_wanted);
   /// What leaves a piece there is in its neighbour. (Around a corner R ends beside the cut that begins there,
   /// not beyond it.)
   static bool is_cut(const Condition& condition) {

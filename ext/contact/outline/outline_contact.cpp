@@ -20,32 +20,41 @@ void FlatKit<D, Degree>::take(Pieces& a, Pieces& b, const Setup& setup, const Ta
 }
 
 template <int D, int Degree>
-PlainAnswer FlatKit<D, Degree>::plain_answer(const Setup& setup, const double* row_a, const double* row_b,
-                                             const Pieces& a, const Pieces& b, const Moments& moments,
-                                             bool times_wanted) {
-  if (setup.window) return {};  // as large as doubles go
-  const CertainMotion<D> relative = certain_motion_of<D, Degree>(setup, row_a, row_b);
-  const double last = moments.dt_end, length = last - moments.dt_begin;
-  PlainWay way{};
+PlainAnswer FlatKit<D, Degree>::plain_answer(const PairWay<FlatKit>& way, bool times_wanted) {
+  constexpr std::size_t few = 8, some = 16;
+  if (way.a.count() * way.b.count() > some) return {};
+  const double first = way.moments.dt_begin, last = way.moments.dt_end, length = last - first;
+  std::array<BoxedPair, few> pairs;
+  std::size_t count = 0;
+  way.walk.visit(
+      Order::earlier_first, [&](const Period<double>&) { return count <= few; },
+      [&](std::size_t a, std::size_t b, const Period<double>& near) {
+        if (count < few) pairs[count] = {a, b, near.begin <= first};
+        ++count;
+      });
+  if (count == 0) return {.touches = Verdict::no};
+  if (count > few) return {};
+  PlainWay plain{};
   const auto take_axis = [&](const CertainAxisMotion<double>& d, double& begin, double& end) {
-    const AxisView<double> first = view_from<Degree>(d, moments.dt_begin, relative.underflow);
-    const AxisView<double> then = view_from<Degree>(d, last, relative.underflow);
-    begin = first.p, end = then.p;
+    const AxisView<double> from = view_from<Degree>(d, first, way.relative.underflow);
+    const AxisView<double> to = view_from<Degree>(d, last, way.relative.underflow);
+    begin = from.p, end = to.p;
     // Also for moments that doubles round.
-    way.slack += std::max(first.ep, then.ep) + 0x1p-45 * (last * (std::abs(d.v) + last * std::abs(d.a)));
-    way.bend += 0.3 * (length * (length * (std::abs(d.a) + d.ea)));
+    plain.slack += std::max(from.ep, to.ep) + 0x1p-45 * (last * (std::abs(d.v) + last * std::abs(d.a)));
+    plain.bend += 0.3 * (length * (length * (std::abs(d.a) + d.ea)));
   };
-  take_axis(relative.axis[0], way.begin.x, way.end.x);
-  take_axis(relative.axis[1], way.begin.y, way.end.y);
+  take_axis(way.relative.axis[0], plain.begin.x, plain.end.x);
+  take_axis(way.relative.axis[1], plain.begin.y, plain.end.y);
   // Anything between its first size and its last.
-  const MovingSize<Bounded> grown = contact::sizes_of<Bounded>(setup, row_a, row_b).radius;
-  Bounded radius = seen_from(grown, moments.dt_begin).value;
+  const MovingSize<Bounded>& grown = way.sizes.radius;
+  Bounded radius = seen_from(grown, first).value;
   if (grown.moves) {
     const Bounded more = Bounded{0.5 * length} * grown.rate;
     radius = radius + more, radius.error += more.value * (1 + 0x1p-40) + more.error;
   }
-  const PlainAnswer plain = plainly_near(way, a, b, radius, D == 2 && times_wanted);
-  return D == 2 || plain.touches == Verdict::no ? plain : PlainAnswer{};
+  const PlainAnswer answer =
+      plainly_near(plain, way.a, way.b, std::span(pairs).first(count), radius, D == 2 && times_wanted);
+  return D == 2 || answer.touches == Verdict::no ? answer : PlainAnswer{};
 }
 
 std::unique_ptr<Contact> make_outline_contact(const Setup& setup, const OutlineTables& outlines, int degree) {

@@ -114,27 +114,25 @@ Verdict is_near(const ConvexPiece& a, const ConvexPiece& b, const Corner& from, 
 }  // namespace
 
 PlainAnswer plainly_near(const PlainWay& way, const ObjectPieces& a, const ObjectPieces& b,
-                         const Bounded& radius, bool times_wanted) {
-  constexpr std::size_t few = 8;
+                         std::span<const BoxedPair> pairs, const Bounded& radius, bool times_wanted) {
   PlainAnswer all{.touches = Verdict::no};
-  if (a.count() * b.count() > few) return {};
-  for (std::size_t i = 0; i < a.count(); ++i)
-    for (std::size_t j = 0; j < b.count(); ++j) {
-      const ConvexPiece one = a.piece(i), other = b.piece(j);
-      const Verdict near = is_near(one, other, way.begin, way.end, radius, way.slack + way.bend);
-      if (near == Verdict::no) continue;
-      if (all.touches != Verdict::yes) all.touches = near;
-      if (!times_wanted && near == Verdict::yes) return all;
-      if (!times_wanted || is_near(one, other, way.begin, way.begin, radius, way.slack) != Verdict::yes)
-        continue;
-      all.touches = Verdict::yes, all.at_begin = true;
-      // A convex set has all of a line that has both ends in it.
-      const auto holds_at = [&](const Corner& d) {
-        return is_near(one, other, d, d, radius, way.slack + way.bend) == Verdict::yes;
-      };
-      if (holds_at(way.end) && (way.bend == 0 || holds_at(way.begin))) all.all_along = true;
-      if (all.all_along) return all;
-    }
+  for (const BoxedPair& pair : pairs) {
+    const ConvexPiece one = a.piece(pair.a), other = b.piece(pair.b);
+    const Verdict near = is_near(one, other, way.begin, way.end, radius, way.slack + way.bend);
+    if (near == Verdict::no) continue;
+    if (all.touches != Verdict::yes) all.touches = near;
+    if (!times_wanted && near == Verdict::yes) return all;
+    if (!times_wanted || !pair.may_be_at_begin ||
+        is_near(one, other, way.begin, way.begin, radius, way.slack) != Verdict::yes)
+      continue;
+    all.touches = Verdict::yes, all.at_begin = true;
+    // A convex set has all of a line that has both ends in it.
+    const auto holds_at = [&](const Corner& d) {
+      return is_near(one, other, d, d, radius, way.slack + way.bend) == Verdict::yes;
+    };
+    if (holds_at(way.end) && (way.bend == 0 || holds_at(way.begin))) all.all_along = true;
+    if (all.all_along) return all;
+  }
   return all;
 }
 

@@ -1,7 +1,7 @@
-// Do two outlines of few pieces come near each other, as plain doubles tell? The first question about a pair
-// of them: what is surely apart all along, near when the time begins, or near all along needs no others.
+// Do two outlines come near each other, few pieces of which the boxes around them leave, as plain doubles
+// tell? What is surely apart all along, near when the time begins, or near all along needs nothing else.
 //
-//   const PlainAnswer plain = plainly_near(way, a, b, radius);
+//   const PlainAnswer plain = plainly_near(way, a, b, pairs, radius, true);
 //
 // The distance between A and B + d is that of the convex A + (-B) from d; where d moves on a line, that from
 // the stretch which it covers. It is enclosed by the algorithm of E. G. Gilbert, D. W. Johnson and S. S.
@@ -26,8 +26,15 @@ struct PlainWay {
   double bend;   ///< and how far d may be from their chord
 };
 
-/// `radius`: how near counts as touching. `times_wanted`: more is asked than whether they touch.
+/// A pair of pieces, and whether it may be near when the time begins.
+struct BoxedPair {
+  std::size_t a, b;
+  bool may_be_at_begin;
+};
+
+/// `pairs`: no others come near. `radius`: how near counts as touching. `times_wanted`: more is asked than
+/// whether they touch.
 PlainAnswer plainly_near(const PlainWay& way, const ObjectPieces& a, const ObjectPieces& b,
-                         const Bounded& radius, bool times_wanted);
+                         std::span<const BoxedPair> pairs, const Bounded& radius, bool times_wanted);
 
 }  // namespace foresee::contact

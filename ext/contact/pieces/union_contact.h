@@ -61,6 +61,7 @@ class UnionContact final : public Contact {
   }
 
  private:
+  using Way = PairWay<Kit>;
   using Staged = UnionPair<Kit>;
 
   /// A pair of rows, and its stages.
@@ -73,9 +74,10 @@ class UnionContact final : public Contact {
     const Moments moments = moments_of(setup_, rows.a, rows.b);
     if (moments.none) return false;
     take_pieces(pair);
-    const PlainAnswer plain = Kit::plain_answer(setup_, rows.a, rows.b, a_, b_, moments, false);
+    const Way way(setup_, rows.a, rows.b, a_, b_, moments, *steps_);
+    const PlainAnswer plain = plain_answer(way, false);
     if (plain.touches != Verdict::uncertain) return plain.touches == Verdict::yes;
-    Staged staged(setup_, rows.a, rows.b, a_, b_, moments, false, space_, *steps_);
+    Staged staged(way, false, space_);
     const Verdict touches = staged.touches();
     if (touches != Verdict::uncertain) return touches == Verdict::yes;
     return exactly_touches(rows, staged);
@@ -86,13 +88,14 @@ class UnionContact final : public Contact {
     const Moments moments = moments_of(setup_, rows.a, rows.b);
     if (moments.none) return {};
     take_pieces(pair);
-    const PlainAnswer plain = Kit::plain_answer(setup_, rows.a, rows.b, a_, b_, moments, true);
+    const Way way(setup_, rows.a, rows.b, a_, b_, moments, *steps_);
+    const PlainAnswer plain = plain_answer(way, true);
     if (plain.touches == Verdict::no) return {};
     if (plain.all_along)
       return ContactTimes{moments.t_begin, moments.t_end, moments.dt_begin, moments.dt_end};
     if (plain.at_begin && wanted != TimesWanted::both)
       return ContactTimes{moments.t_begin, moments.t_begin, moments.dt_begin, moments.dt_begin};
-    Staged staged(setup_, rows.a, rows.b, a_, b_, moments, true, space_, *steps_);
+    Staged staged(way, true, space_);
     Instant begin;
     const Verdict touches = staged.first_contact(begin);
     if (touches == Verdict::no) return {};
@@ -112,6 +115,11 @@ class UnionContact final : public Contact {
     if (end.known()) return ContactTimes{begin.t, end.t, begin.dt, end.dt};
     const auto exact = exact_contact(rows, staged, staged.last_certain_moment());
     return ContactTimes{begin.t, exact.value().t_end, begin.dt, exact.value().dt_end};
+  }
+
+  /// Of windows none: they are as large as doubles go.
+  PlainAnswer plain_answer(const Way& way, bool times_wanted) const {
+    return setup_.window ? PlainAnswer{} : Kit::plain_answer(way, times_wanted);
   }
 
   void take_pieces(const Pair& pair) {

@@ -18,22 +18,20 @@ namespace foresee::contact {
 template <class Kit>
 class UnionPair : public PairStays<Kit> {
   using Base = PairStays<Kit>;
-  using Base::moments_, Base::asked_, Base::within_, Base::tests_, Base::walk_;
+  using Base::way_, Base::within_, Base::tests_;
 
  public:
   /// As that of PairStays.
-  UnionPair(const Setup& setup, const double* row_a, const double* row_b, const typename Kit::Pieces& a,
-            const typename Kit::Pieces& b, const Moments& moments, bool times_wanted,
-            typename Kit::Space& space, Steps& steps)
-      : Base(setup, row_a, row_b, a, b, moments, times_wanted, space, steps),
-        instants_(setup, row_a, row_b, Base::relative_, Base::sizes_, moments, asked_),
+  UnionPair(const PairWay<Kit>& way, bool times_wanted, typename Kit::Space& space)
+      : Base(way, times_wanted, space),
+        instants_(way.setup, way.row_a, way.row_b, way.relative, way.sizes, way.moments, way.asked),
         seen_(space.seen) {}
 
   /// Is there a contact? Stops at the first that is certain. If it is uncertain, the pieces alone tell.
   Verdict touches() {
     if (Base::is_within_at_begin()) return Verdict::yes;
     Verdict touches = Verdict::no;
-    walk_.visit(
+    way_.walk.visit(
         Order::earlier_first, [&](const Period<double>&) { return touches != Verdict::yes; },
         [&](std::size_t a, std::size_t b, const Period<double>&) {
           for (const PieceStay& stay : tests_.of(a, b))
@@ -46,11 +44,11 @@ class UnionPair : public PairStays<Kit> {
   Verdict first_contact(Instant& begin) {
     begins_within_ = Base::is_within_at_begin();
     if (begins_within_) {
-      met_by_ = asked_.begin.high, begin = {moments_.dt_begin, moments_.t_begin};
+      met_by_ = way_.asked.begin.high, begin = {way_.moments.dt_begin, way_.moments.t_begin};
       return Verdict::yes;
     }
     bool possible = false;
-    walk_.visit(
+    way_.walk.visit(
         Order::earlier_first,
         [this](const Period<double>& near) { return near.begin <= met_by_ && !begins_at_once(); },
         [&](std::size_t a, std::size_t b, const Period<double>&) {
@@ -71,7 +69,7 @@ class UnionPair : public PairStays<Kit> {
   /// Requires: the begin is known. `lasts_until_met_by`: that the contact does is known.
   Instant end_of_contact(bool lasts_until_met_by) {
     if (begins_within_)
-      last_ = asked_.begin;
+      last_ = way_.asked.begin;
     else if (lasts_until_met_by || !Kit::has_solids)  // stays of what fills its shape last a while
       go_on_from_met_by();
     else if (!enter(-Stay::inf))
@@ -87,7 +85,7 @@ class UnionPair : public PairStays<Kit> {
 
  private:
   /// They certainly touch when what is asked about begins.
-  bool begins_at_once() const { return met_by_ <= asked_.begin.low; }
+  bool begins_at_once() const { return met_by_ <= way_.asked.begin.low; }
 
   /// Of the stays found so far that may be the first, when they begin.
   void take_begins() {
@@ -102,7 +100,7 @@ class UnionPair : public PairStays<Kit> {
   }
 
   Instant earliest_begin() {
-    if (begins_at_once()) return {moments_.dt_begin, moments_.t_begin};
+    if (begins_at_once()) return {way_.moments.dt_begin, way_.moments.t_begin};
     take_begins();
     return unknown_from_ <= met_by_ ? unknown_instant() : earliest_;
   }
@@ -118,7 +116,7 @@ class UnionPair : public PairStays<Kit> {
   bool enter(double after) {
     double met_by = Stay::inf;
     seen_.clear(), all_seen_ = last_is_moment_ = false;
-    walk_.visit(
+    way_.walk.visit(
         Order::earlier_first,
         [&](const Period<double>& near) { return near.end > after && near.begin <= met_by; },
         [&](std::size_t a, std::size_t b, const Period<double>&) {
@@ -149,11 +147,11 @@ class UnionPair : public PairStays<Kit> {
     at_the_end([&](const PieceStay& stay) { in_doubt |= may_continue_it(stay); });
     if (in_doubt) return false;
     all_seen_ = false;  // as others may be tested
-    const double next = Base::first_possible(last_.high), until = std::min(next, asked_.end.low);
+    const double next = Base::first_possible(last_.high), until = std::min(next, way_.asked.end.low);
     const double between = last_.high + (until - last_.high) / 2;
     end_in_doubt_ = !(last_.high < between && between < until);
     if (end_in_doubt_ || !within_.at(Dyadic(between))) return false;
-    if (next == Stay::inf) return last_ = {asked_.end.high, asked_.end.high}, true;
+    if (next == Stay::inf) return last_ = {way_.asked.end.high, way_.asked.end.high}, true;
     end_in_doubt_ = !enter(last_.high);
     if (end_in_doubt_) last_ = {between, between};
     return !end_in_doubt_;
@@ -173,14 +171,14 @@ class UnionPair : public PairStays<Kit> {
         if (near.begin > last_.high) passed_by = std::min(passed_by, near.begin);
         return near.begin <= last_.high;
       };
-      walk_.visit(Order::later_first, wanted,
-                  [this, &forgotten](std::size_t a, std::size_t b, const Period<double>&) {
-                    if (tests_.is_full()) forgotten = std::min(forgotten, forget_seen());
-                    for (const PieceStay& stay : tests_.of(a, b)) {
-                      if (is_joined(stay)) reach(stay.end);
-                      seen_.push_back(stay);
-                    }
-                  });
+      way_.walk.visit(Order::later_first, wanted,
+                      [this, &forgotten](std::size_t a, std::size_t b, const Period<double>&) {
+                        if (tests_.is_full()) forgotten = std::min(forgotten, forget_seen());
+                        for (const PieceStay& stay : tests_.of(a, b)) {
+                          if (is_joined(stay)) reach(stay.end);
+                          seen_.push_back(stay);
+                        }
+                      });
       join_seen();
     } while (passed_by <= last_.high || forgotten <= last_.low);
   }
@@ -204,7 +202,7 @@ class UnionPair : public PairStays<Kit> {
     }
   }
 
-  bool lasts_to_the_end() const { return last_.low >= asked_.end.high; }
+  bool lasts_to_the_end() const { return last_.low >= way_.asked.end.high; }
 
   bool is_joined(const PieceStay& stay) const {
     if (stay.is_moment && last_is_moment_ && stay.end.low == last_.low && stay.end.high == last_.high)
@@ -221,7 +219,7 @@ class UnionPair : public PairStays<Kit> {
   template <class Use>
   void at_the_end(Use&& use) {
     if (all_seen_) return static_cast<void>(std::for_each(seen_.begin(), seen_.end(), use));
-    walk_.visit(
+    way_.walk.visit(
         Order::later_first,
         [this](const Period<double>& near) { return near.begin <= last_.high && near.end >= last_.low; },
         [this, &use](std::size_t a, std::size_t b, const Period<double>&) {
@@ -253,7 +251,7 @@ class UnionPair : public PairStays<Kit> {
   }
 
   bool ends_at_a_cut(const PieceStay& stay) const {
-    if (asked_.end.meets(stay.end)) return false;
+    if (way_.asked.end.meets(stay.end)) return false;
     const StayEnd<typename Kit::Condition>* only = nullptr;
     for (const auto& end : tests_.ends(stay)) {
       if (end.way == Way::in) continue;
@@ -264,7 +262,7 @@ class UnionPair : public PairStays<Kit> {
   }
 
   Instant latest_end() {
-    if (lasts_to_the_end()) return {moments_.dt_end, moments_.t_end};
+    if (lasts_to_the_end()) return {way_.moments.dt_end, way_.moments.t_end};
     if (end_in_doubt_) return unknown_instant();
     Instant latest{-Stay::inf, -Stay::inf};
     at_the_end([this, &latest](const PieceStay& stay) {

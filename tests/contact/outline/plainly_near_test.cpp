@@ -10,13 +10,14 @@ namespace foresee::contact {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr BoxedPair only_pair[] = {{0, 0, true}};
 
 /// Of two squares, ten wide, of which b moves.
 PlainAnswer squares(const Corner& from, const Corner& to, double radius, double bend = 0,
                     bool times_wanted = true) {
   ObjectPieces a, b;
   a.take_box(5, 5), b.take_box(5, 5);
-  return plainly_near({from, to, 0x1p-40, bend}, a, b, Bounded{radius}, times_wanted);
+  return plainly_near({from, to, 0x1p-40, bend}, a, b, only_pair, Bounded{radius}, times_wanted);
 }
 
 TEST(PlainlyNear, TellsOfTwoAtRest) {
@@ -68,13 +69,14 @@ TEST(PlainlyNear, TellsNothingOfNumbersThatDoublesDoNotHold) {
   }
   ObjectPieces a, b;
   a.take_box(5, 5), b.take_box(5, 5);
-  EXPECT_EQ(plainly_near({{30, 0}, {40, 0}, 0, 0}, a, b, Bounded{inf, inf}, true).touches,
+  EXPECT_EQ(plainly_near({{30, 0}, {40, 0}, 0, 0}, a, b, only_pair, Bounded{inf, inf}, true).touches,
             Verdict::uncertain);
   for (const double scale : {0x1p-600, 0x1p600}) {
     a.take_box(scale, scale), b.take_box(scale, scale);
     for (const double x : {1.0, 3.0})
-      EXPECT_EQ(plainly_near({{x * scale, 0}, {x * scale, 0}, 0, 0}, a, b, Bounded{0.0}, true).touches,
-                Verdict::uncertain);
+      EXPECT_EQ(
+          plainly_near({{x * scale, 0}, {x * scale, 0}, 0, 0}, a, b, only_pair, Bounded{0.0}, true).touches,
+          Verdict::uncertain);
   }
 }
 

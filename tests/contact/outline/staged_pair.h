@@ -1,6 +1,8 @@
 // A scene of outlines as its stages see it: rows, moments, pieces, and space for the tests of one pair.
 #pragma once
 
+#include <optional>
+
 #include "contact/outline/flat_kit.h"
 #include "contact/outline/outline_scenes.h"
 #include "contact/pieces/union_pair.h"
@@ -22,7 +24,8 @@ struct StagedScene {
   StagedScene(const StagedScene&) = delete;
 
   UnionPair<FlatKit<2, 1>> pair(bool times_wanted) {
-    return {setup, row_a.data(), row_b.data(), a, b, moments, times_wanted, space, steps};
+    way.emplace(setup, row_a.data(), row_b.data(), a, b, moments, steps);
+    return {*way, times_wanted, space};
   }
 
   const std::vector<double> row_a, row_b;
@@ -33,6 +36,7 @@ struct StagedScene {
   FlatSpace space;
   NeverInterrupt never;
   Steps steps{never};
+  std::optional<PairWay<FlatKit<2, 1>>> way;  ///< of the pair asked for last
 };
 
 }  // namespace foresee::contact::testing_by_hand

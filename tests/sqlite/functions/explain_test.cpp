@@ -24,16 +24,16 @@ TEST_F(ExplainInSql, SaysWhatRefinementTook) {
   EXPECT_EQ(db.rows("SELECT stage, n_before, n_after, detail FROM predictive_explain(9, 'hulls') WHERE stage "
                     "IN ('exact time', 'refinement')"),
             "exact time|1|1|of the smallest rectangles around outlines; 1 touch at now already; step 5e\n"
-            "refinement|1|1|3.0 pieces, 3.0 node tests and 1.0 leaf tests a pair; step 6");
+            "refinement|1|1|3.0 pieces, 6.0 node tests and 1.0 leaf tests a pair; step 6");
 }
 
-TEST_F(ExplainInSql, CountsNoTestsOfHullsThatPlainDoublesTell) {
+TEST_F(ExplainInSql, CountsNoLeafTestsOfHullsThatPlainDoublesTell) {
   db.exec(
       "CREATE VIRTUAL TABLE hulls USING moving_objects(id, x, y, vx, vy, shape);"
       "INSERT INTO hulls VALUES (1, 0, 0, 1, 0, 'POLYGON((0 0, 4 0, 4 1, 1 1, 1 4, 0 4, 0 0))'),"
       "  (2, 2, 2, 1, 0, 'POLYGON((0 0, -1.5 0, 0 -1.5, 0 0))')");
   EXPECT_EQ(db.rows("SELECT detail FROM predictive_explain(9, 'hulls') WHERE stage = 'refinement'"),
-            "3.0 pieces, 0.0 node tests and 0.0 leaf tests a pair; step 6");
+            "3.0 pieces, 3.0 node tests and 0.0 leaf tests a pair; step 6");
 }
 
 TEST_F(ExplainInSql, EndsWithTheCountOfTheJoin) {

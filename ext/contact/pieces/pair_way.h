@@ -1,0 +1,64 @@
+// How do two objects move past each other that are unions of pieces, and when could they touch at most? What
+// all stages of a pair begin with.
+//
+//   const PairWay<FlatKit<2, 1>> way(setup, row_a, row_b, a, b, moments, steps);
+//   if (way.walk.near().begin > way.walk.near().end) …              // they never touch
+//
+// A Kit says what the pieces are. It has `axes` and `degree` of the motion, the types Pieces (of one object,
+// under a tree), Condition, Sizes<T>, Space, Tests (pair_tests.h) and NodeTests (tree_walk.h), sizes_of<T>()
+// and Within, which tells of solids whether one lies within the other; `has_solids` says that there may be
+// some.
+#pragma once
+
+#include "contact/certain/advancement.h"
+#include "contact/certain/certain_motion.h"
+#include "contact/pieces/stays.h"
+#include "contact/pieces/tree_walk.h"
+
+namespace foresee::contact {
+
+template <class Kit>
+struct PairWay {
+  using Pieces = typename Kit::Pieces;
+
+  /// The moments must not be none. What is given must outlive this. An interrupt is heeded at each of the
+  /// `steps`.
+  PairWay(const Setup& setup, const double* row_a, const double* row_b, const Pieces& a, const Pieces& b,
+          const Moments& moments, Steps& steps)
+      : setup(setup),
+        row_a(row_a),
+        row_b(row_b),
+        a(a),
+        b(b),
+        moments(moments),
+        steps(steps),
+        relative(certain_motion_of<Kit::axes, Kit::degree>(setup, row_a, row_b)),
+        asked(asked_of(moments)),
+        sizes(Kit::template sizes_of<Bounded>(setup, row_a, row_b)),
+        walk(a, b, relative, {asked.begin.low, asked.end.high}, sizes, steps) {}
+
+  PairWay(const PairWay&) = delete;
+  PairWay& operator=(const PairWay&) = delete;
+
+  const Setup& setup;
+  const double *const row_a, *const row_b;
+  const Pieces &a, &b;
+  const Moments& moments;
+  Steps& steps;
+  const CertainMotion<Kit::axes> relative;
+  const Stay asked;  ///< the moments, enclosed
+  const typename Kit::template Sizes<Bounded> sizes;
+  const TreeWalk<Kit::axes, Pieces, typename Kit::NodeTests> walk;
+
+ private:
+  /// Outward and inward.
+  static Stay asked_of(const Moments& moments) {
+    constexpr double u = unit_roundoff;
+    const double begin = moments.dt_begin, end = moments.dt_end;
+    const double wider_begin = moments.begin_exact ? 0 : 2 * u * begin;
+    const double wider_end = moments.end_exact ? 0 : 2 * u * end;
+    return {{begin - wider_begin, begin + wider_begin}, {end - wider_end, end + wider_end}};
+  }
+};
+
+}  // namespace foresee::contact
