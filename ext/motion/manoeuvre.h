@@ -11,7 +11,7 @@
 //   speed        k is added to the speed along the course: v (m + k) / m, m = |v| rounded once
 //   climb        k is added to vz
 //   accelerate   k is added to the acceleration along the course: a + k v / m
-//   delay        everything begins, and ends, later by k
+//   delay        everything begins, and ends, later by k: earlier where k < 0
 //
 // k = 0 changes nothing. Each number is the exact value rounded once, the same on every machine; 0 is never
 // -0. A force is changed in place of the acceleration that it gives. Instantaneous, as all velocity obstacles
@@ -52,7 +52,8 @@ double speed_of(const OwnMotion& motion);
 /// What is changed, and by the speed of which motion the course is measured.
 struct Change {
   Manoeuvre manoeuvre;
-  double speed;  ///< speed_of() the base motion
+  double speed;      ///< speed_of() the base motion
+  double later = 0;  ///< of motions_between(): by so much the base itself begins earlier than what is delayed
 };
 
 /// The base motion after a change by k; of what overflows, numbers are infinite. Requires: k finite; speed >

@@ -60,16 +60,18 @@ VectorSet<D> added(const Vec<D>& vector, const Vec<D>& course, double middle, do
   return set;
 }
 
-/// t + k is stored, rounded.
-double rounding_of_delay(const OwnMotion& base, double furthest) {
-  return 0x1p-52 * (std::abs(base.t) + furthest);
+/// t + k is stored, rounded; `later` and what is added to it are rounded too.
+double rounding_of_delay(const OwnMotion& base, double furthest, double later) {
+  return 0x1p-52 * (std::abs(base.t) + furthest + 2 * later);
 }
 
 template <int D>
-void delay(MotionSet<D>& set, const OwnMotion& base, double p, double q, double middle) {
+void delay(MotionSet<D>& set, const OwnMotion& base, double p, double q, double later) {
+  p += later, q += later;
+  const double middle = p + 0.5 * (q - p);
   const Vec<D> v = vector_of<D>(base.v), a = vector_of<D>(base.a);
   const double furthest = std::max(std::abs(p), std::abs(q));
-  const double rounding = rounding_of_delay(base, furthest);
+  const double rounding = rounding_of_delay(base, furthest, later);
   const double half = std::max(middle - p, q - middle) * (1 + 0x1p-50) + rounding;
   set.place.centre = -middle * (v - (0.5 * middle) * a);
   set.place.along = half * (v - middle * a);
@@ -79,7 +81,7 @@ void delay(MotionSet<D>& set, const OwnMotion& base, double p, double q, double 
   set.begin = std::max(0.0, p - rounding);
   set.end += q + rounding;
   if (base.until < std::numeric_limits<double>::infinity())
-    set.end += 0x1p-52 * (std::abs(base.until) + furthest);
+    set.end += 0x1p-52 * (std::abs(base.until) + furthest + later);
 }
 
 }  // namespace
@@ -96,7 +98,7 @@ double least_change(const OwnMotion& base, const Change& change, double p, doubl
     case Manoeuvre::accelerate:
       return 2 * pad_of_stored * (std::abs(base.a[0]) + std::abs(base.a[1]) + std::abs(base.a[2]) + furthest);
     case Manoeuvre::delay:
-      return 2 * rounding_of_delay(base, furthest);
+      return 2 * rounding_of_delay(base, furthest, change.later);
   }
   return 0;
 }
@@ -130,7 +132,7 @@ MotionSet<D> motions_between(const OwnMotion& base, const Change& change, double
       set.acceleration = added<D>(a, v / change.speed, middle, half);
       break;
     case Manoeuvre::delay:
-      delay<D>(set, base, p, q, middle);
+      delay<D>(set, base, p, q, change.later);
       break;
   }
   return set;

@@ -61,10 +61,13 @@ TEST(MotionSet, HoldsEachOfItsMotions) {
   for (int i = 0; i < 2000; ++i) {
     const OwnMotion base = drone(random);
     const Manoeuvre manoeuvre = all[i % 5];
-    const Change change{manoeuvre, speed_of(base)};
+    const double later = manoeuvre == Manoeuvre::delay ? random.in(0, 5) : 0;
+    const Change change{manoeuvre, speed_of(base), later};
+    OwnMotion from = base;
+    from.t -= later;
     const double width = std::exp2(random.in(-40, 2)) * (manoeuvre == Manoeuvre::turn ? 90 : 1);
     const double p = random.in(-2, 2), q = p + width;
-    const MotionSet<3> set = motions_between<3>(base, change, p, q);
+    const MotionSet<3> set = motions_between<3>(from, change, p, q);
     const double k = i % 3 == 0 ? p : i % 3 == 1 ? q : p + width * random.unit();
     const OwnMotion one = changed(base, change, k);
     Vec<3> n;
@@ -73,7 +76,7 @@ TEST(MotionSet, HoldsEachOfItsMotions) {
     double there = 0, speed = 0;
     for (int axis = 0; axis < 3; ++axis) {
       const auto j = static_cast<std::size_t>(axis);
-      const double s = tau - (one.t - base.t);
+      const double s = tau - (one.t - from.t);
       there += n[axis] * (one.x[j] - base.x[j] + one.v[j] * s + 0.5 * one.a[j] * s * s);
       speed += n[axis] * one.v[j];
     }

@@ -27,7 +27,8 @@ class Manoeuvring {
         stored_(stored),
         base_(base),
         asked_(asked),
-        change_{asked.manoeuvre, speed_of(base)},
+        change_{asked.manoeuvre, speed_of(base), stored.t - earliest(stored, asked)},
+        seen_from_(seen_from(base, stored, asked)),
         turns_(turns_with_course(question, asked.manoeuvre)),
         interrupt_(interrupt),
         touched_(question, scenes(), interrupt) {}
@@ -44,11 +45,22 @@ class Manoeuvring {
   }
 
  private:
+  /// When a delayed motion begins at first: no k of the range makes it begin before.
+  static double earliest(const OwnMotion& stored, const AskedChanges& asked) {
+    return asked.manoeuvre == Manoeuvre::delay && asked.lo < 0 ? stored.t + asked.lo : stored.t;
+  }
+  /// What all changed motions are seen from: time counts from its begin, so that none is there before.
+  static OwnMotion seen_from(OwnMotion base, const OwnMotion& stored, const AskedChanges& asked) {
+    const double t = earliest(stored, asked);
+    if (t < stored.t) base.until -= stored.t - t, base.t = t;
+    return base;
+  }
+
   Touched::Scenes scenes() {
     Touched::Scenes near;
     const auto look = [&](const Searched& others, std::optional<std::int64_t> itself) {
       near.push_back(
-          intruders(question_, base_, change_, asked_, others, itself, reach_to(others), interrupt_));
+          intruders(question_, seen_from_, change_, asked_, others, itself, reach_to(others), interrupt_));
     };
     look(question_.others, question_.own->ids[0]);
     if (question_.also) look(*question_.also, std::nullopt);
@@ -148,8 +160,8 @@ class Manoeuvring {
         if (i % 4096 == 0) interrupt_.check();
         const bool touches = first[table][i] != 0;
         if (touches && question_.touching == Touching::ignore) continue;
-        const auto met = encounter_of<D>(base_, {question_.now, question_.h}, there, there.row(i),
-                                         rule.pair<D>(own.row(0), there.row(i), base_.t));
+        const auto met = encounter_of<D>(seen_from_, {question_.now, question_.h}, there, there.row(i),
+                                         rule.pair<D>(own.row(0), there.row(i), seen_from_.t));
         if (met.begin > met.end) continue;
         const double far = (met.x.abs() - met.extents.half).maxCoeff() - met.extents.radius;
         std::shared_ptr<const OutlinePair> pair;
@@ -162,7 +174,7 @@ class Manoeuvring {
     });
     std::vector<MetIntruder<D>> met;
     for (Ordered& one : ordered) met.push_back(std::move(one.met));
-    return ClearRanges<D>(base_, change_, std::move(met), interrupt_).between(asked_.lo, asked_.hi);
+    return ClearRanges<D>(seen_from_, change_, std::move(met), interrupt_).between(asked_.lo, asked_.hi);
   }
 
   /// Clear ranges and what lies between them.
@@ -223,6 +235,7 @@ class Manoeuvring {
   const OwnMotion &stored_, &base_;
   AskedChanges asked_;
   Change change_;
+  const OwnMotion seen_from_;
   bool turns_;  ///< an outline of its own
   Interrupt& interrupt_;
   Touched::Scenes near_;

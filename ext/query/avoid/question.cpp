@@ -78,6 +78,17 @@ void require_join(const AvoidQuestion& question, const Searched& others) {
   contact_of(join);
 }
 
+void require_start_to_come(const AvoidQuestion& question, const OwnMotion& stored) {
+  const double lo = *question.lo;
+  if (stored.t + lo < question.now)
+    throw Error(
+        "'delay' cannot make an object start before now: lo must not be less than now - t, which is " +
+        shown(question.now - stored.t) + "; lo is " + shown(lo));
+  if (lo < 0 && grows(question.own->layout))
+    throw Error("'delay' makes what grows start later, not earlier: lo must not be less than 0 in " +
+                question.own->name + "; lo is " + shown(lo));
+}
+
 }  // namespace
 
 Manoeuvre manoeuvre_of(std::string_view name) {
@@ -133,9 +144,7 @@ std::vector<AskedChanges> asked_changes(const AvoidQuestion& question, const Own
       break;
     case Manoeuvre::delay:
       if (stored.t < question.now) break;
-      if (*question.lo < 0)
-        throw Error("'delay' makes an object start later: lo must not be less than 0; lo is " +
-                    shown(*question.lo));
+      require_start_to_come(question, stored);
       add(Manoeuvre::delay, 0, 0);
       break;
   }

@@ -38,11 +38,12 @@ void ask_any(AvoidQuestion& question, Random& random) {
     asked.push_back({Manoeuvre::accelerate, -0.5, 0.5});
   if (layout.has_t) {
     const double t = question.record[static_cast<std::size_t>(record_offsets(layout).t)];
-    asked.push_back({Manoeuvre::delay, std::max(0.0, question.now - t), question.now - t + 5});
+    // Earlier too, where nothing grows: from now on.
+    const double lo = grows(layout) ? std::max(0.0, question.now - t) : question.now - t;
+    asked.push_back({Manoeuvre::delay, lo, std::max(lo, question.now - t + 5)});
   }
   const AskedChanges& one = asked[random.below(asked.size())];
   question.how = one.manoeuvre, question.lo = one.lo, question.hi = one.hi;
-  if (one.manoeuvre == Manoeuvre::delay && question.lo > question.hi) question.lo = question.hi;
   question.touching = random.below(2) ? Touching::part : Touching::ignore;
 }
 

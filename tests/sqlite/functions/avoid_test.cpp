@@ -84,6 +84,20 @@ TEST_F(AvoidInSql, StopsExactlyAndDelays) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_avoid(60, 'ships', 1, 0, 'delay', 5, 5, 10)"), "0");
 }
 
+TEST_F(AvoidInSql, AnEarlierStartIsALaterOneOfAnEarlierReport) {
+  db.exec("INSERT INTO ships VALUES (5, 32, -200, 250, 10, 0, 10, 'Kim')");
+  const auto starts = [&](const std::string& t, const std::string& lo, const std::string& hi) {
+    return db.rows("SELECT clear, round(k_from + " + t + ", 6), round(k_to + " + t +
+                   ", 6), below, above FROM predictive_avoid(90, 'ships', 5, 0, 'delay', " + lo + ", " + hi +
+                   ", 0)");
+  };
+  const std::string earlier = starts("32", "-30", "20");
+  EXPECT_GE(std::count(earlier.begin(), earlier.end(), '\n'), 2) << earlier;
+  db.exec("UPDATE ships SET t = 2 WHERE id = 5");
+  EXPECT_EQ(earlier, starts("2", "0", "50"));
+  EXPECT_EQ(db.rows("SELECT clear, t FROM predictive_avoid(90, 'ships', 5, 0, 'delay', -2, -2, 0)"), "1|0.0");
+}
+
 TEST_F(AvoidInSql, DoesNotDependOnTheOrderOfInsertion) {
   const std::string columns = "id, t, x, y, vx, vy, r";
   const std::string ask =
@@ -144,8 +158,11 @@ TEST_F(AvoidInSql, SaysWhatToWrite) {
             name + ": 'accelerate' changes an acceleration or a force: declare ax … or fx … with m in ships");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'delay', 0, 1)"),
             name + ": 'delay' needs now: the newest t stored, which is its default, may be a start to come");
-  EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'delay', -1, 1, 0)"),
-            name + ": 'delay' makes an object start later: lo must not be less than 0; lo is -1");
+  EXPECT_EQ(
+      error(name + "(60, 'ships', 1, 0, 'delay', -1, 1, 0)"),
+      name +
+          ": 'delay' cannot make an object start before now: lo must not be less than now - t, which is "
+          "0; lo is -1");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, NULL, NULL, NULL, NULL, NULL, NULL, 'push')"),
             name + ": touching must be 'part' or 'ignore', not 'push'");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, NULL, NULL, NULL, NULL, NULL, 5)"),
@@ -163,6 +180,14 @@ TEST_F(AvoidInSql, RefusesWhatATableCannotHold) {
                 "on cannot be stored there");
   EXPECT_EQ(error("predictive_avoid(60, 'trains', 1, 0, 'delay', 0, 1, 0)"),
             name + "'delay' changes t: declare t in trains");
+  db.exec(
+      "CREATE VIRTUAL TABLE parcels USING moving_objects(id, t, x, y, r, growth);"
+      "INSERT INTO parcels VALUES (1, 9, 0, 0, 1, 0.5)");
+  EXPECT_EQ(
+      error("predictive_avoid(60, 'parcels', 1, 0, 'delay', -1, 1, 0)"),
+      name +
+          "'delay' makes what grows start later, not earlier: lo must not be less than 0 in parcels; lo "
+          "is -1");
 }
 
 TEST_F(AvoidInSql, ClearsNothingWhereSpeedsHaveNoSquares) {
