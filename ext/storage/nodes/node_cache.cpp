@@ -237,6 +237,8 @@ void NodeCache::set_root(NodeNumber number) {
 void NodeCache::place(std::span<const std::int64_t> ids, NodeNumber leaf) {
   if (packed_map_) return packed_map_->place(ids, leaf);
   for (const std::int64_t id : ids) map_.set(id, leaf);
+  if (filter_)
+    for (const std::int64_t id : ids) filter_->add(id);
 }
 
 void NodeCache::erase_everything() {
@@ -255,6 +257,7 @@ void NodeCache::erase_everything() {
   }
   set_root(0);
   map_.void_stored();
+  filter_.reset();
 }
 
 }  // namespace foresee::storage

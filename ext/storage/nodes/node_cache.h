@@ -17,6 +17,7 @@
 
 #include <vector>
 
+#include "storage/nodes/id_filter.h"
 #include "storage/nodes/leaf_hints.h"
 #include "storage/nodes/map_changes.h"
 #include "storage/nodes/memory_budget.h"
@@ -182,6 +183,7 @@ class NodeCache final : public Pages {
   LeafHints hints_;
   std::optional<IdBlock> last_block_;  ///< that was read, as the rows say
   PackedMap* packed_map_ = nullptr;    ///< in place of map_, while all is loaded anew
+  std::optional<IdFilter> filter_;  ///< of all that is stored or waits: of large tables that were just loaded
   std::size_t dirty_ = 0, dirty_held_ = 0;
   std::uint64_t use_ = 1;  ///< moves whenever nodes that were not used are dropped
 

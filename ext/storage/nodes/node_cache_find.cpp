@@ -17,6 +17,7 @@ std::optional<NodeNumber> NodeCache::find_leaf(std::int64_t id) {
   const std::int64_t leaf = map_.find(id);
   if (leaf == MapChanges::erased) return std::nullopt;
   if (leaf != MapChanges::unknown) return leaf;
+  if (filter_ && !filter_->may_have(id)) return std::nullopt;
   if (!last_block_ || last_block_->base() != IdBlock::base_of(id)) {
     if (const Place place = find_by_hint(id); place.leaf != 0) return place.leaf;
     read_block(id);

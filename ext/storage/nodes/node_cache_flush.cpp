@@ -62,6 +62,8 @@ void NodeCache::write_packed_map(Interrupt& interrupt) {
     interrupt.check();
     shadow_rows_->write_map(part);
   });
+  filter_.emplace(packed_map_->ids().size());
+  for (const std::int64_t id : packed_map_->ids()) filter_->add(id);
   packed_map_ = nullptr;
   map_.written(!undo_.none());
   last_block_.reset();

@@ -54,6 +54,7 @@ void NodeCache::cancel_change() noexcept {
   change_log_.clear();
   take_back_record();
   map_.rewind(map_before_change_);
+  filter_.reset();
   head_ = head_before_change_;
   packed_map_ = nullptr;
   in_change_ = false;
@@ -106,6 +107,7 @@ void NodeCache::restore(UndoLog::Handle mark, std::size_t map_position) {
   head_ = mark->head;
   map_.rewind(map_position);
   last_block_.reset();
+  filter_.reset();
 }
 
 void NodeCache::forget_all() noexcept {
@@ -115,6 +117,7 @@ void NodeCache::forget_all() noexcept {
   head_ = {};
   map_.clear();
   last_block_.reset();
+  filter_.reset();
   changed_.clear();
   waiting_.clear();
   waiting_is_stale_ = wrote_early_ = false;
@@ -126,6 +129,7 @@ void NodeCache::forget_clean() {
   drop_unused(use_ + 1);
   head_.root = TreeHead::unknown;
   last_block_.reset();
+  filter_.reset();
 }
 
 void NodeCache::begin() {
@@ -160,6 +164,7 @@ void NodeCache::roll_back() noexcept {
   }
   for (const NodeNumber number : changed_) back_to(number, {});
   head_ = {};
+  filter_.reset();
   commit();
 }
 

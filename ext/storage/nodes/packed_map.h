@@ -5,7 +5,8 @@
 //   map.for_each_part([&](auto entries) { … });             // all, ascending, some thousand at a time
 //
 // What map_changes.h keeps can be taken back and asked about, at 50 to 100 bytes an id; this is for ten
-// million. Cost: 12 bytes an id, and a binary search for placing it.
+// million. Cost: 12 bytes an id, and for placing it a search from where it is if ids are spread evenly: some
+// nanoseconds where they are, at most twice a binary search.
 #pragma once
 
 #include <algorithm>
@@ -27,13 +28,10 @@ class PackedMap {
   /// behind it.
   void place(std::span<const std::int64_t> ids, std::int64_t leaf) {
     if (first_leaf_ == 0) first_leaf_ = leaf;
-    for (const std::int64_t id : ids) {
-      const auto found = std::lower_bound(ids_.begin(), ids_.end(), id);
-      leaves_[static_cast<std::size_t>(found - ids_.begin())] =
-          static_cast<std::uint32_t>(leaf - first_leaf_);
-    }
+    for (const std::int64_t id : ids) leaves_[place_of(id)] = static_cast<std::uint32_t>(leaf - first_leaf_);
   }
 
+  std::span<const std::int64_t> ids() const { return ids_; }
   /// Calls each(entries) until all ids have come; no block of the stored map is in two calls.
   template <class Each>
   void for_each_part(Each each) const {
@@ -48,6 +46,19 @@ class PackedMap {
   }
 
  private:
+  std::size_t place_of(std::int64_t id) const {
+    const std::size_t last = ids_.size() - 1;
+    const double from = number(ids_.front()), way = std::max(number(ids_.back()) - from, 1.0);
+    std::size_t low = std::min(last, static_cast<std::size_t>((number(id) - from) / way * number(last)));
+    std::size_t high = low;  // until ids_[low] <= id <= ids_[high]
+    for (std::size_t step = 1; low > 0 && ids_[low] > id; step *= 2) high = low, low -= std::min(low, step);
+    for (std::size_t step = 1; high < last && ids_[high] < id; step *= 2)
+      low = high, high += std::min(last - high, step);
+    const auto at = [&](std::size_t i) { return ids_.begin() + static_cast<std::ptrdiff_t>(i); };
+    return static_cast<std::size_t>(std::lower_bound(at(low), at(high), id) - ids_.begin());
+  }
+  static double number(auto value) { return static_cast<double>(value); }
+
   std::int64_t first_leaf_ = 0;  ///< 0: none yet
   std::vector<std::int64_t> ids_;
   std::vector<std::uint32_t> leaves_;

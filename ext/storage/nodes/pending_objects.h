@@ -47,7 +47,7 @@ class PendingObjects {
   template <class Each>
   void for_each(Each each) const {
     for (std::size_t slot = 0; slot < ids_.size(); ++slot)
-      if (slots_.find(ids_[slot]) == static_cast<std::int64_t>(slot))
+      if (!has_holes() || slots_.find(ids_[slot]) == static_cast<std::int64_t>(slot))
         each(ids_[slot], std::span<const double>(records_.data() + slot * record_size_, record_size_));
   }
 

@@ -176,11 +176,16 @@ void Store::pack_in_parts(Interrupt& interrupt) {
 void Store::load_anew_in_parts(Interrupt& interrupt) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   LoadInParts load(*this, interrupt);
-  std::size_t stored = 0;
+  std::size_t stored = 0, replaced = 0;
+  bool all_are_new = false;  // of those that wait: known once all were seen
   const auto for_each = [&](auto use) {
     stored = 0;
     const auto use_stored = [&](std::int64_t id, const double* record) {
-      if (++stored; !pending_->find(id)) use(id, record);
+      ++stored;
+      if (!all_are_new && pending_->find(id))
+        ++replaced;
+      else
+        use(id, record);
     };
     const auto use_leaf = [&](const auto& leaf) { for_each_object(leaf, size, use_stored); };
     read_leaves(interrupt, use_leaf, use_leaf);
@@ -189,6 +194,7 @@ void Store::load_anew_in_parts(Interrupt& interrupt) {
         [&](std::int64_t id, std::span<const double> record) { step(), use(id, record.data()); });
   };
   for_each([&](std::int64_t id, const double* record) { load.see(id, record); });
+  all_are_new = replaced == 0;
   expect_objects(stored);
   load.divide(pending_->all_records());
   for_each([&](std::int64_t id, const double* record) { load.add(id, record); });

@@ -1,66 +1,11 @@
 // More objects than are ordered together: 'rebuild', 'optimize' and loads by way of a temporary file.
-#include <algorithm>
-#include <map>
-#include <random>
-
 #include "index/tpr_tree/tpr_tree.h"
 #include "stop_at.h"
-#include "storage/database.h"
 #include "storage/format/leaf_node.h"
-#include "storage/rows/shadow_schema.h"
-#include "storage/table/store.h"
+#include "storage/table/parts.h"
 
 namespace foresee::storage {
 namespace {
-
-using Model = std::map<std::int64_t, double>;
-
-class Parts : public ::testing::Test {
- protected:
-  static constexpr int objects = 4000;  // of 48 bytes a record: some 24 parts, and 12 times what may wait
-
-  Parts() { open({.pending = 40'000, .memory = 40'000, .waiting = 16'000, .ordered = 8'000}); }
-
-  void open(const MemoryLimits& limits) {
-    static const QualifiedName name{"main", "ships"};
-    db.run("BEGIN IMMEDIATE");
-    const NodeFormat format = create_shadow_tables(db, name, ships());
-    auto rows = std::make_unique<ShadowRows>(shadow_tables(db, name, ships()), ships());
-    store = std::make_shared<Store>(db, name, ships(), format, std::move(rows), true,
-                                    std::make_shared<MemoryBudget>(limits));
-    commit(db, *store);
-  }
-  std::vector<double> scattered(double mark) {
-    return {100 + random() % 50 / 10.0, mark,
-            random() % 1000 / 1.0,      random() % 20 - 10.0,
-            random() % 20 - 10.0,       random() % 500 == 0 ? 90.0 : 1.0};
-  }
-  void insert(std::int64_t id) {
-    store->insert(id, scattered(model[id] = static_cast<double>(random() % 999)), {});
-  }
-  void update(std::int64_t id) {
-    store->update(id, id, scattered(model[id] = static_cast<double>(random() % 999)), {});
-  }
-  void erase(std::int64_t id) { store->erase(id), model.erase(id); }
-  /// Ids without an order, with blocks of the map that are full and others that are not.
-  void load(int count = objects) {
-    begin(db, *store);
-    for (int i = 1; i <= count; ++i) insert((i * 7919LL) % 10'007 - 300);
-    commit(db, *store);
-  }
-  void expect_model() {
-    const auto found = contents(*store);
-    EXPECT_TRUE(std::equal(found.begin(), found.end(), model.begin(), model.end(),
-                           [](auto& a, auto& b) { return a.first == b.first && a.second == b.second; }));
-    EXPECT_EQ(faults(*store), std::vector<std::string>{});
-  }
-
-  Database db;
-  std::shared_ptr<Store> store;
-  Model model;
-  std::mt19937 random{7};
-  NeverInterrupt never;
-};
 
 TEST_F(Parts, RebuildKeepsEveryObjectInFullLeaves) {
   load();

@@ -1,0 +1,38 @@
+#include "storage/nodes/id_filter.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace foresee::storage {
+namespace {
+
+TEST(IdFilter, HasAllThatWereAddedAndFewOthers) {
+  for (const std::int64_t step : {1, 2, 1024, 1'000'003, 1 << 30}) {
+    constexpr std::int64_t many = 20'000;
+    IdFilter filter(many);
+    for (std::int64_t i = 0; i < many; ++i) filter.add(i * step - 5'000);
+    int others = 0;
+    for (std::int64_t i = 0; i < many; ++i) {
+      ASSERT_TRUE(filter.may_have(i * step - 5'000));
+      others += filter.may_have((many + i) * step - 5'000);
+    }
+    EXPECT_LT(others, many / 200) << step;
+    EXPECT_LT(filter.memory(), 3 * many);
+  }
+}
+
+TEST(IdFilter, TakesAnyIdAndMoreThanWereForeseen) {
+  IdFilter filter(0);
+  EXPECT_FALSE(filter.may_have(0));
+  for (const std::int64_t id : {std::numeric_limits<std::int64_t>::min(), std::int64_t{-1}, std::int64_t{0},
+                                std::numeric_limits<std::int64_t>::max()}) {
+    filter.add(id);
+    EXPECT_TRUE(filter.may_have(id));
+  }
+  for (std::int64_t id = 0; id < 1000; ++id) filter.add(id);
+  EXPECT_TRUE(filter.may_have(999));
+}
+
+}  // namespace
+}  // namespace foresee::storage

@@ -1,0 +1,93 @@
+// After a large load: which ids are there, and which are surely not (nodes/id_filter.h)?
+#include "storage/table/parts.h"
+
+namespace foresee::storage {
+namespace {
+
+class NewIds : public Parts {
+ protected:
+  NewIds() {
+    load();
+    for (std::int64_t id = -320; id < 12'000; id += 3) asked.push_back(id);
+    begin(db, *store);
+    store->rebuild(never);
+  }
+  void expect_known() {
+    for (const std::int64_t id : asked) ASSERT_EQ(store->contains(id), model.contains(id)) << id;
+    expect_model();
+  }
+  /// One that is not there.
+  std::int64_t new_id() {
+    std::int64_t id = 0;
+    do id = static_cast<std::int64_t>(random() % 12'000) - 320;
+    while (model.contains(id));
+    return id;
+  }
+  /// So few that they go into the tree where it is.
+  void insert_some() {
+    for (int i = 0; i < 300; ++i) insert(new_id());
+    store->sync();
+  }
+  void erase_some() {
+    for (int i = 0; i < 100; ++i)
+      erase(std::next(model.begin(), static_cast<int>(random() % model.size()))->first);
+    store->sync();
+  }
+
+  std::vector<std::int64_t> asked;
+};
+
+TEST_F(NewIds, AreToldFromThoseThatCameAndWent) {
+  expect_known();
+  for (int round = 0; round < 4; ++round) {
+    insert_some();
+    expect_known();
+    erase_some();
+    expect_known();
+    commit(db, *store);
+    begin(db, *store);
+  }
+  store->rebuild(never);
+  expect_known();
+}
+
+TEST_F(NewIds, AreThoseOfTheSavepointGoneBackTo) {
+  insert_some();
+  const Model before = model;
+  open_savepoint(db, *store, 0);
+  for (int round = 0; round < 2; ++round) {
+    erase_some();
+    store->rebuild(never);  // whatever was erased is in no list of ids any more
+    insert_some();
+    expect_known();
+    roll_back_to(db, *store, 0);
+    model = before;
+    expect_known();
+  }
+}
+
+TEST_F(NewIds, AreThoseBeforeTheTransactionThatIsRolledBack) {
+  commit(db, *store);
+  const Model before = model;
+  begin(db, *store);
+  erase_some();
+  store->rebuild(never);
+  roll_back(db, *store);
+  model = before;
+  expect_known();
+}
+
+TEST_F(NewIds, AreNotThoseThatSomebodyElseWrote) {
+  commit(db, *store);
+  const std::int64_t id = new_id();
+  const auto other = store_within(little);
+  begin(db, *other);
+  other->insert(id, scattered(model[id] = 5), {});
+  commit(db, *other);
+  begin(db, *store);
+  EXPECT_TRUE(store->contains(id));
+  expect_known();
+}
+
+}  // namespace
+}  // namespace foresee::storage
