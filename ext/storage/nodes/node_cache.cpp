@@ -235,10 +235,18 @@ void NodeCache::set_root(NodeNumber number) {
 }
 
 void NodeCache::place(std::span<const std::int64_t> ids, NodeNumber leaf) {
-  if (packed_map_) return packed_map_->place(ids, leaf);
+  if (packed_map_ && !packed_map_->place(ids, leaf)) other_objects();
+  if (packed_map_) return;
   for (const std::int64_t id : ids) map_.set(id, leaf);
   if (filter_)
     for (const std::int64_t id : ids) filter_->add(id);
+}
+
+void NodeCache::other_objects() const {
+  throw StoreError(SQLITE_IOERR,
+                   name_.table +
+                       ": the objects are not those that were read before: somebody writes into "
+                       "the table's file or into its temporary file; roll back");
 }
 
 void NodeCache::erase_everything() {

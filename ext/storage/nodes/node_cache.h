@@ -126,6 +126,7 @@ class NodeCache final : public Pages {
   };
 
   [[noreturn]] void damaged(const std::string& what) const;
+  [[noreturn]] void other_objects() const;
   struct Place {
     NodeNumber leaf = 0;  ///< 0: nobody knows
     Slot* slot = nullptr;

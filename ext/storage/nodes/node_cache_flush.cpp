@@ -55,6 +55,7 @@ void NodeCache::write(Interrupt& interrupt) {
 }
 
 void NodeCache::write_packed_map(Interrupt& interrupt) {
+  if (!packed_map_->is_complete()) other_objects();
   about_to_write_early();
   map_.void_stored();
   shadow_rows_->map().erase_all();

@@ -1,12 +1,13 @@
 // In which leaf is each object, where all of them are known beforehand and the whole table is loaded anew?
 //
 //   PackedMap map(sorted_ids);
-//   map.place(ids_of_leaf, 7);                              // leaf by leaf
+//   map.place(ids_of_leaf, 7) && map.is_complete()          // leaf by leaf
 //   map.for_each_part([&](auto entries) { … });             // all, ascending, some thousand at a time
 //
 // What map_changes.h keeps can be taken back and asked about, at 50 to 100 bytes an id; this is for ten
-// million. Cost: 12 bytes an id, and for placing it a search from where it is if ids are spread evenly: some
-// nanoseconds where they are, at most twice a binary search.
+// million. Objects are read twice, from files that somebody may have written into: what does not match is
+// told, and nothing is written elsewhere. Cost: 12 bytes an id, and for placing it a search from where it is
+// if ids are spread evenly: some nanoseconds where they are, at most twice a binary search.
 #pragma once
 
 #include <algorithm>
@@ -22,14 +23,21 @@ namespace foresee::storage {
 class PackedMap {
  public:
   /// Requires: ids ascend, and none comes twice.
-  explicit PackedMap(std::vector<std::int64_t> ids) : ids_(std::move(ids)), leaves_(ids_.size()) {}
+  explicit PackedMap(std::vector<std::int64_t> ids) : ids_(std::move(ids)), leaves_(ids_.size(), nowhere) {}
 
-  /// Requires: the ids are among those that are known; the first leaf comes first, and no other is 2^32
-  /// behind it.
-  void place(std::span<const std::int64_t> ids, std::int64_t leaf) {
+  /// False if an id is not among those that are known. Requires: the first leaf comes first, and no other is
+  /// 2^32 - 1 behind it.
+  [[nodiscard]] bool place(std::span<const std::int64_t> ids, std::int64_t leaf) {
     if (first_leaf_ == 0) first_leaf_ = leaf;
-    for (const std::int64_t id : ids) leaves_[place_of(id)] = static_cast<std::uint32_t>(leaf - first_leaf_);
+    for (const std::int64_t id : ids) {
+      const std::size_t place = place_of(id);
+      if (place == ids_.size() || ids_[place] != id) return false;
+      leaves_[place] = static_cast<std::uint32_t>(leaf - first_leaf_);
+    }
+    return true;
   }
+  /// Every id has its leaf.
+  bool is_complete() const { return std::find(leaves_.begin(), leaves_.end(), nowhere) == leaves_.end(); }
 
   std::span<const std::int64_t> ids() const { return ids_; }
   /// Calls each(entries) until all ids have come; no block of the stored map is in two calls.
@@ -46,14 +54,17 @@ class PackedMap {
   }
 
  private:
+  static constexpr std::uint32_t nowhere = 0xffffffff;
+
+  /// Where an id is, or would be.
   std::size_t place_of(std::int64_t id) const {
+    if (ids_.empty() || id < ids_.front() || id > ids_.back()) return ids_.size();
     const std::size_t last = ids_.size() - 1;
     const double from = number(ids_.front()), way = std::max(number(ids_.back()) - from, 1.0);
     std::size_t low = std::min(last, static_cast<std::size_t>((number(id) - from) / way * number(last)));
     std::size_t high = low;  // until ids_[low] <= id <= ids_[high]
-    for (std::size_t step = 1; low > 0 && ids_[low] > id; step *= 2) high = low, low -= std::min(low, step);
-    for (std::size_t step = 1; high < last && ids_[high] < id; step *= 2)
-      low = high, high += std::min(last - high, step);
+    for (std::size_t step = 1; ids_[low] > id; step *= 2) high = low, low -= std::min(low, step);
+    for (std::size_t step = 1; ids_[high] < id; step *= 2) low = high, high += std::min(last - high, step);
     const auto at = [&](std::size_t i) { return ids_.begin() + static_cast<std::ptrdiff_t>(i); };
     return static_cast<std::size_t>(std::lower_bound(at(low), at(high), id) - ids_.begin());
   }

@@ -1,3 +1,4 @@
+// Where is each object, however ids are spread, and what if others come than were announced?
 #include "storage/nodes/packed_map.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,11 @@ void expect_placed(std::vector<std::int64_t> ids) {
   std::map<std::int64_t, std::int64_t> wanted;
   std::shuffle(ids.begin(), ids.end(), std::mt19937{3});
   std::int64_t leaf = 7;
-  for (const std::int64_t id : ids) map.place({&id, 1}, wanted[id] = leaf++);
+  for (const std::int64_t id : ids) {
+    EXPECT_FALSE(map.is_complete());
+    EXPECT_TRUE(map.place({&id, 1}, wanted[id] = leaf++));
+  }
+  EXPECT_TRUE(map.is_complete());
   std::map<std::int64_t, std::int64_t> found;
   map.for_each_part([&](std::span<const IdHashMap::Entry> part) {
     for (const IdHashMap::Entry& entry : part) found[entry.id] = entry.value;
@@ -35,6 +40,15 @@ TEST(PackedMap, FindsIdsHoweverTheyAreSpread) {
     clusters.push_back((i % 3) * (most / 4) + i), far.push_back(i == 0 ? -most : i == 1 ? most : i);
   }
   for (const auto& ids : {even, squares, clusters, far}) expect_placed(ids);
+}
+
+TEST(PackedMap, AnObjectThatNobodyAnnouncedIsPlacedNowhere) {
+  using Ids = std::vector<std::int64_t>;
+  PackedMap map({1, 5});
+  for (const std::int64_t other : {9, 3, -7}) EXPECT_FALSE(map.place(Ids{other}, 7)) << other;
+  EXPECT_TRUE(map.place(Ids{1, 1}, 7));
+  EXPECT_FALSE(map.is_complete());
+  EXPECT_FALSE(PackedMap({}).place(Ids{0}, 7));
 }
 
 }  // namespace
