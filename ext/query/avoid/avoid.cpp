@@ -89,13 +89,19 @@ class Manoeuvring {
     return Touched::with_motion(question_.own->layout, question_.record, motion_at(k));
   }
 
+  /// Whom this touches at first is touched already: the place as it is stored with all changes but a delay.
+  std::vector<double> record_at_first() const {
+    const bool delayed = asked_.manoeuvre == Manoeuvre::delay;
+    return Touched::with_motion(question_.own->layout, question_.record, delayed ? stored_ : base_);
+  }
+
   /// Those that make the change touch, exactly.
   std::vector<Intruder> touched_by(double k) {
     const bool delayed = asked_.manoeuvre == Manoeuvre::delay;
     if (k == 0 || !(delayed || turns_)) return touched_.by(record_at(k));
     static const std::vector<Intruder> nobody;
     if (delayed && question_.touching == Touching::part) return touched_.by(record_at(k), &nobody);
-    const std::vector<Intruder> first = touched_.at_first(question_.record);
+    const std::vector<Intruder> first = touched_.at_first(record_at_first());
     return touched_.by(record_at(k), &first);
   }
   bool is_clear(double k) { return can_be_stored(motion_at(k)) && touched_by(k).empty(); }
@@ -137,8 +143,7 @@ class Manoeuvring {
     const bool delayed = asked_.manoeuvre == Manoeuvre::delay;
     std::vector<std::vector<std::uint8_t>> first;
     for (const auto& near : near_) first.emplace_back(near->size());
-    for (const Intruder& intruder : touched_.at_first(
-             Touched::with_motion(question_.own->layout, question_.record, delayed ? stored_ : base_)))
+    for (const Intruder& intruder : touched_.at_first(record_at_first()))
       first[static_cast<std::size_t>(intruder.table)][intruder.row] = 1;
     struct Ordered {
       double nearness;

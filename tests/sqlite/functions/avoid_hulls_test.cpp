@@ -98,5 +98,19 @@ TEST_F(AvoidHulls, OfTrianglesInSpaceAreRefused) {
             "for prisms, or ask about a table with r around each");
 }
 
+/// As of now the place is rounded, and touches the hull around it, which the stored row just left: whoever
+/// turns touches already, asked about alone too.
+TEST_F(AvoidHulls, TouchAlreadyWhatTheirRoundedPlaceTouches) {
+  db.exec(
+      "CREATE VIRTUAL TABLE boats USING moving_objects(id, t, x, y, z, vx, vy, vz, shape, heading, hz);"
+      "INSERT INTO boats VALUES"
+      "  (1, 0, 4, 21, -3300000, 2, 2, 1.999999999998181, 'POLYGON((-6 -6, 6 -6, 6 6, -6 6, -6 -6))', 0, 0),"
+      "  (2, 0, 0, 0, -3299999, 2, 2, 2, 'POLYGON((-40 -60, 40 -60, 40 60, -40 60, -40 -60))', 0, 1)");
+  const std::string asked = "SELECT clear FROM predictive_avoid(1, 'boats', 1, 0, 'turn', ";
+  EXPECT_EQ(db.rows(asked + "-5, -1, 1)"), "1");
+  EXPECT_EQ(db.rows(asked + "-2, -2, 1)"), "1");
+  EXPECT_EQ(db.rows(asked + "2, 2, 1)"), "0");
+}
+
 }  // namespace
 }  // namespace foresee::testing
