@@ -75,6 +75,15 @@ std::unique_ptr<PieceSum> OutlinePair::sum_of(const Part& part) const {
   return std::make_unique<PieceSum>(piece_of(turned, around), ConvexPiece{position, position, nullptr});
 }
 
+std::unique_ptr<PieceSum> OutlinePair::turning_sum_of(const Part& part) const {
+  const Box<2>& own = own_->pieces.box(part.own);
+  if (!turns() || part.pieces || !(own.upper > own.lower).all()) return nullptr;
+  ObjectPieces around;
+  auto other_box = std::make_shared<ObjectPieces>();
+  other_box->take_box(other().box(part.other));
+  return std::make_unique<PieceSum>(piece_of(own, around), std::move(other_box));
+}
+
 double OutlinePair::more_round(const Part& part) const {
   return turns() && !part.pieces ? reach_of(own_->pieces.box(part.own)) : 0;
 }

@@ -7,7 +7,8 @@
 //   pair.reach()                                        // what is farther apart than this does not touch
 //   for (const OutlinePair::Part& part : pair.parts()) use(pair.sum_of(part), pair.more_round(part));
 //
-// What turns with the change is, for a box around many of its pieces, a disc around its position.
+// What turns with the change is, for a box around many of its pieces, a disc around its position; of few
+// changes the box, turned.
 #pragma once
 
 #include <memory>
@@ -59,6 +60,8 @@ class OutlinePair {
   /// turn, as they lie now.
   std::unique_ptr<PieceSum> sum_of(const Part& part) const;
   double more_round(const Part& part) const;
+  /// Of boxes of which the own one turns, as they lie now; null where that has no width.
+  std::unique_ptr<PieceSum> turning_sum_of(const Part& part) const;
   /// How large the boxes of a part are.
   double size_of(const Part& part) const;
 

@@ -41,6 +41,11 @@ PieceSum::PieceSum(const ConvexPiece& own, const ConvexPiece& other)
   make_ring(own.along == own.corners.data() ? own_.data() : own.along);
 }
 
+PieceSum::PieceSum(const ConvexPiece& own, std::shared_ptr<const ObjectPieces> other)
+    : PieceSum(own, other->piece(0)) {
+  kept_ = std::move(other);
+}
+
 void PieceSum::turn(double degrees) {
   const SineCosine<double> at = quick_sine_cosine(degrees);
   for (std::size_t i = 0; i < given_.size(); ++i) {

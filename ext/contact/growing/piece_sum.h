@@ -9,9 +9,11 @@
 // Cost: linear in the corners of both, some nanoseconds each.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "contact/outline/convex_sum.h"
+#include "contact/outline/object_pieces.h"
 
 namespace foresee::contact {
 
@@ -19,6 +21,8 @@ class PieceSum {
  public:
   /// `other` must outlive this.
   PieceSum(const ConvexPiece& own, const ConvexPiece& other);
+  /// With the first piece of `other`.
+  PieceSum(const ConvexPiece& own, std::shared_ptr<const ObjectPieces> other);
   PieceSum(const PieceSum&) = delete;
   PieceSum& operator=(const PieceSum&) = delete;
 
@@ -55,6 +59,7 @@ class PieceSum {
   void make_ring(const Corner* along);
 
   std::vector<Corner> given_, own_;
+  std::shared_ptr<const ObjectPieces> kept_;
   ConvexPiece other_;
   std::vector<Edge> ring_;
   Corner point_;  ///< where the ring has no edges

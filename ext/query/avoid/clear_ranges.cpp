@@ -12,6 +12,10 @@ namespace foresee::query {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
+/// In doubt, of one intruder.
+constexpr std::size_t many_parts = 64;
+/// Whose parts are kept, a kilobyte each.
+constexpr std::size_t most_parted = 1 << 15;
 
 }  // namespace
 
@@ -60,20 +64,41 @@ std::pair<std::uint32_t, std::uint32_t> ClearRanges<D>::parts_of(std::uint32_t i
 }
 
 template <int D>
-bool ClearRanges<D>::blocks(std::uint32_t intruder, const Range& range) {
+Judgement ClearRanges<D>::judged(const MetIntruder<D>& intruder, const Range& range) {
   std::uint64_t looks = 0;
-  const Judgement judgement = intruders_[intruder].judge(range.ways, range.from, range.to, looks);
+  const Judgement judgement = intruder.judge(range.ways, range.from, range.to, looks);
   step_.costly(static_cast<std::uint32_t>(16 * (1 + looks)));
   if (!range.is_first) looks_ += looks;
-  if (judgement != Judgement::open) return judgement == Judgement::blocked;
-  if (range.to - range.from <= narrowest_for(intruders_[intruder])) return true;
-  if (!intruders_[intruder].is_worth_parting(range.ways)) {
-    open_.push_back(intruder);
-    return false;
+  const bool narrow = judgement == Judgement::open && range.to - range.from <= narrowest_for(intruder);
+  return narrow ? Judgement::blocked : judgement;
+}
+
+template <int D>
+Judgement ClearRanges<D>::judged_apart(const MetIntruder<D>& intruder, const Range& range) {
+  for (const MetIntruder<D>& part : intruder.parts()) {
+    Judgement judgement = judged(part, range);
+    if (judgement == Judgement::open && part.is_worth_parting(range.ways))
+      judgement = judged_apart(part, range);
+    if (judgement != Judgement::clear) return judgement;
   }
+  return Judgement::clear;
+}
+
+template <int D>
+bool ClearRanges<D>::blocks(std::uint32_t intruder, const Range& range, std::size_t first) {
+  Judgement judgement = judged(intruders_[intruder], range);
+  const bool parted = judgement == Judgement::open && intruders_[intruder].is_worth_parting(range.ways);
+  const bool kept = parted && (parts_.size() < most_parted || parts_.count(intruder) > 0);
+  if (parted && !kept) judgement = judged_apart(intruders_[intruder], range);
+  if (judgement == Judgement::open && !kept) open_.push_back(intruder);
+  if (!kept) return judgement == Judgement::blocked;
   const auto [begin, end] = parts_of(intruder);
-  for (std::uint32_t part = begin; part < end; ++part)
-    if (blocks(part, range)) return true;
+  for (std::uint32_t part = begin; part < end; ++part) {
+    if (open_.size() - first >= many_parts)
+      open_.push_back(part);
+    else if (blocks(part, range, first))
+      return true;
+  }
   return false;
 }
 
@@ -82,7 +107,7 @@ void ClearRanges<D>::search(double from, double to, std::size_t begin, std::size
   const Range range{from, to, begin == 0, changed_ways<D>(base_, change_, from, to)};
   const std::size_t first_open = open_.size();
   for (std::size_t i = begin; i < end; ++i) {
-    if (!blocks(open_[i], range)) continue;
+    if (!blocks(open_[i], range, open_.size())) continue;
     std::swap(open_[i], open_[begin]);  // who blocks here probably does so next to it
     open_.resize(first_open);
     return;

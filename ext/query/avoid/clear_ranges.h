@@ -11,8 +11,9 @@
 // matters: near the ends that it makes. A range too narrow to halve (2^-40 of all, or what rounding hides) is
 // not clear. Where more is in doubt than usual, as along a path that grazes, narrow ranges are given up
 // earlier: 2^-22 of all after a million looks, 2^-12 after four. What has parts is looked at part by part
-// once that is worth it. Cost: one certificate an intruder, some 100 for each end. Memory: four bytes for
-// each intruder on the way down.
+// once that is worth it; so that it takes no more memory than some ten thousand of them, more are made anew
+// each time. Cost: one certificate an intruder, some 100 for each end. Memory: four bytes for each intruder
+// on the way down.
 #pragma once
 
 #include <unordered_map>
@@ -46,8 +47,13 @@ class ClearRanges {
   };
   /// `near`: an end that is known, beside the range, or infinite.
   void search(double from, double to, std::size_t begin, std::size_t end, double near);
-  /// Whether nothing of the range is clear of an intruder; what is left in doubt of it is open.
-  bool blocks(std::uint32_t intruder, const Range& range);
+  /// Counts what it costs. Who leaves doubt of a range that is too narrow for it blocks.
+  Judgement judged(const MetIntruder<D>& intruder, const Range& range);
+  /// Of its parts the first that is not clear; they are not kept.
+  Judgement judged_apart(const MetIntruder<D>& intruder, const Range& range);
+  /// Whether nothing of the range is clear of an intruder; what is left in doubt of it is open, from the
+  /// `first` of it on. Where many of its parts are, no more are looked at: shorter ranges tell.
+  bool blocks(std::uint32_t intruder, const Range& range, std::size_t first);
   /// Where its parts are among the intruders: made once.
   std::pair<std::uint32_t, std::uint32_t> parts_of(std::uint32_t intruder);
   /// In two: at the end that an intruder makes, if one is guessed; near a known end, where ever less room is

@@ -33,8 +33,10 @@ Judgement MetIntruder<D>::judge(const ChangedWays<D>& ways, double p, double q, 
   if (stage_ == Stage::simple)
     return touches_first_ ? judge_parting<D>(met_, ways) : contact::judge<D>(met_, ways, looks);
   if (has_parts())
-    return contact::judge<D>(met_, ways, looks) == Judgement::clear ? Judgement::clear : Judgement::open;
-  const Encounter<D> turned = turns() ? met_between(p, q) : met_;
+    return contact::judge<D>(turning_ ? met_between(p, q) : met_, ways, looks) == Judgement::clear
+               ? Judgement::clear
+               : Judgement::open;
+  const Encounter<D> turned = turning_ ? met_between(p, q) : met_;
   if (!touches_first_) return contact::judge<D>(turned, ways, looks);
   const bool surely_first = outlines_->is_sole() && !outlines_->turns();
   return surely_first ? judge_parting<D>(turned, ways) : judge_parting_of_piece<D>(turned, ways, looks);
@@ -43,10 +45,13 @@ Judgement MetIntruder<D>::judge(const ChangedWays<D>& ways, double p, double q, 
 template <int D>
 Encounter<D> MetIntruder<D>::met_between(double p, double q) const {
   Encounter<D> met = met_;
-  if (!turns()) return met;
+  if (!turning_) return met;
   const double middle = p + 0.5 * (q - p), half = std::max(middle - p, q - middle);
-  sum_->turn(middle);
-  if (half > 0) met.chord = chord_of(half * (1 + 0x1p-50)), met.play = sum_->own_reach() * met.chord;
+  const double chord = half > 0 ? chord_of(half * (1 + 0x1p-50)) : 0;
+  if (stage_ == Stage::boxes && chord > 0.5) return met;
+  turning_->turn(middle);
+  met.extents.sum = turning_.get(), met.extents.radius = round_;
+  met.chord = chord, met.play = turning_->own_reach() * chord;
   return met;
 }
 
@@ -69,6 +74,7 @@ std::vector<MetIntruder<D>> MetIntruder<D>::parts() const {
     one.stage_ = part.pieces ? Stage::pieces : Stage::boxes;
     one.part_ = part;
     one.sum_ = outlines_->sum_of(part);
+    if (outlines_->turns()) one.turning_ = part.pieces ? one.sum_ : outlines_->turning_sum_of(part);
     one.met_.extents.sum = one.sum_.get();
     one.met_.extents.radius = round_ + outlines_->more_round(part) * (1 + 0x1p-50);
     parts.push_back(std::move(one));

@@ -40,17 +40,16 @@ class MetIntruder {
  private:
   enum class Stage : std::uint8_t { simple, whole, boxes, pieces };
 
-  /// The pieces of an outline turned with the change: as in the middle of the range, and as much rounder as
-  /// the others are away from there.
+  /// What is turned with the change: as in the middle of the range, and as much rounder as the others are
+  /// away from there. Of boxes the disc around, where that is less.
   Encounter<D> met_between(double p, double q) const;
-  bool turns() const { return stage_ == Stage::pieces && outlines_->turns(); }
 
   Encounter<D> met_;
   bool touches_first_;
   Stage stage_;
   std::shared_ptr<const OutlinePair> outlines_;
   OutlinePair::Part part_;
-  std::shared_ptr<PieceSum> sum_;
+  std::shared_ptr<PieceSum> sum_, turning_;  ///< the latter where it turns
   double round_ = 0;  ///< the radius, and how fast it grows, without boxes around what turns
 };
 

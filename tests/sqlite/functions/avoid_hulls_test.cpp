@@ -1,9 +1,25 @@
 // predictive_avoid for outlines, by hand: a hull that turns with its course, gaps, holes, quays, what cannot
 // be turned.
+#if defined(__linux__)
+#include <sys/resource.h>
+#endif
+
+#include "sanitized.h"
 #include "sqlite/database.h"
 
 namespace foresee::testing {
 namespace {
+
+/// That this process had so far, in KiB; 0 where it is not told.
+long most_memory() {
+#if defined(__linux__)
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+#else
+  return 0;
+#endif
+}
 
 struct AvoidHulls : ::testing::Test {
   /// A hull of 2 by 12, on its way north at 5, and what is in its way.
@@ -110,6 +126,25 @@ TEST_F(AvoidHulls, TouchAlreadyWhatTheirRoundedPlaceTouches) {
   EXPECT_EQ(db.rows(asked + "-5, -1, 1)"), "1");
   EXPECT_EQ(db.rows(asked + "-2, -2, 1)"), "1");
   EXPECT_EQ(db.rows(asked + "2, 2, 1)"), "0");
+}
+
+/// Shapes of many pieces, each pair of which is in doubt for some turns: few of the pairs are kept.
+TEST_F(AvoidHulls, OfManyPiecesTakeLittleMemory) {
+  db.exec(
+      "CREATE VIRTUAL TABLE stars USING moving_objects(id, x, y, vx, vy, shape, heading);"
+      "WITH RECURSIVE n(i) AS (SELECT 0 UNION ALL SELECT i + 1 FROM n WHERE i < 800),"
+      "  star(corners) AS (SELECT group_concat(printf('%.17g %.17g',"
+      "    iif(i % 2, 50, 25) * cos(pi() * (i % 800) / 400), iif(i % 2, 50, 25) * sin(pi() * (i % 800) / "
+      "400)),"
+      "    ', ') FROM n)"
+      "  INSERT INTO stars SELECT id, 400 * id, 40 * id, 1 - 2 * id, 0, 'POLYGON((' || corners || '))', 3 * "
+      "id"
+      "    FROM star, (SELECT 0 AS id UNION ALL SELECT 1)");
+  const long before = most_memory();
+  EXPECT_EQ(db.rows("SELECT count(*), sum(clear) FROM predictive_avoid(600, 'stars', 0, 0, 'turn')"), "3|2");
+  if (!sanitized) {
+    EXPECT_LT(most_memory() - before, 128 << 10);
+  }
 }
 
 }  // namespace
