@@ -9,15 +9,19 @@
 // row. Of a pair that begins beyond the horizon the watch knows, but tells nothing: it waits.
 //
 // `due` is when the clock makes the row a question: of what waits the begin of its contact, else some moment
-// not after the end of it. Too early costs a question, too late would be a wrong answer; a later end is
-// therefore written only where the row is due.
+// not after the end of it, or never where it lasts beyond all that the watch has looked at. Too early costs a
+// question, too late would be a wrong answer; a later end is therefore written only where the row is due.
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "base/rooms.h"
 
 namespace foresee::query {
+
+/// A look further finds the end.
+inline constexpr double never_due = std::numeric_limits<double>::infinity();
 
 struct WatchedPair {
   std::int64_t a = 0, b = 0;

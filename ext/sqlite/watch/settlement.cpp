@@ -24,7 +24,7 @@ void sort_and_unique(std::vector<WatchedPair>& pairs) {
 }
 
 WatchedPair watched(const StoredPair& pair) {
-  return {pair.a, pair.b, pair.t, pair.due, pair.told, pair.held};
+  return {pair.a, pair.b, pair.t, pair.due.value_or(never_due), pair.told, pair.held};
 }
 
 }  // namespace
@@ -71,7 +71,7 @@ void Settlement::compute_anew() {
   JoinQuestion all = question_of_all(connection_, tables_, state_, asked_horizon());
   all.wants = {.contact = true, .ends = true, .approach = false};
   Join join(std::move(all), connection_.interrupt());
-  for (auto rows = join.next(); !rows.empty(); rows = join.next()) take(rows, true);
+  for (auto rows = join.next(); !rows.empty(); rows = join.next()) take(rows);
   write_differences(true);
 }
 
@@ -82,8 +82,8 @@ void Settlement::follow_changes() {
     adapt_look();
     look_further();
   } else {
-    reach_ =
-        std::min(std::max(state_.horizon, next_above(known_to - clock_)), std::numeric_limits<double>::max());
+    const double beyond = next_above(next_above(known_to)) - clock_;  // rounded, and no less than known_to
+    reach_ = std::min(std::max(state_.horizon, beyond), std::numeric_limits<double>::max());
   }
   read_old_pairs();
   ask_due_pairs();
@@ -119,24 +119,31 @@ void Settlement::ask_due_pairs() {
   };
   for (const StoredPair& pair : rows_.due_pairs(true, clock_)) look_at(pair);
   for (const StoredPair& pair : rows_.due_pairs(false, horizon_end_)) look_at(pair);
-  take(contacts_of(connection_, tables_, question(asked_horizon()), asked), true);
+  take(contacts_of(connection_, tables_, question(asked_horizon()), asked));
 }
 
 void Settlement::search_changed() {
   if (changed_a_.ids.empty() && changed_b_.ids.empty()) return;
   PairSearch search(connection_, tables_, question(asked_horizon()));
-  const auto take_all = [&](std::span<const JoinRow> rows) { take(rows, true); };
+  const auto take_all = [&](std::span<const JoinRow> rows) { take(rows); };
   search.pairs_of(Side::a, changed_a_.ids, take_all);
   if (tables_.b) search.pairs_of(Side::b, changed_b_.ids, take_all);
 }
 
+/// What begins from then on, and the ends that are known only now.
 void Settlement::look_ahead(double from) {
   JoinQuestion all = question_of_all(connection_, tables_, state_, asked_horizon());
-  all.wants = {.contact = true, .ends = false, .approach = false};
-  all.asked_t.least = from;
+  all.wants = {.contact = true, .ends = true, .approach = false};
   const std::size_t first = new_.size();
+  std::vector<JoinRow> unknown;
   Join join(std::move(all), connection_.interrupt());
-  for (auto rows = join.next(); !rows.empty(); rows = join.next()) take(rows, false);
+  for (auto rows = join.next(); !rows.empty(); rows = join.next()) {
+    unknown.clear();
+    std::copy_if(rows.begin(), rows.end(), std::back_inserter(unknown), [&](const JoinRow& row) {
+      return row.contact.t >= from || (row.contact.t_end >= from && row.contact.t_end <= state_.known_to);
+    });
+    take(unknown);
+  }
   for (std::size_t i = first; i < new_.size(); ++i)
     if (const auto known = rows_.pair(new_[i].a, new_[i].b)) old_.push_back(watched(*known));
 }
@@ -149,15 +156,17 @@ JoinQuestion Settlement::question(const Horizon& horizon) const {
   return question;
 }
 
-// Ends beyond the reach come clipped to it: then the row is due too early, never too late.
-void Settlement::take(std::span<const JoinRow> found, bool with_ends) {
+// Ends beyond the reach come clipped to it. What lasts as long as anything is known is not due: the next look
+// ahead asks for its end.
+void Settlement::take(std::span<const JoinRow> found) {
   const bool within_one = !tables_.b || tables_.are_one();
   for (const JoinRow& row : found) {
     if (within_one && row.a == row.b) continue;
-    WatchedPair pair{row.a, row.b, row.contact.t, row.contact.t, row.contact.t, false};
+    const ContactTimes& contact = row.contact;
+    WatchedPair pair{row.a, row.b, contact.t, contact.t_end, contact.t, false};
     if (!tables_.b && pair.b < pair.a) std::swap(pair.a, pair.b);
     pair.held = pair.t < horizon_end_ || reach_ == state_.horizon;
-    if (with_ends) pair.due = row.contact.t_end;
+    if (pair.due > state_.known_to) pair.due = never_due;
     new_.push_back(pair);
   }
 }
@@ -178,23 +187,6 @@ void Settlement::decide_ties() {
   }
 }
 
-/// A contact that outlasts the reach: its row is due half-way to the end. So a row is asked for seldom, and a
-/// report that moves the end a little writes nothing. The reach shrinks as the clock nears known_to: an end
-/// looked for in proportion to it would come earlier at every report.
-void Settlement::find_far_ends() {
-  const double near = std::nextafter(clock_ + reach_, clock_),
-               far = 64 * std::max(state_.horizon, state_.further);
-  if (!std::isfinite(far) || !std::isfinite(clock_ + far)) return;
-  std::vector<PairIds> asked;
-  for (const WatchedPair& pair : new_)
-    if (pair.held && pair.due >= near) asked.push_back({pair.a, pair.b});
-  auto pair = new_.begin();
-  for (const JoinRow& row : contacts_of(connection_, tables_, question({clock_, far}), asked)) {
-    pair = std::lower_bound(pair, new_.end(), WatchedPair{.a = row.a, .b = row.b}, by_ids);
-    pair->due = std::max(pair->due, clock_ + (row.contact.t_end - clock_) / 2);
-  }
-}
-
 void Settlement::for_each_difference(const std::function<void(const WatchedPair*, const WatchedPair*)>& use) {
   auto before = old_.begin();
   for (const WatchedPair& after : new_) {
@@ -209,7 +201,6 @@ void Settlement::for_each_difference(const std::function<void(const WatchedPair*
 void Settlement::write_differences(bool all_are_known) {
   decide_ties();
   sort_and_unique(old_), sort_and_unique(new_);
-  find_far_ends();
   if (all_are_known && differ_mostly()) {
     replaces_ = has_written_ = true;
     rows_.erase_all_pairs();
@@ -236,7 +227,8 @@ void Settlement::write_difference(const WatchedPair* before, const WatchedPair* 
   state_.dropped += waits(before) && !after;
   has_written_ |= change.erases || change.writes || change.op;
   const auto write = [&](const WatchedPair& pair, PairWrite how) {
-    rows_.write_pair({pair.a, pair.b, pair.t, pair.due, pair.told, pair.held}, how, state_.tolerance > 0);
+    const auto due = pair.due == never_due ? std::nullopt : std::optional(pair.due);
+    rows_.write_pair({pair.a, pair.b, pair.t, due, pair.told, pair.held}, how, state_.tolerance > 0);
   };
   if (replaces_) {
     if (!change.erases) write(change.writes ? row : *before, PairWrite::adds);

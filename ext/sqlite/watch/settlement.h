@@ -7,8 +7,8 @@
 //
 //   changed objects   their old pairs are range reads, their new ones searched for (pair_search.h)
 //   the clock         rows that are due are shown, asked for their next contact, or taken out; when the
-//                     horizon passes known_to, a join looks ahead for what begins beyond it, the further
-//                     the fewer of the pairs that wait are dropped again unseen
+//                     horizon passes known_to, a join looks ahead for what begins or ends beyond it, the
+//                     further the fewer of the pairs that wait are dropped again unseen
 //   anew              where it cannot be told what has changed, or the clock goes back or far ahead: the join
 //                     of all against all rows
 //
@@ -65,9 +65,8 @@ class Settlement {
   void look_ahead(double from);
 
   /// What contact found becomes rows: held, or waiting.
-  void take(std::span<const JoinRow> found, bool with_ends);
+  void take(std::span<const JoinRow> found);
   void decide_ties();
-  void find_far_ends();
   /// `all_are_known`: old_ is every row that is stored.
   void write_differences(bool all_are_known);
   /// In order of the ids; null where the pair is not known before or after.

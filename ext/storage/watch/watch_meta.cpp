@@ -16,6 +16,14 @@ struct MetaValue {
   std::optional<double> number;
 };
 
+// 2 knows rows that are not due. Readers of 1 would never ask about those; they do not look at `format`, but
+// hold a file without "early" for damaged: 2 has it under another name.
+constexpr std::int64_t newest_format = 2;
+
+const char* early_key(std::int64_t format) {
+  return format == 1 ? "early" : "early_reports";
+}
+
 }  // namespace
 
 WatchState WatchRows::read_state() {
@@ -41,6 +49,12 @@ WatchState WatchRows::read_state() {
                                               ": a commit could not write all of its changes: DROP TABLE " +
                                               name_.table + " and CREATE it again");
   WatchState state;
+  state.format = integer("format");
+  if (state.format < 1 || state.format > newest_format)
+    throw StoreError(SQLITE_ERROR, name_.table + ": stored in format " + std::to_string(state.format) +
+                                       "; this version of foresee reads formats up to " +
+                                       std::to_string(newest_format) +
+                                       ": open it with the version that wrote it");
   state.tbl = values["tbl"].text;
   if (state.tbl.empty()) damaged("meta");
   if (!values["other"].text.empty()) state.other = values["other"].text;
@@ -55,7 +69,7 @@ WatchState WatchRows::read_state() {
   state.step = number("step").value_or(0);
   state.further = number("further").value_or(0);
   state.waited = values["waited"].integer.value_or(0), state.dropped = values["dropped"].integer.value_or(0);
-  state.seq = integer("seq"), state.early = integer("early");
+  state.seq = integer("seq"), state.early = integer(early_key(state.format));
   state.stamp = values["stamp"].integer, state.other_stamp = values["other_stamp"].integer;
   for (const auto& moment : {state.clock, state.asked})
     if (moment && !std::isfinite(*moment)) damaged("meta");
@@ -86,7 +100,7 @@ void WatchRows::write_tables(const WatchDeclaration& declaration) {
 
 void WatchRows::write_declaration(const WatchDeclaration& declaration) {
   write_tables(declaration);
-  write_meta("format", std::optional(std::int64_t{1}));
+  write_meta("format", std::optional(newest_format));
   write_meta("horizon", std::optional(declaration.horizon));
   write_meta("within", std::optional(declaration.within));
   write_meta("within_z", declaration.within_z);
@@ -95,7 +109,7 @@ void WatchRows::write_declaration(const WatchDeclaration& declaration) {
   write_meta("keep", std::optional(declaration.keep));
   write_meta("ahead", declaration.ahead);
   write_meta("seq", std::optional(std::int64_t{0}));
-  write_meta("early", std::optional(std::int64_t{0}));
+  write_meta(early_key(newest_format), std::optional(std::int64_t{0}));
 }
 
 void WatchRows::write_state(const WatchState& state, const WatchState& before) {
@@ -108,7 +122,13 @@ void WatchRows::write_state(const WatchState& state, const WatchState& before) {
   write_changed("waited", state.waited, before.waited);
   write_changed("dropped", state.dropped, before.dropped);
   write_changed("seq", state.seq, before.seq);
-  write_changed("early", state.early, before.early);
+  if (before.format == newest_format) {
+    write_changed(early_key(newest_format), state.early, before.early);
+  } else {
+    write_meta("format", std::optional(newest_format));
+    write_meta(early_key(newest_format), std::optional(state.early));
+    write_meta(early_key(before.format), std::optional<std::int64_t>());
+  }
   write_changed("stamp", state.stamp, before.stamp);
   write_changed("other_stamp", state.other_stamp, before.other_stamp);
 }

@@ -77,7 +77,9 @@ std::vector<StoredPair> WatchRows::read_pairs(Statement::Run& run) const {
     const std::int64_t a = run.integer(0), b = run.integer(1);
     // Pages of a damaged file may lead back to one another: no order has a pair twice in a row.
     if (!pairs.empty() && pairs.back().a == a && pairs.back().b == b) damaged("pair");
-    pairs.push_back({a, b, number(2), number(3), number(5), run.integer(4) != 0});
+    const bool is_due = sqlite3_value_type(run.value(3)) != SQLITE_NULL;
+    pairs.push_back(
+        {a, b, number(2), is_due ? std::optional(number(3)) : std::nullopt, number(5), run.integer(4) != 0});
   }
   return pairs;
 }
@@ -123,7 +125,7 @@ void WatchRows::write_pair(const StoredPair& pair, PairWrite how, bool with_told
   run.bind(2, pair.b);
   run.bind(3, pair.t);
   if (how != PairWrite::moves) {
-    run.bind(4, pair.due);
+    if (pair.due) run.bind(4, *pair.due);
     run.bind(5, std::int64_t{pair.held});
   }
   if (with_told) run.bind(6, pair.told);
@@ -156,8 +158,10 @@ bool WatchRows::holds(Statement& index, std::span<const StoredPair> pairs, bool 
   auto pair = pairs.begin();
   for (Statement::Run run(index); run.step(); ++pair) {
     if (pair == pairs.end() || run.integer(0) != pair->a || run.integer(1) != pair->b) return false;
-    if (with_due && (sqlite3_value_double(run.value(2)) != pair->due || run.integer(3) != pair->held))
-      return false;
+    if (!with_due) continue;
+    const bool is_due = sqlite3_value_type(run.value(2)) != SQLITE_NULL;
+    const auto due = is_due ? std::optional(sqlite3_value_double(run.value(2))) : std::nullopt;
+    if (due != pair->due || run.integer(3) != pair->held) return false;
   }
   return pair == pairs.end();
 }

@@ -21,7 +21,9 @@ namespace foresee::storage {
 
 struct StoredPair {
   std::int64_t a, b;
-  double t, due, told;
+  double t;
+  std::optional<double> due;  ///< none: nothing that the clock reaches
+  double told;
   bool held;
 };
 

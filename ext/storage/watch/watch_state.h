@@ -23,6 +23,7 @@ struct WatchDeclaration {
 };
 
 struct WatchState : WatchDeclaration {
+  std::int64_t format = 0;           ///< as it was read; what is written is of the newest
   std::optional<double> clock = {};  ///< none: no object has been there yet
   std::optional<double> asked = {};  ///< by an 'advance' that is not settled yet
   bool anew = false;                 ///< 'rebuild': what is stored is not to be believed

@@ -25,7 +25,8 @@ constexpr WatchDamage watch_damages[] = {
     {"NothingKept", "UPDATE alerts_meta SET value = 0 WHERE key = 'keep'"},
     {"InfiniteClock", "UPDATE alerts_meta SET value = 9e999 WHERE key = 'now'"},
     {"InfinitelyFarAsked", "UPDATE alerts_meta SET value = -9e999 WHERE key = 'asked'"},
-    {"NewerFormat", "UPDATE alerts_meta SET value = 2 WHERE key = 'format'"},
+    {"NewerFormat", "UPDATE alerts_meta SET value = 3 WHERE key = 'format'"},
+    {"NoFormat", "DELETE FROM alerts_meta WHERE key = 'format'"},
     {"NoSuchTable", "UPDATE alerts_meta SET value = 'boats' WHERE key = 'tbl'"},
     {"NoSuchOther", "UPDATE alerts_meta SET value = 'boats' WHERE key = 'other'"},
     {"WatchesItself", "UPDATE alerts_meta SET value = 'alerts' WHERE key = 'tbl'"},
@@ -104,6 +105,32 @@ TEST(DamagedWatches, ARebuildMendsRowsAndTellsWhatDiffers) {
   expect_joined(db, "h = 100");
   expect_up_to_date(db);
   EXPECT_EQ(db.rows("SELECT op, a, b FROM predictive_changes('alerts', 1)"), "~|1|2\n+|1|3\n+|2|3");
+}
+
+TEST(DamagedWatches, FormatsThatAreNotKnownAreToldAndOlderOnesFollowed) {
+  Database db;
+  db.exec(
+      "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, vx, r);"
+      "INSERT INTO ships VALUES (1, 0, 1, 10), (2, 120, -1, 10), (3, 110, 0, 1);"
+      "CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 100);"
+      "UPDATE alerts_meta SET value = 3 WHERE key = 'format'");
+  EXPECT_EQ(
+      db.rows("SELECT a FROM alerts"),
+      "error: alerts: stored in format 3; this version of foresee reads formats up to 2: open it with the "
+      "version that wrote it");
+  // As 0.2.0 left it.
+  db.exec(
+      "UPDATE alerts_meta SET value = 1 WHERE key = 'format';"
+      "UPDATE alerts_meta SET key = 'early', value = 7 WHERE key = 'early_reports'");
+  expect_joined(db, "h = 100");
+  EXPECT_EQ(db.rows("SELECT early FROM predictive_watches"), "7");
+  for (const char* x : {"130", "140"}) {
+    db.exec("UPDATE ships SET x = " + std::string(x) + " WHERE id = 2");
+    expect_joined(db, "h = 100");
+    EXPECT_EQ(db.rows("SELECT early FROM predictive_watches"), "7");
+    EXPECT_EQ(db.rows("SELECT key, value FROM alerts_meta WHERE key LIKE 'early%' OR key = 'format'"),
+              "early|NULL\nearly_reports|7\nformat|2");
+  }
 }
 
 // A commit that meets a page of the log that it cannot write has written pairs already.

@@ -204,6 +204,41 @@ TEST_F(WatchTime, ReportsOfShipsThatLieTogetherWriteNoPair) {
   expect_up_to_date(db);
 }
 
+// Two side by side, the second slower: they part at 1024. Its end is asked for by the look that reaches so
+// far.
+TEST_F(WatchTime, ALongContactIsDueOnceItsEndIsKnown) {
+  create("x, vx", "horizon = 10, within = 1");
+  db.exec("INSERT INTO ships VALUES (1, 0, 1), (2, 0, 0.9990234375)");
+  const std::string due = "SELECT due FROM alerts_pair";
+  EXPECT_EQ(db.rows(due), "NULL");
+  bool was_due = false;
+  for (int t = 1; t <= 1023; t += 2) {
+    advance(std::to_string(t));
+    const bool is_due = db.rows(due) != "NULL";
+    EXPECT_TRUE(is_due || t < 1014) << t;
+    EXPECT_TRUE(is_due || !was_due) << t;
+    was_due = is_due;
+  }
+  expect_up_to_date(db);
+  told();
+  advance("1024");
+  EXPECT_EQ(told(), "");
+  advance("1024.5");
+  EXPECT_EQ(told(), "-|1|2|NULL|1024.5");
+}
+
+// Files of before have some moment at or before the end, beside a contact of any length.
+TEST_F(WatchTime, AContactMayBeDueEarlierThanItEnds) {
+  create("x, vx", "horizon = 10, within = 1");
+  db.exec("INSERT INTO ships VALUES (1, 0, 1), (2, 0, 0.9990234375)");
+  for (int t = 1; t <= 1025; ++t) {
+    if (t % 100 == 50) db.exec("UPDATE alerts_pair SET due = " + std::to_string(std::min(t + 70, 1024)));
+    advance(std::to_string(t));
+    EXPECT_EQ(db.rows("SELECT count(*) FROM alerts"), t <= 1024 ? "1" : "0") << t;
+  }
+  expect_up_to_date(db);
+}
+
 TEST_F(WatchTime, AllObjectsMayChangeAtOnce) {
   create("t, x, y, vx, vy, r", "horizon = 5, within = 2");
   db.exec(
