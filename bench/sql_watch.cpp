@@ -29,9 +29,10 @@
 //
 //   --ships    99,647 reports of 10,616 ships (the file of AIS reports in ../shared/data, or in the folder
 //              that FORESEE_SHARED_DATA names; skipped where it is not), as points in a plane, horizon = 600,
-//              within = 926. Each second of reports is a commit; after two minutes two more are timed: the
-//              watch beside join + compare, and the rows of pairs that it writes for a report. Then the clock
-//              alone, a second at a time for 600 s: 'advance' beside all rows of predictive_join at each.
+//              within = 926. Each second of reports is a commit; after ten minutes, when nearly all of them
+//              have reported, two are timed: the watch beside join + compare, and the rows of pairs that it
+//              writes for a report. Then the clock alone, a second at a time for 600 s: 'advance' beside all
+//              rows of predictive_join at each.
 //              (--quick: ten seconds, ten more, and 60 s of the clock.)
 //
 // Fails if two sides that must agree hold other pairs.
