@@ -1,9 +1,8 @@
 // Two objects by hand, and the answer of the contact room about them.
 #pragma once
 
-#include <gtest/gtest.h>
-
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -47,21 +46,23 @@ inline Object object(int axes, Shape shape) {
   return o;
 }
 
-/// Of the only pair; all ways of asking must agree.
+/// Of the only pair. Throws if not all ways of asking agree.
 inline std::optional<ContactTimes> answer_of(Contact& contact) {
+  const auto require = [](bool agrees, const char* what) {
+    if (!agrees) throw std::logic_error(std::string("two ways of asking contact do not agree: ") + what);
+  };
   const Pair pair{0, 0};
   std::vector<Pair> hits, decided;
   std::vector<ContactTimes> times, begins;
   contact.first_contacts({&pair, 1}, TimesWanted::both, hits, times);
-  EXPECT_EQ(times.size(), hits.size());
+  require(times.size() == hits.size(), "pairs and times");
   contact.decide({&pair, 1}, decided);
-  EXPECT_EQ(hits, decided);
+  require(hits == decided, "with times, and whether");
   decided.clear();
   contact.first_contacts({&pair, 1}, TimesWanted::begins, decided, begins);
-  EXPECT_EQ(hits, decided);
+  require(hits == decided, "with both times, and with begins");
   if (hits.empty()) return std::nullopt;
-  EXPECT_EQ(times[0].t, begins[0].t);
-  EXPECT_EQ(times[0].dt, begins[0].dt);
+  require(times[0].t == begins[0].t && times[0].dt == begins[0].dt, "begins");
   return times[0];
 }
 

@@ -1,16 +1,19 @@
 // Every row of many seeded joins as bit patterns, for tests/portability.sh: two builds agree if their outputs
 // do.
 //
-// Scenes of every layout and kind go through the join by two methods; the hard families of the report on
-// accuracy go through contact pair by pair. The inputs' bits are printed too, so that a difference there is
-// not blamed on the library.
+// Scenes of every layout and kind go through the join by two methods, and some of each layout's objects are
+// asked how they can avoid all others; the hard families of the report on accuracy, of outlines and of meshes
+// go through contact pair by pair. The inputs' bits are printed too, so that a difference there is not blamed
+// on the library; those of outlines that are turned are already its work.
 #include <bit>
 #include <cinttypes>
 #include <cstdio>
 
 #include "accuracy/families.h"
 #include "all_rooms.h"
-#include "query/join_cases.h"
+#include "contact/mesh/mesh_scenes.h"
+#include "contact/outline/outline_scenes.h"
+#include "query/avoid/avoid_cases.h"
 
 namespace foresee::testing {
 namespace {
@@ -62,6 +65,60 @@ void print_family(const std::string& name, std::size_t count) {
   }
 }
 
+std::uint64_t mixed(const std::string& text) {
+  std::uint64_t sum = 0;
+  for (const char byte : text) sum = (sum ^ static_cast<unsigned char>(byte)) * 0x9e3779b97f4a7c15u;
+  return sum;
+}
+
+/// Scenes of each family, as text and as the first contact.
+template <class Family, class Pairings, class FirstContact>
+void print_pairs(std::span<const Family> families, const Pairings& pairings, std::uint64_t seeds,
+                 FirstContact first_contact) {
+  for (const Family& family : families)
+    for (const auto pairing : pairings)
+      for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+        const auto scene = draw_scene(family, pairing, seed);
+        std::printf("%s %d, inputs %016" PRIx64, family.name, static_cast<int>(pairing),
+                    mixed(described(scene)));
+        if (const auto times = first_contact(scene))
+          for (const double value : {times->t, times->t_end, times->dt, times->dt_end}) print_bits(value);
+        std::printf("\n");
+      }
+}
+
+void print_outlines() {
+  using enum contact::testing_by_hand::OutlinePairing;
+  const auto first_contact = [](const auto& scene) {
+    return contact::testing_by_hand::outline_contact(scene);
+  };
+  print_pairs(contact::testing_by_hand::outline_families(),
+              std::array{outlines, outline_and_point, outline_and_box}, 8, first_contact);
+}
+
+void print_meshes() {
+  using enum contact::testing_by_hand::MeshPairing;
+  const auto first_contact = [](const auto& scene) { return contact::testing_by_hand::mesh_contact(scene); };
+  print_pairs(contact::testing_by_hand::mesh_families(),
+              std::array{meshes, mesh_and_point, mesh_and_box, mesh_and_ball}, 1, first_contact);
+}
+
+/// What the first objects of a scene can do.
+void print_advice(const SceneSpec& spec) {
+  const RandomScene scene = random_scene(spec);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const AvoidQuestion question = avoid_question(scene, i, as_scene(scene));
+    for (const AvoidRow& row : rows_of(question)) {
+      std::printf("%s %d", std::string(name_of(row.manoeuvre)).c_str(), row.clear);
+      for (const double value : {row.k_from, row.k_to, row.k}) print_bits(value);
+      for (const double value : row.record) print_bits(value);
+      for (const auto& end : {row.below, row.above})
+        if (end) std::printf(" %" PRId64, end->id), print_bits(end->t);
+      std::printf("\n");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace foresee::testing
 
@@ -71,5 +128,8 @@ int main() {
   for (const Layout& layout : all_layouts())
     for (SceneKind kind : all_scene_kinds)
       print_scene({.layout = layout, .kind = kind, .count = 14, .seed = seed++});
+  for (const Layout& layout : all_layouts()) print_advice({.layout = layout, .count = 14, .seed = seed++});
   for (const std::string& name : foresee::bench::family_names()) print_family(name, 100);
+  print_outlines();
+  print_meshes();
 }
