@@ -129,7 +129,9 @@ template <int D>
 void ClearRanges<D>::cut(double from, double to, std::size_t begin, std::size_t end, double near) {
   const double least = narrowest(), aside = 0.25 * least;
   const auto found = guessed_end(from, to, begin, end);
-  if (found && !(std::abs(*found - near) < 4 * least) && from < *found - aside && *found + aside < to) {
+  // Beside an end that is known already another may be noise: it must leave less to search.
+  const double margin = near == nowhere ? 0 : std::max(4 * least, 0.125 * (to - from));
+  if (found && from + margin < *found - aside && *found + aside < to - margin) {
     search(from, *found - aside, begin, end, *found);
     search(*found - aside, *found + aside, begin, end, *found);
     search(*found + aside, to, begin, end, *found);

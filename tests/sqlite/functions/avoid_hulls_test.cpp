@@ -147,5 +147,19 @@ TEST_F(AvoidHulls, OfManyPiecesTakeLittleMemory) {
   }
 }
 
+/// Two flat things that pass the same height at one moment touch with no depth for many a rate of climb:
+/// where that begins is noise to whoever guesses. (0.2.0 went down guess by guess until the stack ended.)
+TEST_F(AvoidHulls, FlatOnesThatPassOneHeightTouchWithoutDepth) {
+  db.exec(
+      "CREATE VIRTUAL TABLE kites USING moving_objects(id, t, x, y, z, vx, vy, vz, shape, heading, hz);"
+      "INSERT INTO kites VALUES (1, 0, -14.617, 2.496613979412, 3.9, 0, 0, -1, 'POLYGON((10 0, 12 0, 11 3, "
+      "10 0))', 37.5, 0);"
+      "CREATE VIRTUAL TABLE rings USING moving_objects(id, t, x, y, z, vx, vy, vz, r, hz);"
+      "INSERT INTO rings VALUES (2, 2.5, 1.386740452396, -0.745925144678, 4.4, -1.208, 0, -1, 1, 0)");
+  EXPECT_EQ(db.rows("SELECT clear, round(k_from, 6), round(k_to, 6) FROM "
+                    "predictive_avoid(30, 'kites', 1, 1, 'climb', -2, 2, 3.3, 'rings', NULL, 'ignore')"),
+            "1|-2.0|0.56041\n0|0.56041|1.295738\n1|1.295738|2.0");
+}
+
 }  // namespace
 }  // namespace foresee::testing
