@@ -8,11 +8,20 @@
 
 namespace foresee::contact {
 
-/// Between p and q, the change at which touching begins or ceases, as near as `width`: a guess, where one of
-/// the two touches, the other does not, and no path is bent. `met_at`: the encounter of a change.
+/// Nothing where it is not known: paths that bend, extents that grow away from a centre.
+using Clearance = std::optional<double>;
+
+/// How far outside the other a changed motion stays; 0 or less where it touches.
 template <int D>
-std::optional<double> end_between(const std::function<const Encounter<D>&(double)>& met_at,
-                                  const OwnMotion& base, const Change& change, double p, double q,
+Clearance gap_of(const Encounter<D>& met, const OwnMotion& base, const Change& change, double k);
+
+/// Of one that touches the other at first: how its centre moves away then; 0 or less where it does not part.
+template <int D>
+Clearance parting_of(const Encounter<D>& met, const OwnMotion& base, const Change& change, double k);
+
+/// Between p and q, the change at which `clearance_at` passes 0, as near as `width`; nothing unless one of
+/// the two is above 0 and the other is not.
+std::optional<double> end_between(const std::function<Clearance(double)>& clearance_at, double p, double q,
                                   double width);
 
 }  // namespace foresee::contact

@@ -1,9 +1,36 @@
 #include "contact/growing/changed_ways.h"
 
+#include "numbers/turned_vector.h"
+
 namespace foresee::contact {
+namespace {
+
+template <int D>
+Vec<D> turned(Vec<D> vector, const SineCosine<double>& by) {
+  const double x = vector[0];
+  vector[0] = x * by.cosine + vector[1] * by.sine;
+  vector[1] = vector[1] * by.cosine - x * by.sine;
+  return vector;
+}
+
+/// Both ends on each axis; most sets of a scene hold nothing but 0.
+template <int D>
+void find_ends(const VectorSet<D>& set, Vec<D>& least, Vec<D>& most) {
+  least = most = Vec<D>::Zero();
+  if ((set.centre == 0).all() && (set.along == 0).all() && (set.pad == 0).all()) return;
+  for (int axis = 0; axis < D; ++axis) most[axis] = set.greatest(axis), least[axis] = set.least(axis);
+}
+
+}  // namespace
 
 template <int D>
 RoughWay<D> rough_way(const OwnMotion& base, const Change& change, double k) {
+  if constexpr (D > 1)
+    if (change.manoeuvre == Manoeuvre::turn) {
+      const SineCosine<double> by = quick_sine_cosine(k);
+      return {Vec<D>::Zero(), turned<D>(Eigen::Map<const Vec<D>>(base.v.data()), by),
+              turned<D>(Eigen::Map<const Vec<D>>(base.a.data()), by), 0, base.until - base.t};
+    }
   const MotionSet<D> one = motions_between<D>(base, change, k, k);
   return {one.place.centre, one.velocity.centre, one.acceleration.centre, one.begin, one.end};
 }
@@ -16,11 +43,7 @@ ChangedWays<D> changed_ways(const OwnMotion& base, const Change& change, double 
   ways.middle = {all.place.centre, all.velocity.centre, all.acceleration.centre, all.begin, all.end};
   ways.first = rough_way<D>(base, change, p), ways.last = rough_way<D>(base, change, q);
   const VectorSet<D>* const parts[] = {&all.place, &all.velocity, &all.acceleration};
-  for (int part = 0; part < 3; ++part)
-    for (int axis = 0; axis < D; ++axis) {
-      ways.most[part][axis] = parts[part]->greatest(axis);
-      ways.least[part][axis] = parts[part]->least(axis);
-    }
+  for (int part = 0; part < 3; ++part) find_ends<D>(*parts[part], ways.least[part], ways.most[part]);
   const auto off_chord = [](const VectorSet<D>& set) {
     return set.turns ? (1 - (set.whole_circle ? -1 : set.cosine)) * set.radius : 0;
   };

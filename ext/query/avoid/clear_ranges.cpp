@@ -12,6 +12,8 @@ namespace foresee::query {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
+/// In degrees: hardly anybody near is beside all courses of a wider one.
+constexpr double widest_arc = 45;
 /// In doubt, of one intruder.
 constexpr std::size_t many_parts = 64;
 /// Whose parts are kept, a kilobyte each.
@@ -29,9 +31,14 @@ std::vector<KRange> ClearRanges<D>::between(double lo, double hi) {
   width_ = hi - lo;
   least_change_ = least_change(base_, change_, lo, hi);
   clear_.clear();
-  open_.resize(intruders_.size());
+  const std::size_t all = intruders_.size();
+  open_.resize(all);
   std::iota(open_.begin(), open_.end(), 0U);
-  search(lo, hi, 0, open_.size(), nowhere);
+  const int parts =
+      change_.manoeuvre == Manoeuvre::turn ? static_cast<int>(std::ceil(width_ / widest_arc)) : 1;
+  const auto part_begin = [&](int part) { return lo + part * (width_ / parts); };
+  for (int part = 0; part < parts; ++part)
+    search(part_begin(part), part + 1 < parts ? part_begin(part + 1) : hi, 0, all, nowhere);
   return std::move(clear_);
 }
 
@@ -150,12 +157,14 @@ void ClearRanges<D>::cut(double from, double to, std::size_t begin, std::size_t 
 template <int D>
 std::optional<double> ClearRanges<D>::guessed_end(double from, double to, std::size_t begin,
                                                   std::size_t end) const {
-  constexpr std::size_t few = 4;
+  constexpr std::size_t few = 2;
   const MetIntruder<D>& intruder = intruders_[open_[begin]];
-  if (end - begin > few || intruder.touches_first() || intruder.has_parts()) return std::nullopt;
-  Encounter<D> met;
-  const auto met_at = [&](double k) -> const Encounter<D>& { return met = intruder.met_at(k); };
-  return end_between<D>(met_at, base_, change_, from, to, 0.25 * narrowest());
+  if (end - begin > few || intruder.has_parts()) return std::nullopt;
+  const auto clearance_at = [&](double k) {
+    return intruder.touches_first() ? contact::parting_of<D>(intruder.met(), base_, change_, k)
+                                    : contact::gap_of<D>(intruder.met_at(k), base_, change_, k);
+  };
+  return contact::end_between(clearance_at, from, to, 0.25 * narrowest());
 }
 
 template class ClearRanges<1>;

@@ -68,11 +68,15 @@ TEST(Separation, TellsClearBlockedAndOpenApart) {
   EXPECT_EQ(stone.turn(-180, -1.146), Judgement::clear);
   EXPECT_EQ(stone.turn(-1.1459, 1.1459), Judgement::blocked);
   EXPECT_EQ(stone.turn(1, 2), Judgement::open);
-  EXPECT_NEAR(*end_between<2>([&](double) -> const Encounter<2>& { return stone.met; }, stone.base,
-                              {Manoeuvre::turn, 10}, 0, 9, 1e-11),
-              1.1459919983885926, 1e-10);
-  EXPECT_FALSE(end_between<2>([&](double) -> const Encounter<2>& { return stone.met; }, stone.base,
-                              {Manoeuvre::turn, 10}, 2, 9, 1e-11));
+  const auto gap = [&](double k) { return gap_of<2>(stone.met, stone.base, {Manoeuvre::turn, 10}, k); };
+  EXPECT_NEAR(*end_between(gap, 0, 9, 1e-11), 1.1459919983885926, 1e-10);
+  EXPECT_FALSE(end_between(gap, 2, 9, 1e-11));
+  // Touched from the start, it parts if it turns away by more than a right angle.
+  const auto parting = [&](double k) {
+    return parting_of<2>(stone.met, stone.base, {Manoeuvre::turn, 10}, k);
+  };
+  EXPECT_NEAR(*end_between(parting, 0, 100, 1e-11), 90, 1e-10);
+  EXPECT_FALSE(end_between(parting, 0, 89, 1e-11));
 }
 
 TEST(Separation, ProvesAWholeRangeBesideOneThatTouches) {
