@@ -27,8 +27,7 @@ void Connection::rename(std::int64_t number, const std::string& table) {
 }
 
 void Connection::leave(std::int64_t number) noexcept {
-  interrupt_.finalize();  // a command of this table may have asked
-  if (watches_) watches_->finalize();
+  finalize();  // a command or a watch of this table may have asked
   const auto open = tables_.find(number);
   if (open == tables_.end()) return;
   scenes_.erase(open->second.store.get());
@@ -44,12 +43,6 @@ void Connection::finalize() noexcept {
 const Connection::OpenTable* Connection::find(std::int64_t number) const {
   const auto open = tables_.find(number);
   return open == tables_.end() ? nullptr : &open->second;
-}
-
-const Connection::OpenTable* Connection::find(const std::string& schema, const std::string& table) const {
-  for (const auto& [number, open] : tables_)
-    if (open.store && same_name(open.schema, schema) && same_name(open.table, table)) return &open;
-  return nullptr;
 }
 
 double Connection::likely_objects(const AskedTable& name) const {

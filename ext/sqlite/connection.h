@@ -56,10 +56,9 @@ class Connection {
     std::string schema, table;
     std::int64_t number;
   };
-  /// Null if no table has this number. Valid until the table leaves.
+  /// Null if no table has this number. Valid until the table leaves. By name SQLite alone finds a table
+  /// (open_table.h): what it has replaced stays connected while an old statement is prepared.
   const OpenTable* find(std::int64_t number) const;
-  /// Null if no table of this name is connected.
-  const OpenTable* find(const std::string& schema, const std::string& table) const;
 
   /// Null until it is registered.
   WatchUpkeep* watches() const { return watches_.get(); }

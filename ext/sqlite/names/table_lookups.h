@@ -38,6 +38,9 @@ class TableLookups {
   /// What is kept, else what SQLite says. Throws StoreError where SQLite finds no such table, or one of
   /// another kind. Requires: a table is named.
   std::optional<std::int64_t> number_of(const AskedTable& name);
+  /// The number that is kept, if it is certain that the name still means that table; else nothing. Runs its
+  /// witness, so SQLite may disconnect tables meanwhile.
+  std::optional<std::int64_t> kept_number(const AskedTable& name);
   /// The next number_of(name) need not ask SQLite; where nothing can be kept it asks. Requires:
   /// number_of(name) has just said so of a table in `schema`.
   void keep(const AskedTable& name, std::int64_t number, const std::string& schema);
@@ -54,9 +57,6 @@ class TableLookups {
   };
   static constexpr std::size_t most_kept = 8;
 
-  /// The number that is kept, if it is certain that the name still means that table; else nothing. Runs its
-  /// witness, so SQLite may disconnect tables meanwhile.
-  std::optional<std::int64_t> kept_number(const AskedTable& name);
   /// What the table that SQLite finds under the name answers; nothing if it gives no number. Throws as
   /// number_of() does.
   std::optional<std::int64_t> ask_sqlite(const AskedTable& name);

@@ -142,7 +142,7 @@ int store_step(sqlite3_vtab* base, int level) noexcept {
 /// What has changed becomes rows; then the watches of the table take it over.
 int table_sync(sqlite3_vtab* base) noexcept {
   MovingObjectsTable& table = table_of(base);
-  if (!table.has_store()) return SQLITE_OK;
+  if (!table.has_store() || table.store().is_gone()) return SQLITE_OK;
   return guarded(&base->zErrMsg, [&] {
     table.store().sync();
     if (WatchUpkeep* watches = table.connection->watches())

@@ -2,6 +2,8 @@
 // knows.
 //
 //   CREATE  declare_watch.h     read  WatchCursor     commands  watch_commands.cpp     COMMIT  settlement.h
+#include <utility>
+
 #include "sqlite/callback.h"
 #include "sqlite/modules.h"
 #include "sqlite/watch/declare_watch.h"
@@ -166,6 +168,8 @@ int watch_sync(sqlite3_vtab* base) noexcept {
   return guarded(&base->zErrMsg, [&] {
     WatchTable& table = table_of(base);
     table.watches().settle(*table.connection, table.name);
+    for (const std::string& name : table.old_names)
+      table.watches().settle(*table.connection, {table.name.schema, name});
   });
 }
 
@@ -179,7 +183,7 @@ int watch_rename(sqlite3_vtab* base, const char* new_name) noexcept {
     table.watches().remove_from_tables(connection, table.name, state);
     table.watches().forget(table.name);
     WatchRows::tables(connection.db(), table.name).rename(new_name);
-    table.name.table = new_name;
+    table.old_names.push_back(std::exchange(table.name.table, new_name));
     table.watches().add_to_tables(connection, table.name, state);
     if (!settled) return;
     WatchState moved = state;

@@ -43,6 +43,8 @@ struct WatchTable : sqlite3_vtab {
 
   std::shared_ptr<Connection> connection;
   QualifiedName name;
+  std::vector<std::string> old_names =
+      {};  ///< of this transaction: a rollback to a savepoint may bring one back
 };
 
 /// What a statement reads of a watch: xBestIndex's plan.

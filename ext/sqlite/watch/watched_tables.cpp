@@ -11,14 +11,13 @@ namespace {
 
 constexpr std::size_t pairs_at_once = 8192;
 
-/// What is connected is found without a statement: at commit, that is the table which commits.
 Connection::OpenTable find_table(Connection& connection, const std::string& schema, const std::string& name) {
-  if (const Connection::OpenTable* open = connection.find(schema, name)) return *open;
-  // A damaged file may name a watch, or a view of one: asking that would come back here.
+  const AskedTable asked{name, schema};
+  if (const auto number = connection.lookups().kept_number(asked))
+    if (const Connection::OpenTable* open = connection.find(*number)) return *open;
+  // A damaged file may name a watch, or a view of one: a query of that would come back here.
   require_moving_objects(connection.db(), name, schema);
-  Connection::OpenTable found = open_table(connection, {name, schema});
-  connection.lookups().finalize();  // a connection may be closed without any function having been used
-  return found;
+  return open_table(connection, asked);
 }
 
 std::shared_ptr<Scene> empty_scene(const Connection::OpenTable& table) {

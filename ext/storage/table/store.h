@@ -163,8 +163,11 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format,
         std::unique_ptr<ShadowRows> rows, bool is_new, std::shared_ptr<MemoryBudget> memory);
 
+  /// The table was dropped, or its creation was rolled back: every callback does nothing.
+  bool is_gone() const { return gone_; }
+
   // For a table that is connected again.
-  bool goes_by(const std::string& table) const { return name_.table == table; }
+  bool goes_by(const std::string& table) const { return !gone_ && name_.table == table; }
   /// Everything that this transaction did here is gone, and nobody said so.
   bool is_taken_back();
 
@@ -184,7 +187,8 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// Tells the budget how much this table holds and how much waits.
   void note_memory() noexcept;
 
-  /// The rows, unless the store is torn: then SQLITE_ABORT, until SQLite rolls back.
+  /// The rows, unless the store is torn: then SQLITE_ABORT, until SQLite rolls back. SQLITE_SCHEMA for a
+  /// table that is gone: SQLite prepares the statement again.
   ShadowRows& shadow_rows();
   bool has_auxiliaries() const { return !declaration_.auxiliaries.empty(); }
   [[noreturn]] void damaged(const std::string& what) const;
@@ -193,6 +197,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// Forgets all nodes if another connection has committed since they were read. Cost: one look-up, none
   /// where this connection is writing.
   void believe_only_this_stamp();
+  void revalidate_at_begin();
   bool read_stored(std::int64_t id, std::vector<double>& record);
 
   // reading (store_read.cpp)
@@ -259,6 +264,9 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   void give_up_savepoints(std::size_t from) noexcept;
   /// Memory knows of no transaction any more: no savepoint, nothing pending, not torn.
   void end_transaction() noexcept;
+  /// SQLite has no such table any more. It reports the end of the transaction only to tables that exist,
+  /// while a statement that was prepared before may keep this store: so the store forgets everything at once.
+  void close() noexcept;
   void note_change() noexcept { ++undo_position_, differs_from_version_ = true; }
 
   sqlite3* db_;
@@ -279,6 +287,8 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   bool watches_known_ = false;
 
   bool in_transaction_;
+  bool is_new_;               ///< this transaction has made the table
+  bool gone_ = false;         ///< the table is dropped, or was never made: nothing is read or written
   bool writing_ = false;      ///< this transaction has changed something: nobody else can
   bool stamped_ = false;      ///< … and what is stored now has a stamp of its own
   bool torn_ = false;         ///< rows were written by a change that then failed: only rolling back helps

@@ -21,6 +21,8 @@ std::shared_ptr<Store> Store::create(sqlite3* db, const std::string& schema, con
                                      const Declaration& declaration) {
   const QualifiedName name{schema, table};
   const NodeFormat format = create_shadow_tables(db, name, declaration);
+  // A table that a rollback to a savepoint has unmade: SQLite does not report that to it.
+  if (const auto other = find_open_store(db, name); other && other->goes_by(table)) other->close();
   auto rows = std::make_unique<ShadowRows>(shadow_tables(db, name, declaration), declaration);
   auto store =
       std::make_shared<Store>(db, name, declaration, format, std::move(rows), true, memory_budget_of(db));
@@ -60,6 +62,7 @@ Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const Nod
       tree_(make_tpr_tree(cache_, declaration_.horizon)),
       pending_(std::make_shared<PendingObjects>(static_cast<std::size_t>(format_.at.size))),
       in_transaction_(is_new),
+      is_new_(is_new),
       table_at_begin_(name_.table) {
   cache_.connect(*shadow_rows_);
   if (is_stored_apart(declaration_.layout.shape))
@@ -68,6 +71,8 @@ Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const Nod
 }
 
 ShadowRows& Store::shadow_rows() {
+  if (gone_)
+    throw StoreError(SQLITE_SCHEMA, name_.table + ": the table is dropped; prepare the statement again");
   if (torn_) throw StoreError(SQLITE_ABORT, name_.table + ": a write failed half-way; roll back");
   return *shadow_rows_;
 }
@@ -117,8 +122,18 @@ std::shared_ptr<NodeSource> Store::take_snapshot() {
 
 // --- transactions
 
+/// From here on nobody else can write, so that savepoints are marks of what is stored now. A damaged table
+/// reports it where it is read: DROP TABLE begins a transaction too.
+void Store::revalidate_at_begin() try { believe_only_this_stamp(); } catch (const StoreError& error) {
+  const int code = error.code & 0xff;
+  if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;
+  cache_.forget_all();
+  believed_stamp_.reset();
+}
+
 void Store::begin() {
-  if (in_transaction_) return;
+  if (in_transaction_ || gone_) return;
+  revalidate_at_begin();
   table_at_begin_ = name_.table;
   cache_.begin();
   in_transaction_ = true;
@@ -127,6 +142,7 @@ void Store::begin() {
 // Several watches may ask in one COMMIT. With a savepoint open memory says of what it has written that it
 // waits: but nothing has changed since.
 void Store::sync() {
+  if (gone_) return;
   shadow_rows();
   if (synced_position_ == undo_position_ && !(waits() && is_taken_back())) return;
   flush();
@@ -135,7 +151,7 @@ void Store::sync() {
 
 void Store::end_transaction() noexcept {
   give_up_savepoints(0);
-  in_transaction_ = writing_ = stamped_ = torn_ = false;
+  in_transaction_ = is_new_ = writing_ = stamped_ = torn_ = false;
   ++transaction_;
   largest_ = {};
   own_stamp_.reset();
@@ -158,7 +174,15 @@ bool Store::is_taken_back() {
   }
 }
 
+void Store::close() noexcept {
+  back_to_begin();
+  cache_.forget_all();
+  end_transaction();
+  gone_ = true;
+}
+
 void Store::commit() {
+  if (gone_) return;
   if (writing_ && !stamped_) believed_stamp_.reset();  // a rollback to a savepoint took the new stamp back
   cache_.commit();
   end_transaction();
@@ -169,6 +193,8 @@ void Store::rollback() {
     rolled_back_ = true;
     return;
   }
+  if (gone_) return;
+  if (is_new_) return close();
   go_by(table_at_begin_);
   back_to_begin();
   watches_known_ = false;
@@ -191,7 +217,7 @@ void Store::back_to_begin() noexcept {
 // --- savepoints
 
 void Store::savepoint(int level) {
-  if (own_statements_ > 0) return;
+  if (own_statements_ > 0 || gone_) return;
   shadow_rows();
   // Two virtual tables that share this store are both told.
   if (!savepoints_.empty() && savepoints_.back().level >= level) return;
@@ -219,14 +245,14 @@ std::size_t Store::savepoints_before(int level) const noexcept {
 }
 
 void Store::release(int level) {
-  if (own_statements_ > 0) return;
+  if (own_statements_ > 0 || gone_) return;
   const std::size_t kept = savepoints_before(level);
   give_up_savepoints(kept);
   if (kept == 0) pending_->forget_past();
 }
 
 void Store::rollback_to(int level) {
-  if (own_statements_ > 0) return;
+  if (own_statements_ > 0 || gone_) return;
   const std::size_t first = savepoints_before(level);
   const bool is_marked = first < savepoints_.size() && savepoints_[first].level == level;
   if (is_marked || first > 0) {
@@ -234,8 +260,12 @@ void Store::rollback_to(int level) {
     give_up_savepoints(is_marked ? first + 1 : first);
     return;
   }
+  // No mark is as old. Either the mark could not be set, and its statement failed before it changed anything;
+  // or the table joined the transaction after that savepoint.
+  if (own_stamp_ && !is_taken_back()) return;
+  if (is_new_ && own_stamp_) return close();
   go_by(table_at_begin_);
-  back_to_begin();  // the table joined the transaction after that savepoint
+  back_to_begin();
   own_stamp_.reset();
   watches_known_ = false;
   note_change();
@@ -291,8 +321,7 @@ void Store::drop() {
                            "and then DROP the table");
   const OwnStatements own(*this);
   shadow_tables(db_, name_, declaration_).drop();
-  cache_.forget_all();
-  pending_->clear();
+  close();
 }
 
 }  // namespace foresee::storage
