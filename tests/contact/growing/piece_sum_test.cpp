@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/growing/outline_pair.h"
 #include "contact/outline/outline_scenes.h"
 #include "scenes.h"
 #include "shape/outline/turn.h"

@@ -1,5 +1,4 @@
 // Many objects at once: the tree is as sound as if they had come one by one, and its leaves stay full.
-#include "index/tpr_tree/merge.h"
 
 #include <gtest/gtest.h>
 

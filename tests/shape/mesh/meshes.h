@@ -3,7 +3,6 @@
 
 #include <string>
 
-#include "shape/mesh/mesh.h"
 
 namespace foresee::shape {
 

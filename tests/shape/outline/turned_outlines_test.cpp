@@ -5,7 +5,6 @@
 
 #include <thread>
 
-#include "shape/outline/turn.h"
 #include "shape/outline/wkt_reader.h"
 #include "shape/swept_boxes.h"
 

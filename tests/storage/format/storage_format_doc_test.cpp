@@ -6,7 +6,6 @@
 
 #include "storage/database.h"
 #include "storage/format/node_format.h"
-#include "storage/rows/shadow_schema.h"
 
 namespace foresee::storage {
 namespace {

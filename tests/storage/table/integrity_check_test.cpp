@@ -1,5 +1,4 @@
 // Damage is found: by every read of what it touches, and by integrity_check() wherever it is.
-#include "storage/table/integrity_check.h"
 
 #include "storage/database.h"
 #include "storage/format/leaf_node.h"
