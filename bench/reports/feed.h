@@ -8,9 +8,8 @@
 // second on average. A report is made of an object's last one, dt seconds ago, by these rules:
 //
 //   t      the clock
-//   place  the expected one, x + v dt + a dt²/2, and on every axis up to 5 % of the distance moved more or
-//   less speed  v of the last report, half of the time scaled by 0.8 to 1.25, else turned in the plane of x
-//   and y
+//   place  the expected one, x + v dt + a dt²/2, and on every axis 5 % of the distance moved more or less
+//   speed  v of the last report, half of the time scaled by 0.8 to 1.25, else turned in the plane of x and y
 //          by up to 45° either way; a is scaled or turned together with v
 //
 // The law of the workload decides whether there is an a. Who passes a side of the scene (the box around all

@@ -2,8 +2,8 @@
 // distance. Like outline_contact.h a class of its own behind the room's door, as its sets are made pair by
 // pair.
 //
-//   const MeshRows* rows = …;                          // whose triangles are made when a row is first asked
-//   for auto contact = make_mesh_contact(setup, {.a = rows, .b = nullptr}, degree);
+//   const MeshRows* rows = …;  // whose triangles are made when a row is first asked for
+//   auto contact = make_mesh_contact(setup, {.a = rows, .b = nullptr}, degree);
 //
 // The surfaces of both are triangles under a tree of boxes, or the one box that a row's half extents make; a
 // solid is also touched by what lies within it. The stages of a pair are those of outlines: trees, triangles

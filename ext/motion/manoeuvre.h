@@ -2,12 +2,10 @@
 // from a moment on, as numbers that a table can store.
 //
 //   const OwnMotion base = motion_from(ship, 600);            // the same motion as of t = 600
-//   const OwnMotion turned = changed(base, {Manoeuvre::turn, speed_of(base)}, 15);    // 15 degrees to
-//   starboard
+//   const OwnMotion turned = changed(base, {Manoeuvre::turn, speed_of(base)}, 15);  // 15 degrees to starboard
 //
 //   turn         velocity and acceleration are turned by k degrees clockwise (x east, y north), and so is
-//   what
-//                has a heading
+//                what has a heading
 //   speed        k is added to the speed along the course: v (m + k) / m, m = |v| rounded once
 //   climb        k is added to vz
 //   accelerate   k is added to the acceleration along the course: a + k v / m

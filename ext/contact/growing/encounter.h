@@ -1,8 +1,9 @@
 // One other object, as an object sees it that is about to change its motion: from the moment and the place of
 // the change.
 //
-//   const Encounter<2> met = encounter_of<2>(base, {now, h}, others, row, rule.pair<2>(own_row, row,
-//   base.t)); if (met.begin > met.end) …                                       // never there together
+//   const Encounter<2> met = encounter_of<2>(base, {now, h}, others, row,
+//                                           rule.pair<2>(own_row, row, base.t));
+//   if (met.begin > met.end) …                             // never there together
 //
 // At tau seconds after the change the other is at x + v tau + a tau^2 / 2, each number within its error.
 // Positions are differenced in double-double before anything is rounded, so that neither old reports nor

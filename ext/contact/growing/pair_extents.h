@@ -4,8 +4,7 @@
 // box in x and y (piece_sum.h).
 //
 //   const ExtentsRule rule(ships.layout, ships.layout, 926, std::nullopt);
-//   const PairExtents<2> pair = rule.pair<2>(row_a, row_b, 600);       // half = {0, 0}, radius = r_a + r_b +
-//   926
+//   const PairExtents<2> pair = rule.pair<2>(row_a, row_b, 600);  // half = {0, 0}, radius = r_a + r_b + 926
 //
 // The sets are those of the room's door (make_contact.cpp), with lengths rounded up: what does not touch this
 // does not touch. Meshes have none.

@@ -2,8 +2,7 @@
 // doubles: a guess that others prove.
 //
 //   const StraightApproach<2> near = straight_approach(extents, x, v, 0, 600);
-//   near.gap > 0                 // the path probably keeps clear; near.normal is a plane's that separates
-//   them
+//   near.gap > 0                 // the path probably keeps clear; near.normal is a separating plane's
 //
 // The distance from a convex set along a straight line is a convex function of time. Two tangents of it, one
 // falling and one rising, bound it from below where they cross; that mixture of their normals is square to

@@ -1,8 +1,7 @@
 // How large are the two of a pair together? Sizes of a contact set: what the rows say, and what has grown
 // since.
 //
-//   const Size radius = radius_of_both(set, setup, setup.within);      // r_a + r_b + within, and both
-//   growths
+//   const Size radius = radius_of_both(set, setup, setup.within);  // r_a + r_b + within, and both growths
 //
 // A shape of size r at its t has r + growth (s - t) at s, exactly: a linear function of time for a pair too,
 // whose two reference times may differ. Where no table declares a growth, sizes do not move and cost nothing

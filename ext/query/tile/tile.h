@@ -1,8 +1,7 @@
 // Which pairs does a rectangle own? The rule by which a join is cut into tiles that others run.
 //
 //   const Tile tile{.x0 = 0, .x1 = 10, .y0 = 0, .y1 = 10};
-//   tile.marks(box)                  // of one object; the tile owns a pair whose marks, or-ed, are
-//   Tile::owned
+//   tile.marks(box)  // of one object; a pair whose marks, or-ed, are Tile::owned is the tile's
 //
 // The reference point of a pair is the low corner of what its boxes (query/sweep) share, on x and y: the
 // greater of both low ends. A tile owns the pair if that lies in [x0, x1) x [y0, y1). Comparisons of doubles

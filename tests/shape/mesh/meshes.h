@@ -3,7 +3,6 @@
 
 #include <string>
 
-
 namespace foresee::shape {
 
 /// A corner at the origin, one along each axis: four triangles.
