@@ -8,7 +8,7 @@
 // second on average. A report is made of an object's last one, dt seconds ago, by these rules:
 //
 //   t      the clock
-//   place  the expected one, x + v dt + a dt²/2, and on every axis 5 % of the distance moved more or less
+//   place  the expected one, x + v dt + a dt²/2, and on every axis up to 5 % more or less of the distance
 //   speed  v of the last report, half of the time scaled by 0.8 to 1.25, else turned in the plane of x and y
 //          by up to 45° either way; a is scaled or turned together with v
 //

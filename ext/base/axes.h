@@ -1,6 +1,6 @@
 // A number of axes known at run time becomes one that types know: the one place where that happens.
 //
-//   return with_axes(layout.axes, [&]<int D>(Axes<D>) { return search<D>(question, interrupt); });
+//   with_axes(3, [&]<int D>(Axes<D>) { return std::array<double, D>{}.size(); }) == 3
 #pragma once
 
 #include <type_traits>

@@ -1,6 +1,6 @@
 // Where in space is a ship or an aircraft, and how does it move there? All the Earth at once.
 //
-//   const OnGlobe ship = to_globe({{30.2, -90.1}, {{6.2, 30}}});
+//   const OnGlobe ship = to_globe({.fix = {{30.2, -90.1}, {{6.2, 30}}}, .height = 9000});
 //   const Flight again = from_globe(ship);
 //
 // Geocentric coordinates (metres; x to latitude 0, longitude 0, z to the north pole). The Earth's curve is an

@@ -1,6 +1,6 @@
 // Who might touch one object? Everybody: the candidates of a question about one id, linear in the others.
 //
-//   auto candidates = make_one_with_all({.one = 7, .count = ships.count}, interrupt);  // (7, 0), (7, 1), …
+//   auto candidates = make_one_with_all({.one = 7, .count = 1000}, interrupt);  // (7, 0), (7, 1), …
 //
 // The pair of a row with itself is left to the caller, who alone knows whether both sides are one table.
 #pragma once

@@ -1,6 +1,6 @@
 // Where is an object at a moment, how fast does it move there, and does it exist then?
 //
-//   const Motion<2> ship = motion_of<2>(ships, i);
+//   const Motion<2> ship = …;                        // of a row: motion_of() in shape/bodies.h
 //   if (exists_at(ship, 700)) use(state_at(ship, 700).x);
 //
 // Existence is exact: an object exists during the closed span [t, until]. Position and velocity are computed

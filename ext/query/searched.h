@@ -1,7 +1,7 @@
 // What is searched for objects: a whole scene, or a tree as it was at one moment.
 //
 //   Searched ships{"ships", scene, nullptr};             // every object is looked at
-//   Searched ships{"ships", nullptr, snapshot};          // nodes are read as the question needs them
+//   Searched quays{"quays", nullptr, snapshot};          // nodes are read as the question needs them
 //
 // Both give the same rows. Exactly one of the two is set.
 #pragma once

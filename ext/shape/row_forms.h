@@ -1,7 +1,7 @@
 // The forms of many rows, of whichever shape their layout has: for whoever makes bodies of rows.
 //
 //   RowForms forms;
-//   forms.assign(bodies, *tree.forms(), interrupt);       // once the rows are there
+//   forms.assign(bodies, source, interrupt);              // once the rows are there
 //   forms.lend(bodies);                                   // bodies.outlines or bodies.meshes
 #pragma once
 

@@ -1,9 +1,7 @@
 // How does a C++ failure reach SQLite? Every callback runs its body in guarded(), so that no exception
 // crosses the C boundary: it becomes a result code and, where there is one to tell, a message.
 //
-//   int cursor_next(sqlite3_vtab_cursor* cursor) noexcept {
-//     return guarded(&cursor->pVtab->zErrMsg, [&] { cursor_of(cursor).next(); });
-//   }
+//   return guarded(&cursor->pVtab->zErrMsg, [&] { next(cursor); });        // in xNext
 //
 // Error becomes SQLITE_ERROR; StoreError and Refusal bring their own code; BrokenTree becomes
 // SQLITE_CORRUPT_VTAB, std::bad_alloc SQLITE_NOMEM, Interrupted SQLITE_INTERRUPT.

@@ -2,7 +2,7 @@
 // Minkowski sum grown by R: what is near a face as seen from a corner, near an edge as seen from an edge or a
 // corner, and near a corner as seen from a corner.
 //
-//   for_each_round_part(a, b, [](const RoundPart& part) { …; return true; });        // false: no more
+//   RoundParts(a, b).for_each([](const RoundPart& part) { …; return true; });    // false: no more
 //
 // Two pieces that do not overlap are nearest to each other at two of these (C. Ericson, "Real-Time Collision
 // Detection", 2005, section 5.1.10), and each part lies within R of where they touch: so all parts and the

@@ -2,7 +2,7 @@
 // a pair of nodes at a time, each cutting the time that is left by the chord (certain/chord.h).
 //
 //   const TreeWalk<2, ObjectPieces> walk(a, b, relative, {0, 600}, sizes, steps);
-//   walk.visit(Order::earlier_first, [](const Period<double>& near) { return near.begin <= best; },
+//   walk.visit(Order::earlier_first, [&](const Period<double>& near) { return near.begin <= best; },
 //              [&](std::size_t piece_a, std::size_t piece_b, const Period<double>& near) { … });
 //
 // Nothing turns, so that no box ever loosens: boxes along the axes are enough, but for surfaces, which have

@@ -2,7 +2,7 @@
 // visited grows least.
 //
 //   ChildChoice<2> choice(*inner, state.cost(inner->epoch));     // for as many objects as there are
-//   const std::size_t slot = choice.choose(object.entry(inner->epoch).bounds);
+//   const std::size_t slot = choice.choose(entry_of(object, inner->epoch).bounds);
 //
 // Ties go to the cheaper child. Cost: reading the node's entries once; then, an object, some thirty
 // multiplications for each child, side by side.

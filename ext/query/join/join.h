@@ -1,7 +1,7 @@
 // Which pairs will meet, and when? predictive_join as a library call: candidates, contact, rows.
 //
 //   Join join({.a = ships, .now = 600, .h = 600, .within = 926}, interrupt);
-//   while (auto rows = join.next(); !rows.empty())
+//   for (auto rows = join.next(); !rows.empty(); rows = join.next())
 //     for (const JoinRow& row : rows) use(row.a, row.b, row.contact.t);
 //
 // Guarantee: every pair that touches during [now, now + h] comes exactly once, whatever the method; in a

@@ -1,7 +1,7 @@
 // The hits of one slab in the order that the question asks for.
 //
 //   do {
-//     for (/* all hits of the slab */) sorted.add(hits, interrupt);
+//     while (next(hits)) sorted.add(hits, interrupt);      // all hits of the slab
 //     sorted.sort(interrupt);
 //     while (sorted.any()) sorted.take(hits);
 //   } while (sorted.leaves_some_out());

@@ -3,7 +3,7 @@
 //
 //   TimeSlabs slabs(question, {.step = 12, .first = 0.5});
 //   while (auto slab = slabs.next())
-//     for (/* candidates of slab->horizon */)
+//     while (first_contact(slab->horizon, pair, times))     // of one candidate after the other
 //       if (slab->holds(times.t)) report(pair);
 //
 // A pair belongs to the slab that holds the `t` of its first contact, so it is reported once and no set

@@ -1,7 +1,7 @@
 // Where is everything, moment by moment? predictive_track as a library call.
 //
 //   Tracks tracks(ships, {.t0 = 0, .t1 = 600, .step = 60}, interrupt);
-//   while (auto row = tracks.next()) draw(row->id, row->t, row->x);
+//   while (auto row = tracks.next()) draw(row->at.id, row->t, row->at.x);
 //
 // Guarantee: the rows of Positions at t0 + i * step, each moment rounded once, while that is below t1, and
 // then at t1; by time, then by id. Moments that round to the same double come once. Cost: one evaluation an

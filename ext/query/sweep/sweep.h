@@ -2,7 +2,7 @@
 // tiles own pairs (query/tile).
 //
 //   Sweep sweep({.tree = ships, .now = 600, .h = 600, .within = 926}, interrupt);
-//   while (auto rows = sweep.next(); !rows.empty())
+//   for (auto rows = sweep.next(); !rows.empty(); rows = sweep.next())
 //     for (const SweepRow& row : rows) use(row.id, row.lower[0], row.upper[0]);
 //
 // Guarantee: every object that exists during [now, now + h] comes exactly once, with the box that

@@ -1,6 +1,6 @@
 // Which candidates does a join's tile own? One byte an object, one operation a candidate.
 //
-//   auto candidates = owned_candidates(make_gpcd_grid<2>(…), ownership);   // others never reach contact
+//   auto candidates = owned_candidates(make_gpcd_grid<2>(boxes, nullptr, interrupt), ownership);
 //
 // Guarantee: of the pairs that the inner candidates give, exactly those that the tile owns come, in order.
 #pragma once

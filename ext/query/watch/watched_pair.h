@@ -1,7 +1,7 @@
 // What does a watch know of a pair, and what does it tell when that changes?
 //
 //   const PairChange change = compare(&before, &after, {.clock = 1260, .tolerance = 0});
-//   if (change.op) log(change.op, change.t);           // '+' new, '~' its time moved, '-' gone
+//   if (change.op) log(change.op, change.row.t);       // '+' new, '~' its time moved, '-' gone
 //   if (change.writes) write(change.row);              // else the row that is stored stays true
 //
 // A pair's time is the begin of its first contact that ends at or after the clock. A time at or before the

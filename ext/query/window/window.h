@@ -2,7 +2,7 @@
 //
 //   Window window({.objects = {"ships", scene, nullptr}, .now = 600, .h = 300,
 //                  .faces = {.lower = {0, 0, -infinity}, .upper = {100, 100, infinity}}}, interrupt);
-//   while (auto rows = window.next(); !rows.empty())
+//   for (auto rows = window.next(); !rows.empty(); rows = window.next())
 //     for (const WindowRow& row : rows) use(row.id, row.contact.t);
 //
 // Guarantee: every object whose shape touches the closed window at a moment of [now, now + h] at which it

@@ -1,8 +1,8 @@
 // What is one argument of CREATE VIRTUAL TABLE: a column, an auxiliary column or an option?
 //
-//   parse_argument("vx REAL")          {column, "vx", "REAL"}
-//   parse_argument("+\"full name\"")   {auxiliary, "full name", ""}
-//   parse_argument("horizon = 600")    {option, "horizon", "600"}
+//   parse_argument("vx REAL")          // {column, "vx", "REAL"}
+//   parse_argument("+\"full name\"")   // {auxiliary, "full name", ""}
+//   parse_argument("horizon = 600")    // {option, "horizon", "600"}
 //
 // Names may be quoted in each of SQLite's ways. Throws Error with a message that says what to write instead.
 #pragma once

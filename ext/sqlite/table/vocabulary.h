@@ -1,6 +1,6 @@
 // Which column names does moving_objects know? The fixed vocabulary of motion and shape, without `id`.
 //
-//   find_word("VX")->quantity == Quantity::velocity, ->axis == 0
+//   find_word("VX")->quantity == Quantity::velocity && find_word("VX")->axis == 0
 //   nearest_word("vxx") == "vx"
 #pragma once
 

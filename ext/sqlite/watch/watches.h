@@ -1,8 +1,8 @@
 // Which watches are there, and who keeps them? The upkeep of all watches of a connection.
 //
 //   Watches& watches = watches_of(connection);
-//   watches.rows({"main", "alerts"})->read_state();
-//   watches.settle({"main", "alerts"});                  // in xSync of a watch or of its tables
+//   watches.rows(connection, {"main", "alerts"})->read_state();
+//   watches.settle(connection, {"main", "alerts"});      // in xSync of a watch or of its tables
 //
 // A table knows the names of its watches (Store::watches), a watch those of its tables. A watch that is
 // damaged or gone is passed over when its table commits, and is no reason to refuse anything; its own reader

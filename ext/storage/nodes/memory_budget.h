@@ -2,7 +2,7 @@
 //
 //   auto budget = std::make_shared<MemoryBudget>(limits);       // one a connection: memory_budget_of(db)
 //   MemoryShare share(*budget, table);                          // one a table
-//   share.hold_pending(bytes); share.hold_nodes(…);             // as it is now
+//   share.hold_pending(bytes), share.hold_nodes(waiting, map, kept);    // as it is now
 //   if (budget->too_much_waits()) budget->write_out();          // every table writes what waits
 //   budget->evict();                                            // every table drops what it can read again
 //

@@ -3,7 +3,7 @@
 //
 //   cache.forget_all();                      // another connection has changed the table
 //   auto tree = make_tpr_tree(cache, 60);    // index/pages.h says what a tree may do with its pages
-//   cache.begin_change(); tree->insert(…); cache.end_change();       // or cancel_change(): as if nothing was
+//   cache.begin_change(); tree->insert(42, record); cache.end_change();    // or cancel_change(): as if nothing was
 //   cache.write(interrupt);                  // everything that waits
 //
 // Nodes that were read stay, within the connection's memory_budget.h, for as long as the stamp says that

@@ -1,7 +1,7 @@
 // How was the tree at an earlier moment? An undo log of nodes: marks in time, and what each node was like
 // before it changed.
 //
-//   undo.set(head);                        // a mark: nothing is copied
+//   undo.set(head, false);                 // a mark: nothing is copied
 //   undo.keep(7, state);                   // node 7 is about to change: the newest mark keeps what it is
 //   undo.find(mark, 7)                     // node 7 as it was at that mark; null: it is so still
 //
