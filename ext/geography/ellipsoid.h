@@ -34,11 +34,25 @@ inline Direction direction_of(double degrees) {
   }
 }
 
+/// The power of two that brings numbers of this size near 1: computed so far from the ends of a double's
+/// range, and scaled back by std::ldexp, a result is finite wherever a double holds it.
+inline int exponent_of(double magnitude) {
+  int exponent = 0;
+  std::frexp(magnitude, &exponent);
+  return exponent;
+}
+
+/// An angle of any size as a course: in [0, 360), and never -0. A small negative angle plus 360 rounds to
+/// 360.
+inline double full_turn(double degrees) {
+  const double half_turn = std::remainder(degrees, 360);
+  const double course = half_turn < 0 ? half_turn + 360 : half_turn + 0.0;
+  return course < 360 ? course : 0;
+}
+
 /// The angle in degrees, clockwise from north, of a vector to the east and north: in [0, 360).
 inline double course_of(double east, double north) {
-  const double degrees = std::atan2(east, north) * (180 / 3.14159265358979323846);
-  const double course = degrees < 0 ? degrees + 360 : degrees;
-  return course < 360 ? course : 0;
+  return full_turn(std::atan2(east, north) * (180 / 3.14159265358979323846));
 }
 
 }  // namespace foresee::geography

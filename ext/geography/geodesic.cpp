@@ -32,10 +32,27 @@ Geodesic geodesic_between(const LatLon& from, const LatLon& to) {
   return {found.distance, found.azimuth, found.reverse_azimuth, found.reduced_length};
 }
 
+// At a pole Boost's direct formula loses the longitude: it multiplies by the cosine of the latitude. There
+// each azimuth is a meridian, whose longitude is known; the formula then gives the latitude along it.
 GeodesicEnd geodesic_from(const LatLon& from, double azimuth, double distance) {
-  const auto found = formula::karney_direct<double, true, true, true>::apply(
-      within_half_turn(from.lon), from.lat, distance, within_half_turn(azimuth), earth);
-  return {{found.lat2, within_half_turn(found.lon2)}, found.reverse_azimuth, found.reduced_length};
+  const double lon = within_half_turn(from.lon);
+  if (distance == 0) return {{from.lat, lon}, within_half_turn(azimuth), 0};
+  const bool north_pole = from.lat == 90, at_pole = north_pole || from.lat == -90;
+  const double start = at_pole ? (north_pole ? 180 : 0) : within_half_turn(azimuth);
+  const auto found =
+      formula::karney_direct<double, true, true, true>::apply(lon, from.lat, distance, start, earth);
+  if (!at_pole) {
+    const LatLon place{found.lat2, within_half_turn(found.lon2)};
+    // Into a pole the formula's azimuth is the angle of (0, 0); the inverse formula knows it.
+    const bool into_pole = std::abs(place.lat) == 90;
+    const double arrival = into_pole ? geodesic_between(from, place).azimuth_there : found.reverse_azimuth;
+    return {place, arrival, found.reduced_length};
+  }
+  const double meridian = north_pole ? 180 - within_half_turn(azimuth) : within_half_turn(azimuth);
+  const bool beyond_other_pole = (std::abs(found.reverse_azimuth) < 90) == north_pole;
+  return {{found.lat2, within_half_turn(lon + meridian + (beyond_other_pole ? 180 : 0))},
+          found.reverse_azimuth,
+          found.reduced_length};
 }
 
 }  // namespace foresee::geography

@@ -35,7 +35,8 @@ struct GeodesicEnd {
 Geodesic geodesic_between(const LatLon& from, const LatLon& to);
 GeodesicEnd geodesic_from(const LatLon& from, double azimuth, double distance);
 
-/// Half the length of a meridian: no two places are farther apart.
-inline constexpr double greatest_distance = 20003931.4586;
+/// Half the length of a meridian, 20003931.45862545 m, rounded up: no two places are farther apart, as
+/// computed neither.
+inline constexpr double greatest_distance = 20003931.458626;
 
 }  // namespace foresee::geography

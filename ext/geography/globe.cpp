@@ -1,5 +1,6 @@
 #include "geography/globe.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -33,33 +34,51 @@ struct Horizontal {
 
 constexpr double least_radius = 1e5;  // metres
 
+bool all_finite(const Vector& v) {
+  return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+}
+
+OnGlobe::Motion motion_of(const Flight& flight, const Horizontal& here) {
+  const Course& given = *flight.fix.course;
+  const Direction course = direction_of(given.degrees);
+  const double curvature = course.sine * course.sine / (here.across + flight.height) +
+                           course.cosine * course.cosine / (here.along + flight.height);
+  const int exponent = exponent_of(std::max(std::abs(given.speed), std::abs(flight.climb)));
+  const int square = exponent_of(given.speed);
+  const double speed = std::ldexp(given.speed, -exponent), climb = std::ldexp(flight.climb, -exponent);
+  const double s = std::ldexp(given.speed, -square);
+  OnGlobe::Motion motion{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double v =
+        speed * (course.sine * here.east[i] + course.cosine * here.north[i]) + climb * here.up[i];
+    motion.v[i] = std::ldexp(v, exponent) + 0.0;
+    motion.a[i] = std::ldexp(-s * s * curvature * here.up[i], 2 * square) + 0.0;
+  }
+  if (!all_finite(motion.v) || !all_finite(motion.a))
+    throw Error("speed, climb are " + shown(given.speed) + ", " + shown(flight.climb) +
+                ": velocity or acceleration is more than a double holds; write metres per second, or NULL");
+  return motion;
+}
+
 }  // namespace
 
 OnGlobe to_globe(const Flight& flight) {
   const LatLon& place = flight.fix.place;
   const Horizontal here(direction_of(place.lat), direction_of(std::remainder(place.lon, 360)));
+  if (!(here.along + flight.height >= least_radius))
+    throw Error("height is " + shown(flight.height) +
+                " m: the centre of the Earth is 6.4e6 m down; write metres above the ellipsoid, or NULL");
   const double out = here.across + flight.height;
-  OnGlobe point{{out * here.up[0], out * here.up[1],
-                 (here.across * (1 - eccentricity_squared) + flight.height) * here.up[2]},
+  OnGlobe point{{out * here.up[0] + 0.0, out * here.up[1] + 0.0,
+                 (here.across * (1 - eccentricity_squared) + flight.height) * here.up[2] + 0.0},
                 {}};
-  if (!flight.fix.course) return point;
-  const double speed = flight.fix.course->speed;
-  const Direction course = direction_of(flight.fix.course->degrees);
-  const double curvature = course.sine * course.sine / (here.across + flight.height) +
-                           course.cosine * course.cosine / (here.along + flight.height);
-  OnGlobe::Motion motion{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    motion.v[i] =
-        speed * (course.sine * here.east[i] + course.cosine * here.north[i]) + flight.climb * here.up[i];
-    motion.a[i] = -speed * speed * curvature * here.up[i];
-  }
-  point.motion = motion;
+  if (flight.fix.course) point.motion = motion_of(flight, here);
   return point;
 }
 
 Flight from_globe(const OnGlobe& point) {
-  const auto [x, y, z] = point.x;
-  const double p = std::hypot(x, y);
+  // + 0.0: on the axis the longitude is 0, whichever zeros x and y are.
+  const double x = point.x[0] + 0.0, y = point.x[1] + 0.0, z = point.x[2] + 0.0, p = std::hypot(x, y);
   if (!(std::hypot(p, z) >= least_radius))
     throw Error("x, y, z are " + shown(std::hypot(p, z)) +
                 " m from the centre of the Earth: heights are meant from 100 km on");
@@ -81,13 +100,25 @@ Flight from_globe(const OnGlobe& point) {
   flight.fix.place = {lat * degree, std::atan2(y, x) * degree};
   // Along the vertical, which neither the pole nor the equator makes a division by nothing.
   flight.height = p * cosine + z * sine - across * (1 - eccentricity_squared * sine * sine);
+  if (!std::isfinite(flight.height))
+    throw Error("x, y, z are " + shown(x) + ", " + shown(y) + ", " + shown(z) +
+                ": their height is more than a double holds; write metres");
   if (!point.motion) return flight;
-  const Direction lon = p > 0 ? Direction{y / p, x / p} : Direction{0, 1};
+  const int near_axis = exponent_of(p);
+  const double xn = std::ldexp(x, -near_axis), yn = std::ldexp(y, -near_axis), pn = std::hypot(xn, yn);
+  const Direction lon = p > 0 ? Direction{yn / pn, xn / pn} : Direction{0, 1};
   const Horizontal here({sine, cosine}, lon);
-  const double east = dot(point.motion->v, here.east), north = dot(point.motion->v, here.north);
-  const double speed = std::hypot(east, north);
+  Vector v = point.motion->v;
+  const int exponent = exponent_of(std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])}));
+  for (double& part : v) part = std::ldexp(part, -exponent);
+  const double east = dot(v, here.east), north = dot(v, here.north);
+  const double speed = std::ldexp(std::hypot(east, north), exponent);
+  flight.climb = std::ldexp(dot(v, here.up), exponent) + 0.0;
+  if (!std::isfinite(speed) || !std::isfinite(flight.climb))
+    throw Error("vx, vy, vz are " + shown(point.motion->v[0]) + ", " + shown(point.motion->v[1]) + ", " +
+                shown(point.motion->v[2]) +
+                ": their speed or climb is more than a double holds; write metres per second, or NULL");
   flight.fix.course = Course{speed, speed > 0 ? course_of(east, north) : std::nan("")};
-  flight.climb = dot(point.motion->v, here.up);
   return flight;
 }
 

@@ -33,6 +33,8 @@ struct OnGlobe {
   std::optional<Motion> motion;  ///< none where the course is not known
 };
 
+/// Throws Error for heights near the centre of the Earth, and for a velocity or acceleration beyond a
+/// double's range.
 OnGlobe to_globe(const Flight& flight);
 
 /// By Bowring's formula (Survey Review 23, 1976), repeated until it changes nothing: some nanometres up to

@@ -1,5 +1,6 @@
 #include "geography/plane.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -23,7 +24,14 @@ double stretch(double distance, double reduced_length, const LatLon& origin) {
 /// By how much a geodesic turns against the meridians. Within a millimetre its azimuths are mostly rounding.
 double convergence(const Geodesic& way, const LatLon& from, const LatLon& to) {
   if (way.distance >= 1e-3) return way.azimuth_there - way.azimuth;
-  return std::remainder(to.lon - from.lon, 360) * direction_of((from.lat + to.lat) / 2).sine;
+  const double lon = std::remainder(to.lon, 360) - std::remainder(from.lon, 360);
+  return std::remainder(lon, 360) * direction_of((from.lat + to.lat) / 2).sine;
+}
+
+/// Neighbouring geodesics meet again opposite the origin: at the end of half a meridian, and on the equator
+/// somewhat before. Within a metre of there the reduced length is mostly rounding.
+bool is_opposite(const Geodesic& way) {
+  return way.distance > 0.999 * greatest_distance || (way.distance > 3000 && !(way.reduced_length >= 1));
 }
 
 }  // namespace
@@ -34,15 +42,19 @@ OnPlane to_plane(const Fix& fix, const LatLon& origin) {
   // + 0.0: the origin itself is at 0, not at -0.
   OnPlane point{way.distance * bearing.sine + 0.0, way.distance * bearing.cosine + 0.0, {}};
   if (!fix.course) return point;
-  // Near the opposite place neighbouring lines meet again.
-  if (way.distance > 0.999 * greatest_distance)
+  if (is_opposite(way))
     throw Error("lat, lon are opposite the origin: no plane about it holds a velocity there");
   const Direction off = direction_of(std::remainder(fix.course->degrees, 360) - way.azimuth -
                                      convergence(way, origin, fix.place));
-  const double outward = fix.course->speed * off.cosine;
-  const double across = fix.course->speed * off.sine * stretch(way.distance, way.reduced_length, origin);
-  point.v = {outward * bearing.sine + across * bearing.cosine,
-             outward * bearing.cosine - across * bearing.sine};
+  const int exponent = exponent_of(fix.course->speed);
+  const double speed = std::ldexp(fix.course->speed, -exponent), outward = speed * off.cosine;
+  const double across = speed * off.sine * stretch(way.distance, way.reduced_length, origin);
+  const double vx = std::ldexp(outward * bearing.sine + across * bearing.cosine, exponent) + 0.0;
+  const double vy = std::ldexp(outward * bearing.cosine - across * bearing.sine, exponent) + 0.0;
+  if (!std::isfinite(vx) || !std::isfinite(vy))
+    throw Error("speed is " + shown(fix.course->speed) +
+                ": on the plane that is more than a double holds; write metres per second, or NULL");
+  point.v = {vx, vy};
   return point;
 }
 
@@ -54,14 +66,17 @@ Fix from_plane(const OnPlane& point, const LatLon& origin) {
   const GeodesicEnd end = geodesic_from(origin, azimuth, distance);
   Fix fix{end.place, {}};
   if (!point.v) return fix;
-  const auto [vx, vy] = *point.v;
+  const int exponent = exponent_of(std::max(std::abs((*point.v)[0]), std::abs((*point.v)[1])));
+  const double vx = std::ldexp((*point.v)[0], -exponent), vy = std::ldexp((*point.v)[1], -exponent);
   const Direction bearing = direction_of(azimuth);
   const double outward = vx * bearing.sine + vy * bearing.cosine;
   const double across =
       (vx * bearing.cosine - vy * bearing.sine) / stretch(distance, end.reduced_length, origin);
-  const double speed = std::hypot(outward, across);
-  const double turned = std::remainder(end.azimuth + course_of(across, outward), 360);
-  fix.course = Course{speed, speed > 0 ? (turned < 0 ? turned + 360 : turned) : std::nan("")};
+  const double speed = std::ldexp(std::hypot(outward, across), exponent);
+  if (!std::isfinite(speed))
+    throw Error("vx, vy are " + shown((*point.v)[0]) + ", " + shown((*point.v)[1]) +
+                ": their speed is more than a double holds; write metres per second, or NULL");
+  fix.course = Course{speed, speed > 0 ? full_turn(end.azimuth + course_of(across, outward)) : std::nan("")};
   return fix;
 }
 

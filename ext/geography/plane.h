@@ -24,10 +24,12 @@ struct OnPlane {
   std::optional<std::array<double, 2>> v;  ///< metres per second; none where the course is not known
 };
 
-/// Throws Error for a place opposite the origin, which no plane holds.
+/// Throws Error for a velocity opposite the origin, which no plane holds, and for one beyond a double's
+/// range.
 OnPlane to_plane(const Fix& fix, const LatLon& origin);
 
-/// Throws Error beyond the Earth's other side. Who does not move has no course: its speed is 0, degrees NaN.
+/// Throws Error beyond the Earth's other side, and for a speed beyond a double's range. What does not move
+/// has no course: its speed is 0, degrees NaN.
 Fix from_plane(const OnPlane& point, const LatLon& origin);
 
 }  // namespace foresee::geography

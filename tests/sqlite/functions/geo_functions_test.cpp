@@ -90,6 +90,43 @@ TEST_F(GeoFunctions, SayWhatIsWrong) {
       "100 km on");
 }
 
+TEST_F(GeoFunctions, LeadBackFromAPlaneAboutAPole) {
+  for (const char* pole : {"90, 0", "90, 100", "-90, 0", "-90, -180"})
+    EXPECT_EQ(
+        db.rows(std::string("SELECT round(g.lat, 9), round(g.lon, 9), round(g.speed, 9), round(g.course, 7) "
+                            "FROM geo_to_plane(80, 120, 5, 90, ") +
+                pole + ") p, plane_to_geo(p.x, p.y, p.vx, p.vy, " + pole + ") g"),
+        "80.0|120.0|5.0|90.0")
+        << pole;
+  EXPECT_EQ(db.rows("SELECT lat, lon FROM plane_to_geo(0, 0, 0, 0, 90, 12)"), "90.0|12.0");
+  EXPECT_EQ(db.rows("SELECT round(g.lat, 9) FROM geo_to_plane(-90, 0, 5, NULL, 90, 0) p, "
+                    "plane_to_geo(p.x, p.y, NULL, NULL, 90, 0) g"),
+            "-90.0");
+}
+
+TEST_F(GeoFunctions, GiveCoursesBelow360) {
+  EXPECT_EQ(db.rows("SELECT course FROM plane_to_geo(-1e-10, 100, 0, 1, 54, 8)"), "0.0");
+}
+
+TEST_F(GeoFunctions, NameASpeedThatIsTooLargeForTheirResult) {
+  EXPECT_EQ(
+      db.error_of("SELECT * FROM geo_to_plane(10, 170, 1.79e308, 0, 0, 0)"),
+      "geo_to_plane: speed is 1.79e+308: on the plane that is more than a double holds; write metres per "
+      "second, or NULL");
+  EXPECT_EQ(db.rows("SELECT vx, vy FROM geo_to_plane(0, 0, 1.79e308, 90, 0, 0)"), "1.79e+308|0.0");
+  EXPECT_EQ(
+      db.error_of("SELECT * FROM plane_to_geo(0, 0, 1.5e308, 1.5e308, 0, 0)"),
+      "plane_to_geo: vx, vy are 1.5e+308, 1.5e+308: their speed is more than a double holds; write metres "
+      "per second, or NULL");
+  EXPECT_EQ(db.error_of("SELECT * FROM geo_to_globe(0, 0, 0, 1e160, 90, 0)"),
+            "geo_to_globe: speed, climb are 1e+160, 0: velocity or acceleration is more than a double holds; "
+            "write metres per second, or NULL");
+  EXPECT_EQ(
+      db.error_of("SELECT * FROM geo_to_globe(0, 0, -6378137, 5, 90, 0)"),
+      "geo_to_globe: height is -6378137 m: the centre of the Earth is 6.4e6 m down; write metres above the "
+      "ellipsoid, or NULL");
+}
+
 TEST_F(GeoFunctions, JoinToReportsOfWhichSomeHaveNoPosition) {
   db.exec(
       "CREATE TABLE reports(id INTEGER PRIMARY KEY, lat REAL, lon REAL, speed REAL, course REAL);"
