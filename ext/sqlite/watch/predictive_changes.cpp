@@ -1,6 +1,4 @@
 // predictive_changes(watch, since, schema) in SQL: what a watch has told since a position.
-#include <algorithm>
-
 #include "sqlite/callback.h"
 #include "sqlite/functions/table_function.h"
 #include "sqlite/names/open_table.h"
@@ -87,12 +85,13 @@ QualifiedName find_watch(sqlite3* db, const std::string& name, const std::option
                             : " (watches here: " + list + ")"));
 }
 
-/// The rows that are held, all with the watch's own position.
+/// The rows that are held, all with the watch's own position. Their times are those in the log, not the
+/// clock: a clock that goes back then says the same to every reader.
 std::vector<StoredChange> whole_watch(WatchRows& rows, const WatchState& state) {
   std::vector<StoredChange> all;
   const double now = state.clock.value_or(0);
   for (const StoredPair& pair : rows.pairs())
-    if (pair.held) all.push_back({state.seq, '+', pair.a, pair.b, std::max(pair.t, now), now});
+    if (pair.held) all.push_back({state.seq, '+', pair.a, pair.b, pair.told, now});
   return all;
 }
 

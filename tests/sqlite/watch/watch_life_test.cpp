@@ -1,6 +1,7 @@
 // Random lives of watches: after every commit the rows are those of predictive_join, bit for bit in all nine
-// columns, and folding the changes gives the rows, for a reader of each commit and for one that comes seldom.
-// FORESEE_LONG=1 lives eight lives of each kind: some 24,000 commits.
+// columns, and folding the changes gives the rows, for a reader of each commit, for one that comes seldom,
+// and for those that start in the middle of a life. FORESEE_LONG=1 lives eight lives of each kind: some
+// 24,000 commits.
 #include <cstdlib>
 
 #include "sanitized.h"
@@ -20,6 +21,10 @@ class WatchLives : public ::testing::TestWithParam<WatchLife> {
     expect_joined(db, GetParam().join, after);
     if (!HasFatalFailure()) each_.read(db, after);
     if (!HasFatalFailure()) each_.expect_rows(db, after);
+    if (!HasFatalFailure()) each_.expect_whole(db, after);
+    if (random_() % 8 == 0) late_ = WatchReader(GetParam().tolerance);
+    if (!HasFatalFailure()) late_.read(db, after);
+    if (!HasFatalFailure()) late_.expect_rows(db, after);
     if (HasFatalFailure() || random_() % 20 > 0) return;
     seldom_.read(db, after);
     if (!HasFatalFailure()) seldom_.expect_rows(db, after);
@@ -41,6 +46,7 @@ class WatchLives : public ::testing::TestWithParam<WatchLife> {
   }
 
   WatchReader each_{GetParam().tolerance}, seldom_{GetParam().tolerance};
+  WatchReader late_{GetParam().tolerance};  ///< starts again and again with since = 0
   std::mt19937 random_;
   double clock_ = -1e300;
 };
@@ -49,7 +55,7 @@ TEST_P(WatchLives, EqualTheJoinAndTheFoldedChanges) {
   for (unsigned seed = 1; seed <= seeds && !HasFatalFailure(); ++seed) {
     const TemporaryFile file;
     LifeScript script(GetParam(), seed);
-    each_ = seldom_ = WatchReader(GetParam().tolerance), clock_ = -1e300;
+    each_ = seldom_ = late_ = WatchReader(GetParam().tolerance), clock_ = -1e300;
     const auto open = [&] {
       auto opened = std::make_unique<Database>(file.path());
       opened->exec("PRAGMA synchronous = OFF");
@@ -83,7 +89,7 @@ TEST_P(WatchLives, GoOnAfterCommitsThatFail) {
     const TemporaryFile file;
     FaultyFiles files;
     LifeScript script(GetParam(), 100 + seed);
-    each_ = seldom_ = WatchReader(GetParam().tolerance);
+    each_ = seldom_ = late_ = WatchReader(GetParam().tolerance);
     const std::string name = "file:" + file.path() + "?vfs=faulty";
     auto db = std::make_unique<Database>(name);
     db->exec(std::string("PRAGMA journal_mode = ") + (seed % 2 ? "delete;" : "wal;") + script.tables());

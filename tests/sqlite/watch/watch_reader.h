@@ -4,6 +4,7 @@
 //   WatchReader reader(tolerance);
 //   reader.read(db);                        // also after its position has been trimmed
 //   reader.expect_rows(db);                 // what it has folded is the watch
+//   reader.expect_whole(db);                // and what a new reader is given, number for number
 //   expect_joined(db, "h = 10 AND within = 2");
 #pragma once
 
@@ -71,6 +72,12 @@ class WatchReader {
       ASSERT_NEAR(std::max(folded_.at(pair), now), t, tolerance_) << line << after;
     }
     ASSERT_EQ(pairs, folded_.size()) << after;
+  }
+
+  void expect_whole(Database& db, const std::string& after = "") const {
+    WatchReader whole;
+    whole.read(db, after);
+    ASSERT_EQ(folded_, whole.folded_) << after;
   }
 
  private:

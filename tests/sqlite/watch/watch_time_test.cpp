@@ -116,6 +116,24 @@ TEST_F(WatchTime, WhatIsJumpedOverIsInNoState) {
   expect_up_to_date(db);
 }
 
+// Touching since 0: a reader that starts at 100 must not take 100 for the time at which they met.
+TEST_F(WatchTime, AReaderThatStartsLateFollowsAClockThatGoesBack) {
+  create("x, r", "horizon = 10, clock = manual");
+  db.exec("INSERT INTO ships VALUES (1, 0, 5), (2, 8, 5)");
+  advance("100");
+  WatchReader reader;
+  reader.read(db);
+  reader.expect_rows(db);
+  for (const char* now : {"50", "70", "20", "300", "5", "0"}) {
+    advance(now);
+    EXPECT_EQ(db.rows("SELECT t FROM alerts"), std::string(now) + ".0");
+    reader.read(db, now);
+    reader.expect_rows(db, now);
+    reader.expect_whole(db, now);
+    expect_joined(db, "h = 10", now);
+  }
+}
+
 TEST_F(WatchTime, WithoutAHorizonItSaysEnterAndLeave) {
   create("t, x, vx", "horizon = 0, within = 1");
   db.exec("INSERT INTO ships VALUES (1, 0, 0, 1), (2, 0, 10, 0)");
