@@ -42,8 +42,10 @@ struct ListedWatch {
 /// reason.
 bool is_lost(const WatchState& state, const WatchedTables& tables) {
   if (is_settled(state, tables)) return false;
-  if (state.anew || !changed_objects(tables.a, state.stamp).told) return true;
-  return tables.b && !tables.are_one() && !changed_objects(*tables.b, state.other_stamp).told;
+  ChangedSides changed{.a = changed_objects(tables.a, state.stamp), .b = {}};
+  if (tables.b && !tables.are_one()) changed.b = changed_objects(*tables.b, state.other_stamp);
+  if (state.anew || !changed.a.told || !changed.b.told) return true;
+  return changed.a.ids.empty() && changed.b.ids.empty() && lacks_clock(state, tables);
 }
 
 ListedWatch look_at(Connection& connection, const QualifiedName& name, bool counts) {

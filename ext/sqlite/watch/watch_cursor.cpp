@@ -31,7 +31,14 @@ bool is_settled(const WatchState& state, const WatchedTables& tables) {
     return stamp && table.store->settled_stamp() == stamp;
   };
   return !state.anew && !state.asked && holds(tables.a, state.stamp) &&
-         (!tables.b || holds(*tables.b, state.other_stamp));
+         (!tables.b || holds(*tables.b, state.other_stamp)) && !lacks_clock(state, tables);
+}
+
+bool lacks_clock(const WatchState& state, const WatchedTables& tables) {
+  const auto has_any = [](const Connection::OpenTable& table) {
+    return table.store->take_snapshot()->find_root() != 0;
+  };
+  return !state.clock && (has_any(tables.a) || (tables.b && has_any(*tables.b)));
 }
 
 void WatchCursor::filter(int plan, sqlite3_value** arguments) {

@@ -95,4 +95,7 @@ std::string watch_fault(WatchTable& table);
 /// Whether the rows are about the tables as this connection sees them now, at the watch's moment.
 bool is_settled(const WatchState& state, const WatchedTables& tables);
 
+/// Whether there are objects and no clock: it is lost, unless the transaction under way has brought them.
+bool lacks_clock(const WatchState& state, const WatchedTables& tables);
+
 }  // namespace foresee::sqlite

@@ -1,19 +1,101 @@
 // What a watch's _meta says, as WatchState; and back.
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 
+#include "base/float_environment.h"
+#include "base/shown.h"
 #include "storage/rows/store_error.h"
+#include "storage/rows/text.h"
 #include "storage/watch/watch_rows.h"
 
 namespace foresee::storage {
 namespace {
 
-/// What one row of _meta holds, as a number.
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 struct MetaValue {
-  std::string text;
-  std::optional<std::int64_t> integer;
-  std::optional<double> number;
+  int type = SQLITE_NULL;
+  std::string text = {};
+  std::int64_t integer = 0;
+  double number = 0;
+};
+
+/// The rows of _meta. Each value has one type and a range: anything else is damage, never a default.
+class MetaValues {
+ public:
+  MetaValues(Statement& rows, const std::string& watch) : watch_(watch) {
+    for (Statement::Run run(rows); run.step();) {
+      MetaValue& value = values_[run.text(0, 100)];
+      value.type = sqlite3_value_type(run.value(1));
+      if (value.type == SQLITE_TEXT) value.text = run.text(1, 1000);
+      if (value.type == SQLITE_INTEGER) value.integer = run.integer(1);
+      value.number = sqlite3_value_double(run.value(1));
+    }
+  }
+
+  bool has(const char* key) const { return values_.contains(key); }
+
+  std::optional<std::string> text(const char* key) const {
+    const MetaValue& value = declared(key);
+    if (value.type == SQLITE_NULL) return std::nullopt;
+    if (value.type != SQLITE_TEXT || value.text.empty()) refuse(key);
+    return value.text;
+  }
+  /// Nothing where it is missing or NULL, as a value is that was never written.
+  std::optional<double> number(const char* key, double min,
+                               double max = std::numeric_limits<double>::max()) const {
+    const MetaValue& value = found(key);
+    if (value.type == SQLITE_NULL) return std::nullopt;
+    const bool is_number = value.type == SQLITE_INTEGER || value.type == SQLITE_FLOAT;
+    if (!is_number || !(value.number >= min && value.number <= max)) refuse(key);
+    return value.number;
+  }
+  std::optional<std::int64_t> whole(const char* key, std::int64_t min, std::int64_t max = most) const {
+    const MetaValue& value = found(key);
+    if (value.type == SQLITE_NULL) return std::nullopt;
+    if (value.type != SQLITE_INTEGER || value.integer < min || value.integer > max) refuse(key);
+    return value.integer;
+  }
+  std::optional<double> declared_number(const char* key) const { return declared(key), number(key, 0); }
+  double required_number(const char* key) const {
+    if (const auto found = number(key, 0)) return *found;
+    refuse(key);
+  }
+  std::int64_t required_whole(const char* key, std::int64_t min, std::int64_t max = most) const {
+    if (const auto found = whole(key, min, max)) return *found;
+    refuse(key);
+  }
+
+  [[noreturn]] void refuse(const char* key) const {
+    throw StoreError(SQLITE_CORRUPT_VTAB, watch_ + ": " + watch_ + "_meta is damaged: " + key + " is " +
+                                              shown(key) + "; DROP TABLE " + watch_ + " and CREATE it again");
+  }
+
+ private:
+  static constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max();
+
+  const MetaValue& found(const char* key) const {
+    static const MetaValue null;
+    const auto at = values_.find(key);
+    return at == values_.end() ? null : at->second;
+  }
+  const MetaValue& declared(const char* key) const {
+    if (!has(key)) refuse(key);
+    return found(key);
+  }
+  std::string shown(const char* key) const {
+    if (!has(key)) return "missing";
+    const MetaValue& value = found(key);
+    if (value.type == SQLITE_INTEGER) return std::to_string(value.integer);
+    if (value.type == SQLITE_FLOAT) return base::shown(value.number);
+    if (value.type == SQLITE_TEXT) return std::string("'").append(without_nul(value.text)).append("'");
+    return value.type == SQLITE_BLOB ? "a blob" : "NULL";
+  }
+
+  std::string watch_;
+  std::map<std::string, MetaValue, std::less<>> values_;
 };
 
 // 2 knows rows that are not due. Readers of 1 would never ask about those; they do not look at `format`, but
@@ -24,55 +106,66 @@ const char* early_key(std::int64_t format) {
   return format == 1 ? "early" : "early_reports";
 }
 
+void read_declaration(const MetaValues& values, WatchDeclaration& declared) {
+  if (const auto tbl = values.text("tbl")) declared.tbl = *tbl;
+  if (declared.tbl.empty()) values.refuse("tbl");
+  declared.other = values.text("other");
+  declared.horizon = values.required_number("horizon"), declared.within = values.required_number("within");
+  declared.within_z = values.declared_number("within_z");
+  const auto clock = values.text("clock");
+  if (clock != "manual" && clock != "newest") values.refuse("clock");
+  declared.manual = clock == "manual";
+  declared.tolerance = values.required_number("tolerance"), declared.keep = values.required_whole("keep", 1);
+  declared.ahead = values.declared_number("ahead");
+  if (declared.ahead && declared.manual) values.refuse("ahead");
+}
+
+/// What a look ahead has written: known_to is the double below clock + (horizon + further), and since then
+/// the clock has moved on, as far as known_to allows. Rounding is monotone, so this is exact.
+template <class HasPairs>
+void require_clock_in_range(const MetaValues& values, const WatchState& state, HasPairs has_pairs) {
+  const bool was_settled = values.has("known_to");
+  if (state.clock) {
+    const FloatEnvironment environment;
+    const double reach = state.horizon + state.further, end = std::nextafter(state.known_to, infinity);
+    const double looked = *state.clock + (std::isfinite(reach) ? reach : state.horizon);
+    if (!was_settled) values.refuse("known_to");
+    if (!(state.further > 0)) values.refuse("further");
+    if (!(*state.clock + state.horizon <= end && end <= looked)) values.refuse("now");
+  } else if (was_settled && (state.manual || state.seq > 0 || state.step > 0 || has_pairs())) {
+    values.refuse("now");
+  }
+}
+
 }  // namespace
 
 WatchState WatchRows::read_state() {
-  std::map<std::string, MetaValue> values;
-  for (Statement::Run run(meta_); run.step();) {
-    MetaValue value{.text = run.text(1, 1000), .integer = {}, .number = {}};
-    if (run.is_integer(1)) value.integer = run.integer(1);
-    const int type = sqlite3_value_type(run.value(1));
-    if (type == SQLITE_INTEGER || type == SQLITE_FLOAT) value.number = sqlite3_value_double(run.value(1));
-    values[run.text(0, 100)] = std::move(value);
-  }
-  const auto number = [&](const char* key) { return values[key].number; };
-  const auto required = [&](const char* key, double least) {
-    if (const auto found = number(key); found && *found >= least) return *found;
-    damaged("meta");
-  };
-  const auto integer = [&](const char* key) {
-    if (const auto found = values[key].integer; found && *found >= 0) return *found;
-    damaged("meta");
-  };
-  if (values.contains("damaged"))
+  const MetaValues values(meta_, name_.table);
+  if (values.has("damaged"))
     throw StoreError(SQLITE_CORRUPT_VTAB, name_.table +
                                               ": a commit could not write all of its changes: DROP TABLE " +
                                               name_.table + " and CREATE it again");
   WatchState state;
-  state.format = integer("format");
-  if (state.format < 1 || state.format > newest_format)
+  state.format = values.required_whole("format", 1);
+  if (state.format > newest_format)
     throw StoreError(SQLITE_ERROR, name_.table + ": stored in format " + std::to_string(state.format) +
                                        "; this version of foresee reads formats up to " +
                                        std::to_string(newest_format) +
                                        ": open it with the version that wrote it");
-  state.tbl = values["tbl"].text;
-  if (state.tbl.empty()) damaged("meta");
-  if (!values["other"].text.empty()) state.other = values["other"].text;
-  state.horizon = required("horizon", 0), state.within = required("within", 0);
-  state.within_z = number("within_z");
-  state.manual = values["clock"].text == "manual";
-  state.tolerance = required("tolerance", 0), state.keep = integer("keep");
-  state.ahead = number("ahead");
-  state.clock = number("now"), state.asked = number("asked");
-  state.anew = number("anew").value_or(0) != 0;
-  state.known_to = number("known_to").value_or(-std::numeric_limits<double>::infinity());
-  state.step = number("step").value_or(0);
-  state.further = number("further").value_or(0);
-  state.waited = values["waited"].integer.value_or(0), state.dropped = values["dropped"].integer.value_or(0);
-  state.seq = integer("seq"), state.early = integer(early_key(state.format));
-  state.stamp = values["stamp"].integer, state.other_stamp = values["other_stamp"].integer;
-  for (const auto& moment : {state.clock, state.asked})
-    if (moment && !std::isfinite(*moment)) damaged("meta");
+  read_declaration(values, state);
+  constexpr double lowest = std::numeric_limits<double>::lowest();
+  state.clock = values.number("now", lowest), state.asked = values.number("asked", lowest);
+  state.anew = values.whole("anew", 0, 1).value_or(0) != 0;
+  state.known_to = values.number("known_to", -infinity).value_or(-infinity);
+  state.step = values.number("step", 0, infinity).value_or(0);
+  state.further = values.number("further", 0, infinity).value_or(0);
+  state.waited = values.whole("waited", 0).value_or(0),
+  state.dropped = values.whole("dropped", 0).value_or(0);
+  state.seq = values.required_whole("seq", 0),
+  state.early = values.required_whole(early_key(state.format), 0);
+  constexpr auto least = std::numeric_limits<std::int64_t>::min();
+  state.stamp = values.whole("stamp", least), state.other_stamp = values.whole("other_stamp", least);
+  require_clock_in_range(values, state, [&] { return has_pairs(); });
   return state;
 }
 

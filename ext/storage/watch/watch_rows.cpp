@@ -49,6 +49,7 @@ WatchRows::WatchRows(sqlite3* db, const QualifiedName& name) : name_(name) {
   erase_pair_ = sql("DELETE FROM {pair} WHERE a = ?1 AND b = ?2");
   erase_all_pairs_ = sql("DELETE FROM {pair}");
   count_pairs_ = sql("SELECT count(*) FROM {pair} WHERE state = ?1");
+  any_pair_ = sql("SELECT 1 FROM {pair} LIMIT 1");
   by_b_ = sql("SELECT a, b FROM {pair} ORDER BY b, a");
   by_due_ = sql("SELECT a, b, due, state FROM {pair} ORDER BY state, due, a, b");
   append_ = sql("INSERT OR REPLACE INTO {log} VALUES(?1, ?2, ?3, ?4, ?5, ?6)");
@@ -151,6 +152,11 @@ std::int64_t WatchRows::count_pairs(bool held) {
   Statement::Run run(count_pairs_);
   run.bind(1, std::int64_t{held});
   return run.step() ? run.integer(0) : 0;
+}
+
+bool WatchRows::has_pairs() {
+  Statement::Run run(any_pair_);
+  return run.step();
 }
 
 /// `pairs`: in the order of the index, which alone the statement reads.

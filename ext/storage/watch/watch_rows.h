@@ -89,6 +89,7 @@ class WatchRows {
  private:
   [[noreturn]] void damaged(const std::string& what) const;
   std::vector<StoredPair> read_pairs(Statement::Run& run) const;
+  bool has_pairs();
   static bool holds(Statement& index, std::span<const StoredPair> pairs, bool with_due);
   template <class Value>
   void write_meta(std::string_view key, const std::optional<Value>& value);
@@ -97,7 +98,7 @@ class WatchRows {
 
   QualifiedName name_;
   Statement meta_, write_meta_;
-  Statement pairs_, pairs_of_a_, pairs_of_b_, due_pairs_, pair_, count_pairs_, by_b_, by_due_;
+  Statement pairs_, pairs_of_a_, pairs_of_b_, due_pairs_, pair_, any_pair_, count_pairs_, by_b_, by_due_;
   Statement add_pair_, move_pair_, change_pair_, erase_pair_, erase_all_pairs_;
   Statement append_, trim_, oldest_, changes_;
 };
