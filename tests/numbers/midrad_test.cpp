@@ -1,13 +1,10 @@
-// Numbers of any length: what they enclose, how narrowly, and the quick proof that two polynomials have no
-// common root.
+// Numbers of any length: what they enclose, and how narrowly.
 #include "numbers/midrad.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
-
-#include "numbers/polynomial.h"
 
 namespace foresee::numbers {
 namespace {
@@ -29,7 +26,7 @@ class Numbers {
   std::mt19937_64 random_{20260101};
 };
 
-bool holds(const Midrad& enclosure, const Dyadic& exact) {
+bool encloses(const Midrad& enclosure, const Dyadic& exact) {
   return enclosure.low() <= exact && exact <= enclosure.high();
 }
 
@@ -39,11 +36,11 @@ TEST(Midrad, EnclosesWhatIsExact) {
     const Dyadic a = numbers.number(), b = numbers.number();
     const int bits = numbers.length();
     const Midrad x(a, bits), y(b, bits);
-    EXPECT_TRUE(holds(x, a));
-    EXPECT_TRUE(holds(x + y, a + b));
-    EXPECT_TRUE(holds(x * y, a * b));
-    EXPECT_TRUE(holds(x * x - y * y + (x + y) * (x * y), a * a - b * b + (a + b) * (a * b)));
-    EXPECT_TRUE(holds(Midrad::hull(std::min(a, b), std::max(a, b), bits), a));
+    EXPECT_TRUE(encloses(x, a));
+    EXPECT_TRUE(encloses(x + y, a + b));
+    EXPECT_TRUE(encloses(x * y, a * b));
+    EXPECT_TRUE(encloses(x * x - y * y + (x + y) * (x * y), a * a - b * b + (a + b) * (a * b)));
+    EXPECT_TRUE(encloses(Midrad::hull(std::min(a, b), std::max(a, b), bits), a));
     if (b.sign() != 0) {
       const Midrad quotient = x / y;
       const Dyadic one = quotient.low() * b, other = quotient.high() * b;
@@ -88,25 +85,6 @@ TEST(Midrad128, ProductsOfWideIntervalsStayNarrow) {
         EXPECT_TRUE(product.low().dyadic() <= corner && corner <= product.high().dyadic());
       }
   }
-}
-
-/// Whose lowest word is 1: >> of Boost 1.74 makes it positive.
-TEST(Dyadic, CutNegativeNumbersStayNegative) {
-  const Integer number = -((Integer(5) << 128) + 1);
-  EXPECT_EQ(without_last(number, 3), -(Integer(5) << 125));
-}
-
-Polynomial quadratic(double c0, double c1, double c2) {
-  return Polynomial({Dyadic(c0), Dyadic(c1), Dyadic(c2), Dyadic(), Dyadic()});
-}
-
-TEST(Polynomial, CommonRootsAreFound) {
-  const Polynomial p = quadratic(-2, 0, 1), same = quadratic(6, 0, -3), apart = quadratic(-3, 0, 1);
-  EXPECT_TRUE(surely_coprime(p, apart));
-  EXPECT_FALSE(surely_coprime(p, same));
-  EXPECT_EQ(common_divisor(p, same).degree, 2);
-  EXPECT_EQ(common_divisor(quadratic(2, -3, 1), quadratic(-2, 1, 1)).degree, 1);  // both are 0 at 1
-  EXPECT_EQ(common_divisor(p, apart).degree, 0);
 }
 
 }  // namespace
