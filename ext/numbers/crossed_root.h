@@ -17,7 +17,8 @@ struct Instant {
   bool known() const { return dt == dt && t == t; }
 };
 
-/// base + s for every s within `radius` of `step`, rounded; unknown if they round differently.
+/// base + s for every s within `radius` of `step`, rounded; unknown if they round differently. Requires: the
+/// radius has 2^-52 |step| more than is needed, for the rounding of step +- radius.
 [[gnu::always_inline]] inline Instant rounded_instant(double now, double base, double step, double radius) {
   const double low = base + (step - radius), high = base + (step + radius);
   const DoubleDouble moment = sum(now, base);
