@@ -35,8 +35,8 @@ Roots zeros_within(LazyPolynomial& polynomial, const Asked& asked);
 
 TimeIntervals inside(LazyPolynomial& polynomial, const Asked& asked);
 
-/// What lies between intervals, with the ends that they share. Single moments at which a polynomial only
-/// touches 0 from below are left out, as are those at the ends of what is asked about.
+/// What lies between intervals, with the ends that they share. Single times at which a polynomial only
+/// touches 0 from below are left out; a root at an end of what is asked about may be an interval of one time.
 TimeIntervals outside(const TimeIntervals& inside, const Asked& asked);
 
 /// The moments that are in both.
