@@ -6,7 +6,13 @@ namespace foresee::testing {
 namespace {
 
 /// Of a twin table: the columns that its moving_objects table declares, behind the id.
-constexpr const char* columns_of[] = {"x", "x, y", "x, vx", "x, r, +name"};
+constexpr const char* columns_of[] = {"x", "x, y", "x, vx", "x, r, +name", "x, y, shape"};
+
+/// The outline of a triangle, as SQL writes it.
+std::string triangle(int size) {
+  const std::string x = std::to_string(size + 1);
+  return "'POLYGON((0 0, " + x + " 0, 0 " + x + ", 0 0))'";
+}
 
 /// What a life asks for without looking: nothing else may fail, COMMIT least of all.
 bool may_fail_with(const std::string& error) {
@@ -86,10 +92,11 @@ bool SchemaLife::run(const std::string& sql, const std::string& twin) {
 void SchemaLife::change_rows() {
   const auto table = some_table();
   if (!table) return change_schema();
-  const int columns = std::stoi(twin("SELECT count(*) FROM pragma_table_info('" + *table + "')"));
+  const auto columns = lines_of(twin("SELECT name FROM pragma_table_info('" + *table + "')"));
   const auto values = [&] {
     std::string text;
-    for (int i = 1; i < columns; ++i) text += ", " + std::to_string(below(12)) + ".0";
+    for (std::size_t i = 1; i < columns.size(); ++i)
+      text += ", " + (columns[i] == "shape" ? triangle(below(4)) : std::to_string(below(12)) + ".0");
     return text;
   };
   const std::string id = std::to_string(below(9));
@@ -135,7 +142,7 @@ void SchemaLife::change_schema() {
     case 0:
     case 1:
     case 2: {
-      const std::string name = new_name("stu"), columns = columns_of[below(4)];
+      const std::string name = new_name("stu"), columns = columns_of[below(5)];
       run("CREATE VIRTUAL TABLE " + name + " USING moving_objects(id, " + columns + ")",
           "CREATE TABLE " + name + "(id INTEGER PRIMARY KEY, " + without_plus(columns) + ")");
       return;
