@@ -73,6 +73,25 @@ TEST_F(TableMemoryFaults, Transaction) {
       "RELEASE a");
 }
 
+/// Without an older savepoint, too: the mark that a statement sets may be what fails.
+TEST_F(TableMemoryFaults, AStatementThatFailsLeavesWhatItsTransactionChangedBefore) {
+  long n = 0;
+  for (bool fired = true; fired && !HasFailure(); n = next_fault(n)) {
+    Database db;
+    db.exec("CREATE VIRTUAL TABLE ships USING moving_objects(id, x); BEGIN; INSERT INTO ships VALUES(1, 1)");
+    faults = {.armed = true, .for_good = false, .left = n, .fired = false};
+    const int rc =
+        sqlite3_exec(db.handle(), "INSERT INTO ships VALUES(2, 2), (3, 3)", nullptr, nullptr, nullptr);
+    fired = faults.fired;
+    faults = {};
+    const bool is_open = sqlite3_get_autocommit(db.handle()) == 0;
+    if (is_open) db.exec("COMMIT");
+    const std::string expected = rc == SQLITE_OK ? "1\n2\n3" : is_open ? "1" : "";
+    EXPECT_EQ(db.rows("SELECT id FROM ships ORDER BY id"), expected) << "at allocation " << n;
+  }
+  EXPECT_GT(n, 2);
+}
+
 /// What is there is not copied for each one more.
 TEST(Memory, SavepointsInsideEachOtherTakeTheSameEach) {
   constexpr std::size_t deep = 2000;
