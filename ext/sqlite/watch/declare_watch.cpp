@@ -1,5 +1,6 @@
 #include "sqlite/watch/declare_watch.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -70,14 +71,48 @@ std::string known_options() {
   return names;
 }
 
+const Option* find_option(const std::string& name) {
+  const auto found = std::find_if(options().begin(), options().end(),
+                                  [&](const Option& option) { return same_name(option.name, name); });
+  return found == options().end() ? nullptr : &*found;
+}
+
+/// What the first argument, or one behind it, should have been.
+[[noreturn]] void refuse_form(std::string_view text, bool first) {
+  const Argument given{.text = std::string(text), .kind = {}, .name = {}, .detail = {}};
+  if (first)
+    refuse(
+        given,
+        "the first argument is the name of the table to watch; write predictive_watch(ships, horizon = 600)");
+  double value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_number = error == std::errc() && stop == text.data() + text.size() && value >= 0;
+  refuse(given,
+         "an option has a name; write " +
+             (is_number ? "horizon = " + given.text : std::string("name = value, as in horizon = 600")) +
+             "; known are " + known_options());
+}
+
+Argument parse_argument_of_watch(std::string_view text, bool first) try {
+  return parse_argument(text);
+} catch (const Error&) {  // its words are about columns
+  refuse_form(text, first);
+}
+
+/// Something else than name = value behind the table.
+[[noreturn]] void refuse_second_table(const Argument& argument) {
+  if (find_option(argument.name))
+    refuse(argument, "an option is written name = value; write " + argument.name + " = " +
+                         (argument.detail.empty() ? "600" : argument.detail));
+  refuse(argument, "only the first argument is a table; a second one is written other = " + argument.name);
+}
+
 void take_option(WatchDeclaration& declaration, std::set<std::string>& given, const Argument& argument) {
-  for (const Option& option : options()) {
-    if (!same_name(option.name, argument.name)) continue;
-    if (!given.insert(option.name).second)
-      refuse(argument, std::string(option.name) + " is given twice; leave one out");
-    return option.take(declaration, argument);
-  }
-  refuse(argument, "no such option; known are " + known_options() + ", as in horizon = 600");
+  const Option* option = find_option(argument.name);
+  if (!option) refuse(argument, "no such option; known are " + known_options() + ", as in horizon = 600");
+  if (!given.insert(option->name).second)
+    refuse(argument, std::string(option->name) + " is given twice; leave one out");
+  option->take(declaration, argument);
 }
 
 }  // namespace
@@ -89,17 +124,16 @@ WatchDeclaration parse_watch(std::string_view watch, const std::vector<std::stri
   WatchDeclaration declaration;
   std::set<std::string> given;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const Argument argument = parse_argument(arguments[i]);
-    if (i > 0 && argument.kind != Argument::Kind::option)
-      refuse(argument,
-             "only the first argument is a table; a second one is written other = " + argument.name);
-    if (i > 0)
-      take_option(declaration, given, argument);
-    else if (argument.kind != Argument::Kind::column || !argument.detail.empty())
-      refuse(argument,
-             "the first argument is the table to watch, as in predictive_watch(ships, horizon = 600)");
-    else
+    const Argument argument = parse_argument_of_watch(arguments[i], i == 0);
+    if (i == 0) {
+      if (argument.kind != Argument::Kind::column || !argument.detail.empty())
+        refuse_form(argument.text, true);
       declaration.tbl = argument.name;
+    } else if (argument.kind != Argument::Kind::option) {
+      refuse_second_table(argument);
+    } else {
+      take_option(declaration, given, argument);
+    }
   }
   if (declaration.tbl.empty())
     throw Error("no table is named; write for example predictive_watch(ships, horizon = 600)");

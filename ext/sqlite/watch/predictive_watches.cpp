@@ -29,7 +29,7 @@ enum Output {
   out_early,
   out_fault
 };
-enum Input { in_schema };
+enum Input { in_schema, in_old_schema };
 
 struct ListedWatch {
   QualifiedName name;
@@ -126,13 +126,17 @@ class WatchList final : public FunctionRows {
   std::size_t row_ = static_cast<std::size_t>(-1);
 };
 
+bool is_in(const VisibleTable& table, const std::optional<std::string>& schema) {
+  return !schema || same_name(table.schema, *schema);
+}
+
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   Connection& connection = call.connection();
-  const auto schema = call.text(in_schema);
+  const auto schema = call.text(in_schema), old_schema = call.text(in_old_schema);
   const bool counts = call.reads(out_pairs) || call.reads(out_waiting);
   std::vector<ListedWatch> watches;
   for (const VisibleTable& table : visible_tables(connection.db()))
-    if (table.is_watch && (!schema || same_name(table.schema, *schema)))
+    if (table.is_watch && is_in(table, schema) && is_in(table, old_schema))
       watches.push_back(look_at(connection, {table.schema, table.name}, counts));
   return std::make_unique<WatchList>(std::move(watches));
 }
@@ -146,7 +150,7 @@ const TableFunction& predictive_watches() {
                   "within_z REAL", "clock TEXT", "tolerance REAL", "keep INTEGER", "ahead REAL", "now REAL",
                   "seq INTEGER", "oldest INTEGER", "pairs INTEGER", "waiting INTEGER", "early INTEGER",
                   "fault TEXT"},
-      .inputs = {"within_schema"},
+      .inputs = {"schema_name", "within_schema"},  // the second: its name up to 0.2.0
       .key = "schema, name",
       .hinted = 0,
       .estimate =

@@ -68,6 +68,18 @@ TEST_F(TableInsert, ReturningEchoesTheRow) {
       "3|2.5|Argo");
 }
 
+// What docs/sql_reference.md says of statements that SQLite refuses on every virtual table.
+TEST_F(TableInsert, SQLiteRefusesReturningOfOthersAndUpserts) {
+  db.exec("INSERT INTO ships(id, t, x, y) VALUES(3, 0, 1, 2.5)");
+  EXPECT_EQ(db.error_of("UPDATE ships SET x = 2 RETURNING x"),
+            "UPDATE RETURNING is not available on virtual tables");
+  EXPECT_EQ(db.error_of("DELETE FROM ships RETURNING x"),
+            "DELETE RETURNING is not available on virtual tables");
+  EXPECT_EQ(db.error_of("INSERT INTO ships(id, t, x, y) VALUES(3, 0, 1, 2) ON CONFLICT DO NOTHING"),
+            "UPSERT not implemented for virtual table \"ships\"");
+  EXPECT_EQ(db.rows("SELECT id, x FROM ships"), "3|1.0");
+}
+
 TEST_F(TableInsert, FromASelectOfTheSameTable) {
   db.exec("INSERT INTO ships(id, t, x, y, name) VALUES(1, 0, 1, 2, 'a'), (2, 0, 3, 4, 'b')");
   db.exec("INSERT INTO ships(t, x, y, name) SELECT t, x + 10, y, name || '2' FROM ships");

@@ -27,6 +27,15 @@ TEST(WatchPlaces, ASchemaHasItsOwn) {
             "harbour|alerts|1|NULL\nmain|alerts|0|NULL");
   db.exec("INSERT INTO harbour.alerts(alerts, now) VALUES('advance', 20)");
   EXPECT_EQ(db.rows("SELECT schema, now FROM predictive_watches ORDER BY schema"), "harbour|20.0\nmain|0.0");
+  for (const char* harbour :
+       {"predictive_watches('harbour')", "predictive_watches WHERE schema_name = 'Harbour'",
+        "predictive_watches WHERE within_schema = 'harbour'", "predictive_watches(NULL, 'harbour')",
+        "predictive_watches('harbour') WHERE within_schema = 'harbour'"})
+    EXPECT_EQ(db.rows(std::string("SELECT schema, now FROM ") + harbour), "harbour|20.0") << harbour;
+  EXPECT_EQ(
+      db.rows("SELECT schema FROM predictive_watches WHERE within_schema IN ('main', 'harbour') ORDER BY 1"),
+      "harbour\nmain");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_watches('main') WHERE within_schema = 'harbour'"), "0");
 }
 
 TEST(WatchPlaces, AFileIsDetachedAndAttachedUnderAnotherName) {

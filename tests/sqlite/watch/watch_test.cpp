@@ -223,6 +223,22 @@ TEST_F(Watch, StatementsThatCannotBeMeantSayWhatToWrite) {
   starts(create + "(ships, horizon = 1, horizon = 2)", "w: \"horizon = 2\": horizon is given twice");
   starts(create + "(ships, horizon = 1, colour = 2)", "w: \"colour = 2\": no such option; known are horizon");
   starts(create + "(ships, horizon = 1, within_z = 2)", "w: ");
+  const std::string known = "; known are horizon, within, within_z, other, clock, tolerance, keep, ahead";
+  starts(create + "(ships, 300)", "w: \"300\": an option has a name; write horizon = 300" + known);
+  starts(create + "(ships, -3)",
+         "w: \"-3\": an option has a name; write name = value, as in horizon = 600" + known);
+  starts(create + "(ships, horizon > 300)", "w: \"horizon > 300\": an option has a name; write name = value");
+  starts(create + "(ships, horizon 300)",
+         "w: \"horizon 300\": an option is written name = value; write horizon = 300");
+  starts(create + "(ships, horizon)",
+         "w: \"horizon\": an option is written name = value; write horizon = 600");
+  starts(create + "(ships, buoys)",
+         "w: \"buoys\": only the first argument is a table; a second one is written other = buoys");
+  for (const char* first : {"300", "main.ships", "+ships", "horizon = 5", "ships REAL"})
+    starts(create + "(" + first + ", horizon = 5)",
+           std::string("w: \"") + first +
+               "\": the first argument is the name of the table to watch; write predictive_watch(ships, "
+               "horizon = 600)");
 }
 
 TEST(WatchFile, SurvivesClosingAndASecondWriter) {
