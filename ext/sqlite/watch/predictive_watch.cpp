@@ -10,6 +10,7 @@
 #include "sqlite/watch/settlement.h"
 #include "sqlite/watch/watch_functions.h"
 #include "sqlite/watch/watch_table.h"
+#include "storage/rows/text.h"
 
 namespace foresee::sqlite {
 namespace {
@@ -147,15 +148,32 @@ int cursor_rowid(sqlite3_vtab_cursor*, sqlite3_int64* rowid) noexcept {
   return SQLITE_OK;
 }
 
+/// A row that is no command. `new_clock`: the value for `now`, where it is another one than the clock.
+[[noreturn]] void refuse_row(WatchTable& table, bool inserts, sqlite3_value* command,
+                             sqlite3_value* new_clock) {
+  const std::string &name = table.name.table, insert = "INSERT INTO " + name + "(" + name;
+  const WatchState state = table.rows()->read_state();
+  if (!inserts && sqlite3_value_type(command) != SQLITE_NULL)
+    throw Error(name + "." + name + " takes commands by INSERT only; write " + insert +
+                ") VALUES('rebuild')");
+  const bool is_clock =
+      sqlite3_value_type(new_clock) == SQLITE_NULL || sqlite3_value_double(new_clock) == state.now();
+  if (!is_clock)
+    throw Error(name + ": the clock moves by a command; write " + insert + ", now) VALUES('advance', " +
+                shown(new_clock) + ")");
+  throw Error(name + " is kept by foresee: change " + state.tbl + " instead");
+}
+
 int watch_update(sqlite3_vtab* base, int count, sqlite3_value** arguments, sqlite3_int64* rowid) noexcept {
   return guarded(&base->zErrMsg, [&] {
     WatchTable& table = table_of(base);
-    const bool inserts = count > 1 && sqlite3_value_type(arguments[0]) == SQLITE_NULL;
-    sqlite3_value* const command = inserts ? arguments[2 + watch_command] : nullptr;
-    if (!command || sqlite3_value_type(command) == SQLITE_NULL)
+    if (count == 1)
       throw Error(table.name.table + " is kept by foresee: change " + table.rows()->read_state().tbl +
                   " instead");
-    run_watch_command(table, command, arguments[2 + watch_now]);
+    const bool inserts = sqlite3_value_type(arguments[0]) == SQLITE_NULL;
+    sqlite3_value *const command = arguments[2 + watch_command], *const now = arguments[2 + watch_now];
+    if (!inserts || sqlite3_value_type(command) == SQLITE_NULL) refuse_row(table, inserts, command, now);
+    run_watch_command(table, command, now);
     *rowid = 0;
   });
 }

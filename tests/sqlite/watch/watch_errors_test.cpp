@@ -1,0 +1,61 @@
+// What a watch says of statements and declarations that cannot be meant: each error is about the watch's own
+// arguments, and says what to write.
+#include "sqlite/database.h"
+
+namespace foresee::sqlite {
+namespace {
+
+struct WatchErrors : ::testing::Test {
+  WatchErrors() {
+    db.exec(
+        "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, r);"
+        "INSERT INTO ships VALUES (1, 0, 0, 0, 1, 0, 10), (2, 0, 120, 0, -1, 0, 10);"
+        "CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 100)");
+  }
+
+  testing::Database db;
+};
+
+TEST_F(WatchErrors, StatementsThatCannotBeMeantSayWhatToWrite) {
+  const auto starts = [&](const std::string& sql, const std::string& text) {
+    EXPECT_EQ(db.error_of(sql).substr(0, text.size()), text) << sql;
+  };
+  starts("INSERT INTO alerts(a, b) VALUES (1, 2)", "alerts is kept by foresee: change ships instead");
+  starts("DELETE FROM alerts", "alerts is kept by foresee: change ships instead");
+  starts("UPDATE alerts SET t = 3", "alerts is kept by foresee: change ships instead");
+  starts("UPDATE alerts SET alerts = 'rebuild'",
+         "alerts.alerts takes commands by INSERT only; write INSERT INTO");
+  for (const char* clock : {"UPDATE alerts SET now = 9", "INSERT INTO alerts(now) VALUES(9)"})
+    starts(clock,
+           "alerts: the clock moves by a command; write INSERT INTO alerts(alerts, now) VALUES('advance', 9");
+  starts("INSERT INTO alerts(alerts) VALUES('advance')", "alerts: 'advance' needs a moment");
+  starts("INSERT INTO alerts(alerts) VALUES('retreat')", "alerts: no command 'retreat'; known are 'advance'");
+  const std::string create = "CREATE VIRTUAL TABLE w USING predictive_watch";
+  starts(create, "w: no table is named");
+  starts(create + "(ships)", "w: horizon is missing: write predictive_watch(ships, horizon = 600)");
+  starts(create + "(boats, horizon = 5)",
+         "w: no such table: 'boats' in schema 'main' (moving_objects tables here:");
+  starts(create + "(ships, horizon = -1)", "w: \"horizon = -1\": horizon must be a finite number >= 0");
+  starts(create + "(ships, horizon = 1, horizon = 2)", "w: \"horizon = 2\": horizon is given twice");
+  starts(create + "(ships, horizon = 1, colour = 2)", "w: \"colour = 2\": no such option; known are horizon");
+  starts(create + "(ships, horizon = 1, within_z = 2)", "w: ");
+  const std::string known = "; known are horizon, within, within_z, other, clock, tolerance, keep, ahead";
+  starts(create + "(ships, 300)", "w: \"300\": an option has a name; write horizon = 300" + known);
+  starts(create + "(ships, -3)",
+         "w: \"-3\": an option has a name; write name = value, as in horizon = 600" + known);
+  starts(create + "(ships, horizon > 300)", "w: \"horizon > 300\": an option has a name; write name = value");
+  starts(create + "(ships, horizon 300)",
+         "w: \"horizon 300\": an option is written name = value; write horizon = 300");
+  starts(create + "(ships, horizon)",
+         "w: \"horizon\": an option is written name = value; write horizon = 600");
+  starts(create + "(ships, buoys)",
+         "w: \"buoys\": only the first argument is a table; a second one is written other = buoys");
+  for (const char* first : {"300", "main.ships", "+ships", "horizon = 5", "ships REAL"})
+    starts(create + "(" + first + ", horizon = 5)",
+           std::string("w: \"") + first +
+               "\": the first argument is the name of the table to watch; write predictive_watch(ships, "
+               "horizon = 600)");
+}
+
+}  // namespace
+}  // namespace foresee::sqlite
