@@ -75,12 +75,13 @@ std::vector<StoredPair> WatchRows::read_pairs(Statement::Run& run) const {
       return sqlite3_value_double(run.value(column));
     };
     if (!run.is_integer(0) || !run.is_integer(1) || !run.is_integer(4)) damaged("pair");
-    const std::int64_t a = run.integer(0), b = run.integer(1);
+    const std::int64_t a = run.integer(0), b = run.integer(1), state = run.integer(4);
+    if (state != 0 && state != 1) damaged("pair");
     // Pages of a damaged file may lead back to one another: no order has a pair twice in a row.
     if (!pairs.empty() && pairs.back().a == a && pairs.back().b == b) damaged("pair");
     const bool is_due = sqlite3_value_type(run.value(3)) != SQLITE_NULL;
     pairs.push_back(
-        {a, b, number(2), is_due ? std::optional(number(3)) : std::nullopt, number(5), run.integer(4) != 0});
+        {a, b, number(2), is_due ? std::optional(number(3)) : std::nullopt, number(5), state == 1});
   }
   return pairs;
 }
@@ -215,8 +216,12 @@ std::vector<StoredChange> WatchRows::changes(std::int64_t after, std::int64_t la
   run.bind(2, last);
   run.bind(3, most);
   while (run.step()) {
-    const std::string op = run.text(1, 1);
-    if (op.empty() || run.integer(0) <= after) damaged("log");
+    const std::string op = run.text(1, 2);
+    const bool is_gone = op == "-", is_op = is_gone || op == "+" || op == "~";
+    const auto is_number = [&](int column) { return sqlite3_value_type(run.value(column)) == SQLITE_FLOAT; };
+    if (!is_op || run.integer(0) <= after || !run.is_integer(2) || !run.is_integer(3) || !is_number(5) ||
+        (is_gone ? !run.is_null(4) : !is_number(4)))
+      damaged("log");
     after = run.integer(0);
     found.push_back({after, op[0], run.integer(2), run.integer(3), sqlite3_value_double(run.value(4)),
                      sqlite3_value_double(run.value(5))});

@@ -126,6 +126,29 @@ TEST_P(WatchMeta, ThatIsMissingIsAnErrorOrDoesNoHarm) {
 INSTANTIATE_TEST_SUITE_P(Keys, WatchMeta, ::testing::ValuesIn(meta_keys()),
                          [](const auto& info) { return std::string(info.param.key); });
 
+TEST(WatchMetas, ChangesAndPairsOfOtherTypesAreErrorsAsWell) {
+  for (const auto& [sql, table] :
+       {std::pair{"UPDATE alerts_log SET t = 'soon' WHERE op <> '-'", "log"},
+        std::pair{"UPDATE alerts_log SET t = NULL WHERE op <> '-'", "log"},
+        std::pair{"UPDATE alerts_log SET now = x'00'", "log"},
+        std::pair{"UPDATE alerts_log SET now = NULL", "log"},
+        std::pair{"UPDATE alerts_log SET a = 'one'", "log"},
+        std::pair{"UPDATE alerts_log SET b = NULL", "log"},
+        std::pair{"UPDATE alerts_log SET op = '++'", "log"}, std::pair{"UPDATE alerts_log SET op = 7", "log"},
+        std::pair{"UPDATE alerts_pair SET state = 7", "pair"},
+        std::pair{"UPDATE alerts_pair SET state = -1", "pair"}}) {
+    Database db;
+    db.exec(life);
+    db.exec("UPDATE ships SET x = 500 WHERE id = 3");
+    db.exec(sql);
+    const bool of_log = std::string(table) == "log";
+    EXPECT_EQ(db.error_of(of_log ? "SELECT * FROM predictive_changes('alerts', 1)" : "SELECT * FROM alerts"),
+              std::string(of_log ? "predictive_changes: " : "") + "alerts: alerts_" + table +
+                  " is damaged: DROP TABLE alerts and CREATE it again")
+        << sql;
+  }
+}
+
 TEST(WatchMetas, AClockThatIsMissingWhereNoPairEverWasIsNotReadAsZero) {
   Database db;
   db.exec(
