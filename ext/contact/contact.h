@@ -10,7 +10,7 @@
 // [max(now, t_a, t_b), min(now + h, until_a, until_b)]. Bodies at different reference times and of different
 // laws mix freely.
 //
-// Every method is symmetric: exchanging a and b changes no answer. Objects of this type keep scratch space
+// The answers obey sixteen laws, which stand above the class Contact. Objects of this type keep scratch space
 // and are used by one thread at a time; several may share the same bodies.
 #pragma once
 
@@ -49,6 +49,26 @@ struct ClosestApproach {
   double d;
 };
 
+/// The laws of contact, for every pair of shapes, bit for bit. A change of numbers counts if it is exact.
+/// tests/contact/laws_test.cpp and laws_of_order_test.cpp check each law by its number.
+///
+/// Law 1 (symmetry): exchanging a and b changes no answer.
+/// Law 2 (mirrors): negating all numbers along one axis changes no answer.
+/// Law 3 (axes): exchanging two axes changes no answer; of upright shapes, x and y.
+/// Law 4 (lengths): scaling all lengths by a power of two scales d and changes no time.
+/// Law 5 (durations): scaling all times by a power of two scales all times of the answer.
+/// Law 6 (place): adding one amount to all places changes no answer.
+/// Law 7 (time): adding one amount to now, t and until moves t and t_end, and changes neither dt nor d.
+/// Law 8 (reference time): the same motion, given at another reference time, has the same answers.
+/// Law 9 (reversal): running the horizon backwards changes neither whether a pair touches nor d.
+/// Law 10 (splitting): the first contact is that of the first half of the horizon, else of the second.
+/// Law 11 (size): greater `within` or extents lose no pair, and no pair touches later.
+/// Law 12 (growth): faster growth loses no pair, and no pair touches later.
+/// Law 13 (horizon): a longer horizon loses no pair, keeps its t, and no contact ends earlier.
+/// Law 14 (order): max(now, t_a, t_b) <= t <= t_end <= min(now + h, until_a, until_b), and
+/// 0 <= dt <= dt_end <= h.
+/// Law 15 (distance): balls that do not grow touch if and only if d <= r_a + r_b + within, exactly.
+/// Law 16 (independence): neither the other pairs of a call nor their order change an answer.
 class Contact {
  public:
   Contact() = default;
