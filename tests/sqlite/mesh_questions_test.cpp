@@ -278,5 +278,22 @@ TEST(MeshQuestions, ASurfaceIsHollowAndASolidIsNot) {
             "1|1|0.0|5.0\n1|2|0.0|10.0\n2|1|5.0|5.0");
 }
 
+TEST(MeshQuestions, QuestionsSeeWhatHasChanged) {
+  Database db;
+  db.exec("CREATE VIRTUAL TABLE s USING moving_objects(id, t, x, y, z, vx, vy, vz, shape, heading)");
+  // A rod of ten along y, and a point ten beside it.
+  db.exec(
+      "INSERT INTO s VALUES(1, 0, 0, 0, 0, 0, 0, 0, 'TIN Z(((0 0 0, 0 10 0, 0 5 1, 0 0 0)))', 0), "
+      "(2, 0, 10, 0, 0, 0, 0, 0, NULL, 0)");
+  const std::string question = "SELECT a, b FROM predictive_join(5, 's')";
+  EXPECT_EQ(db.rows(question), "");
+  db.exec("UPDATE s SET heading = 90 WHERE id = 1");
+  EXPECT_EQ(db.rows(question), "1|2");
+  db.exec("BEGIN; UPDATE s SET shape = NULL");
+  EXPECT_EQ(db.rows(question), "");
+  db.exec("ROLLBACK");
+  EXPECT_EQ(db.rows(question), "1|2");
+}
+
 }  // namespace
 }  // namespace foresee::testing

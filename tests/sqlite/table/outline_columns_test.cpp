@@ -161,5 +161,14 @@ TEST_F(OutlineColumns, HaveAtMostSoManyCorners) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "1");
 }
 
+TEST(OutlineStorage, IsRefusedByNameWhereItIsNotKnown) {
+  Database db;
+  db.exec("CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, shape, heading, r)");
+  EXPECT_EQ(db.rows("SELECT value FROM ships_meta WHERE key = 'features'"), "blocks,shapes");
+  db.exec("CREATE VIRTUAL TABLE plain USING moving_objects(id, x, y, r)");
+  EXPECT_EQ(db.rows("SELECT value FROM plain_meta WHERE key = 'features'"), "blocks");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM sqlite_schema WHERE name = 'plain_shape'"), "0");
+}
+
 }  // namespace
 }  // namespace foresee::testing
