@@ -186,6 +186,28 @@ TEST(Midrad128, MidpointsRoundToTheNearestDouble) {
   EXPECT_EQ(Midrad128(1.0).scaled(100000).rounded(), std::numeric_limits<double>::infinity());
 }
 
+/// Of a subnormal result, beside a tie by less than a double of 53 bits could tell: rounding twice would be
+/// wrong.
+TEST(Midrad128, MidpointsRoundOnceToSubnormals) {
+  Inputs inputs(10);
+  for (int i = 0; i < cases(200); ++i) {
+    const double x = std::ldexp(inputs.between(0, 1 << inputs.between(0, 30)), -1074);
+    const Midrad128 tie = Midrad128(x) + Midrad128(5e-324).scaled(-1), little = Midrad128(5e-324).scaled(-90);
+    for (const Midrad128& ball : {tie, tie + little, tie - little, -tie, -tie - little})
+      EXPECT_EQ(ball.rounded(), nearest_double(rational(ball.dyadic())));
+  }
+}
+
+/// 128 bits of ones and an error of two: the upper end needs a bit more than there are.
+TEST(Midrad128, EndsAreMovedOutwardWhereTheyDoNotFit) {
+  const Dyadic ones(Integer((Integer(1) << 129) - 1), 0);
+  const Midrad128 ball = Midrad128(ones) + Midrad128(0x1p-200);
+  const Rational middle = rational(ball.dyadic());
+  EXPECT_GT(middle - low_of(ball), 0);
+  EXPECT_GE(high_of(ball) - middle, middle - low_of(ball));
+  EXPECT_EQ(low_of(-ball), -high_of(ball));
+}
+
 TEST(Midrad128, SameIsOfNumbersAndIdenticalOfBalls) {
   const Midrad128 two(2.0), third = Midrad128(1.0) / Midrad128(3.0);
   EXPECT_TRUE(same(two, Midrad128(1.0).scaled(1)));
