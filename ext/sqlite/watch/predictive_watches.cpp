@@ -1,4 +1,6 @@
 // predictive_watches in SQL: every watch that the connection sees, its declaration, clock and position.
+#include <algorithm>
+
 #include "sqlite/names/visible_tables.h"
 #include "sqlite/sql_tokens.h"
 #include "sqlite/watch/pair_search.h"
@@ -48,6 +50,15 @@ bool is_lost(const WatchState& state, const WatchedTables& tables) {
   return changed.a.ids.empty() && changed.b.ids.empty() && lacks_clock(state, tables);
 }
 
+/// A table settles the watches that its own _meta lists; one that is not among them is never computed again.
+void require_listed(const Connection::OpenTable& table, const std::string& watch) {
+  const std::vector<std::string>& listed = table.store->watches();
+  if (std::any_of(listed.begin(), listed.end(), [&](const auto& name) { return same_name(name, watch); }))
+    return;
+  throw Error(watch + ": " + table.table + "_meta does not list it, so commits pass it over; DROP TABLE " +
+              watch + " and CREATE it again");
+}
+
 ListedWatch look_at(Connection& connection, const QualifiedName& name, bool counts) {
   ListedWatch watch{name};
   try {
@@ -55,7 +66,10 @@ ListedWatch look_at(Connection& connection, const QualifiedName& name, bool coun
     watch.state = rows->read_state();
     watch.oldest = rows->oldest().value_or(watch.state.seq);
     if (counts) watch.pairs = rows->count_pairs(true), watch.waiting = rows->count_pairs(false);
-    if (is_lost(watch.state, watched_tables(connection, name.schema, watch.state)))
+    const WatchedTables tables = watched_tables(connection, name.schema, watch.state);
+    require_listed(tables.a, name.table);
+    if (tables.b) require_listed(*tables.b, name.table);
+    if (is_lost(watch.state, tables))
       watch.fault = "not up to date: read by the join, and computed anew at the next commit";
   } catch (const StoreError& error) {
     const int code = error.code & 0xff;

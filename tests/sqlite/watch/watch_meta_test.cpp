@@ -126,6 +126,30 @@ TEST_P(WatchMeta, ThatIsMissingIsAnErrorOrDoesNoHarm) {
 INSTANTIATE_TEST_SUITE_P(Keys, WatchMeta, ::testing::ValuesIn(meta_keys()),
                          [](const auto& info) { return std::string(info.param.key); });
 
+/// The keys of the watched table that a watch depends on.
+TEST(WatchMetas, ATableThatDoesNotListItOrHasNoStampIsItsFault) {
+  for (const auto& [sql, fault] :
+       {std::pair{"DELETE FROM ships_meta WHERE key LIKE 'watch:%'",
+                  "alerts: ships_meta does not list it, so commits pass it over; DROP TABLE alerts and "
+                  "CREATE it again"},
+        std::pair{"UPDATE ships_meta SET value = 'abc' WHERE key = 'stamp'", "ships: the stamp is missing"},
+        std::pair{"DELETE FROM ships_meta WHERE key = 'stamp'", "ships: the stamp is missing"}}) {
+    const TemporaryFile file;
+    Database(file.path()).exec(std::string(life) + sql);
+    Database db(file.path());
+    EXPECT_EQ(db.rows("SELECT fault FROM predictive_watches"), fault);
+    if (std::string(sql).find("stamp") == std::string::npos) {
+      db.exec("UPDATE ships SET x = x + 1 WHERE id = 2");
+      expect_joined(db, "h = 100");  // by the join
+      EXPECT_EQ(db.rows("SELECT fault FROM predictive_watches"), fault);
+      db.exec("DROP TABLE alerts; CREATE VIRTUAL TABLE alerts USING predictive_watch(ships, horizon = 100)");
+      expect_up_to_date(db);
+    } else {
+      EXPECT_EQ(db.error_of("SELECT * FROM alerts"), fault);
+    }
+  }
+}
+
 TEST(WatchMetas, ChangesAndPairsOfOtherTypesAreErrorsAsWell) {
   for (const auto& [sql, table] :
        {std::pair{"UPDATE alerts_log SET t = 'soon' WHERE op <> '-'", "log"},
