@@ -1,32 +1,14 @@
 // A mesh that is a box meets others as that box does, one that is an upright prism as that prism does.
 #include <gtest/gtest.h>
 
-#include "contact/case_count.h"
-#include "contact/mesh/meshes_by_hand.h"
-#include "contact/outline/outline_scenes.h"
+#include "contact/form_laws.h"
 
 namespace foresee::contact {
 namespace {
 
 using namespace testing_by_hand;
 
-/// Halves of whole numbers, so that touches, ties and grazes come up; or any.
-class Numbers {
- public:
-  explicit Numbers(std::uint64_t seed) : random_(seed), whole_(seed % 3 != 0) {}
-
-  double operator()(double range) {
-    const double any = std::uniform_real_distribution<double>(-range, range)(random_);
-    return whole_ ? std::round(2 * any) / 2 : any;
-  }
-  bool often() { return random_() % 2 == 0; }
-
- private:
-  std::mt19937_64 random_;
-  bool whole_;
-};
-
-Object moving_object(Numbers& number, Shape shape, bool bent) {
+Object moving_object(DrawnNumbers& number, Shape shape, bool bent) {
   Object o = object(3, shape);
   if (!bent) o.layout.law = Law::uniform;
   for (int j = 0; j < 3; ++j) {
@@ -48,7 +30,7 @@ MeshObject as_mesh(const Object& box) {
 void compare_boxes(Shape shape, bool grown, int cases) {
   int contacts = 0;
   for (int seed = 0; seed < cases; ++seed) {
-    Numbers number(static_cast<std::uint64_t>(seed));
+    DrawnNumbers number(static_cast<std::uint64_t>(seed));
     const bool bent = number.often();
     Object box = moving_object(number, Shape::box, bent), other = moving_object(number, shape, bent);
     for (double& half : box.half) half += 0.5;
@@ -78,7 +60,7 @@ TEST(MeshAsBox, MeetsBallsAsTheBoxDoes) {
 }
 
 /// An outline with a reflex corner, around the origin.
-std::vector<shape::Corner> arrow(Numbers& number) {
+std::vector<shape::Corner> arrow(DrawnNumbers& number) {
   const double w = 1 + std::abs(number(3)), h = 1 + std::abs(number(3));
   return {{0, 0}, {w, -h}, {0, 2 * h}, {-w, -h}};
 }
@@ -89,7 +71,7 @@ struct Upright {
   MeshObject mesh;
 };
 
-Upright upright(Numbers& number, bool bent) {
+Upright upright(DrawnNumbers& number, bool bent) {
   Object row = moving_object(number, Shape::cylinder, bent);
   row.hz = 0.5 + row.half[2];
   const std::vector<shape::Corner> ring = arrow(number);
@@ -105,7 +87,7 @@ TEST(MeshAsBox, AMeshThatIsAPrismMeetsOthersAsThePrismDoes) {
   const int cases = scaled_count(400);
   int contacts = 0;
   for (int seed = 0; seed < cases; ++seed) {
-    Numbers number(static_cast<std::uint64_t>(seed));
+    DrawnNumbers number(static_cast<std::uint64_t>(seed));
     const bool bent = number.often();
     const Upright a = upright(number, bent), b = upright(number, bent);
     const ContactQuestion question{.horizon = {.now = 0, .h = 6}};

@@ -47,14 +47,4 @@ inline void expect_contact(const std::optional<ContactTimes>& found, double t, d
   EXPECT_EQ(found->t_end, t_end);
 }
 
-inline void expect_same(const std::optional<ContactTimes>& one, const std::optional<ContactTimes>& other,
-                        const std::string& what) {
-  ASSERT_EQ(one.has_value(), other.has_value()) << what;
-  if (!one) return;
-  ASSERT_EQ(one->dt, other->dt) << what;
-  ASSERT_EQ(one->t, other->t) << what;
-  ASSERT_EQ(one->dt_end, other->dt_end) << what;
-  ASSERT_EQ(one->t_end, other->t_end) << what;
-}
-
 }  // namespace foresee::contact::testing_by_hand

@@ -1,0 +1,78 @@
+// Laws of contact (contact/contact.h) for outlines and meshes alike: scenes told in other words have the same
+// answers, and greater distances are reached no later.
+#include "contact/form_laws.h"
+
+namespace foresee::contact {
+namespace {
+
+using namespace testing_by_hand;
+
+template <class Forms>
+struct FormLaws : ::testing::Test {};
+
+struct FormNames {
+  template <class Forms>
+  static std::string GetName(int) {
+    return Forms::name;
+  }
+};
+using AllForms = ::testing::Types<OutlineForms, MeshForms>;
+TYPED_TEST_SUITE(FormLaws, AllForms, FormNames);
+
+/// Law 1.
+TYPED_TEST(FormLaws, ExchangingTheTwoChangesNothing) {
+  for_each_scene<TypeParam>([](const auto& scene, const std::optional<ContactTimes>& answer) {
+    expect_same(answer, TypeParam::answer({scene.b, scene.a, scene.question}), "exchanged");
+  });
+}
+
+/// Law 2.
+TYPED_TEST(FormLaws, AMirrorChangesNothing) {
+  for_each_scene<TypeParam>([](const auto& scene, const std::optional<ContactTimes>& answer) {
+    expect_same(answer, TypeParam::answer(TypeParam::mirrored(scene)), "mirrored in x");
+  });
+}
+
+/// Law 4.
+TYPED_TEST(FormLaws, LengthsInAnotherUnitChangeNothing) {
+  for_each_scene<TypeParam>([](const auto& scene, const std::optional<ContactTimes>& answer) {
+    expect_same(answer, TypeParam::answer(TypeParam::scaled(scene, 0x1p20)), "scaled");
+    // Where squares vanish, what is near is left to exact numbers. Of a subnormal number digits would.
+    for (const double x : scene.b.row.x)
+      if (x != 0 && std::abs(x) < 0x1p-700) return;
+    expect_same(answer, TypeParam::answer(TypeParam::scaled(scene, 0x1p-290)), "made small");
+  });
+}
+
+/// Law 5.
+TYPED_TEST(FormLaws, TimeInAnotherUnitChangesNothing) {
+  for_each_scene<TypeParam>([](const auto& scene, const std::optional<ContactTimes>& answer) {
+    for (const double unit : {0x1p12, 0x1p-12}) {
+      auto other = scene;
+      other.question.horizon.now *= unit, other.question.horizon.h *= unit;
+      for (auto* o : {&other.a, &other.b}) {
+        o->row.t *= unit, o->row.until *= unit;
+        for (double& v : o->row.v) v /= unit;
+        for (double& a : o->row.a) a /= unit * unit;
+      }
+      auto found = TypeParam::answer(other);
+      if (found)
+        for (double* time : {&found->t, &found->dt, &found->t_end, &found->dt_end}) *time /= unit;
+      expect_same(answer, found, "in another unit of time");
+    }
+  });
+}
+
+/// Law 11.
+TYPED_TEST(FormLaws, AGreaterDistanceIsReachedNoLater) {
+  for_each_scene<TypeParam>([](auto scene, const std::optional<ContactTimes>& answer) {
+    if (!answer) return;
+    scene.question.within += 0x1p-300;
+    const auto grown = TypeParam::answer(scene);
+    ASSERT_TRUE(grown.has_value());
+    EXPECT_LE(grown->dt, answer->dt);
+  });
+}
+
+}  // namespace
+}  // namespace foresee::contact
