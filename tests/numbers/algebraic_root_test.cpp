@@ -122,6 +122,25 @@ TEST(AlgebraicRoot, SignsOfOtherPolynomialsAreThoseOfTheValues) {
   }
 }
 
+/// Two polynomials have the root 1 in common, but the question is about one that lies 2^-40 beside it.
+TEST(AlgebraicRoot, SignsBesideACommonRootAreNotZero) {
+  const Dyadic one(1.0);
+  for (const Polynomial& factor : {polynomial({1}), polynomial({1, 1}), polynomial({1, 0, 1})})
+    for (const int side : {-1, 1}) {
+      const Dyadic beside = one + Dyadic(side * 0x1p-40);
+      const Polynomial p = multiplied(multiplied(with_root(one), with_root(beside)), factor);
+      Judged j{std::make_unique<ExactSource>(p, 30), nullptr, wide(beside)};
+      const Dyadic low = beside - Dyadic(0x1p-41), high = beside + Dyadic(0x1p-41);
+      j.root = p.degree <= 2 ? &j.lazy().add_root(side, Midrad128::hull(Midrad128(one - Dyadic(0x1p-20)),
+                                                                        Midrad128(one + Dyadic(0x1p-20))))
+                             : &j.lazy().add_root(low, high, sign_at(p, low));
+      for (const Polynomial& other : {with_root(Dyadic(3.0)), polynomial({1, 1, 1, 1})}) {
+        ExactSource q(multiplied(with_root(one), other), 12);
+        EXPECT_EQ(q.lazy().sign_at(*j.root), sign_of(value_at(q.polynomial(), j.value))) << p.degree;
+      }
+    }
+}
+
 TEST(AlgebraicRoot, RoundsToTheNearestDouble) {
   Inputs inputs(1);
   for (const int digits : rough_digits)
@@ -165,8 +184,8 @@ TEST(AlgebraicRoot, EnclosuresHoldItAndNarrowWithTheirLength) {
 }
 
 TEST(AlgebraicRoot, RecognizesNumbersOfFewDigits) {
-  const auto recognized = [](const Polynomial& p, const Wide& value) {
-    Judged j = judged(p, value, 0, 50);
+  const auto recognized = [](const Polynomial& p, const Wide& value, int digits = 50) {
+    Judged j = judged(p, value, 0, digits);
     j.root->recognize();
     if (j.root->known) {
       EXPECT_EQ(wide(*j.root->known), value);
@@ -176,6 +195,8 @@ TEST(AlgebraicRoot, RecognizesNumbersOfFewDigits) {
   EXPECT_TRUE(recognized(multiplied(with_root(Dyadic(0.375)), polynomial({1, 0, 1})), Wide(0.375)));
   EXPECT_TRUE(recognized(multiplied(with_root(Dyadic(600.0)), polynomial({1, 1, 1, 1})), Wide(600)));
   EXPECT_FALSE(recognized(polynomial({-2, 0, 0, 1}), cbrt(Wide(2))));
+  // 2 is in the bracket, and is not the root.
+  EXPECT_FALSE(recognized(polynomial({-8 - 0x1p-36, 0, 0, 1}), cbrt(Wide(8 + 0x1p-36)), 30));
   EXPECT_FALSE(recognized(multiplied(polynomial({-1, 3}), polynomial({1, 0, 1})), Wide(1) / 3));
 }
 
