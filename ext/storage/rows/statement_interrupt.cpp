@@ -8,6 +8,18 @@
 
 namespace foresee::storage {
 
+namespace {
+
+/// SQLite calls a progress handler every so many instructions of its own, of which a thousand is a usual number. A check
+/// about once a millisecond runs as many, in some ten microseconds.
+std::string thousand_instructions() {
+  std::string sql = "SELECT count(*) FROM (VALUES(0)";
+  for (int i = 1; i < 200; ++i) sql += ",(0)";
+  return sql + ")";
+}
+
+}  // namespace
+
 void StatementInterrupt::finalize() noexcept {
   sqlite3_finalize(statement_);
   statement_ = nullptr;
@@ -18,8 +30,12 @@ void StatementInterrupt::finalize() noexcept {
 void StatementInterrupt::ask() {
   sqlite3_stmt* statement = std::exchange(statement_, nullptr);
   int rc = SQLITE_OK;
-  if (statement == nullptr)
-    rc = sqlite3_prepare_v3(db_, "SELECT 1", -1, SQLITE_PREPARE_PERSISTENT, &statement, nullptr);
+  const auto prepare = [&](const std::string& sql) {
+    return sqlite3_prepare_v3(db_, sql.c_str(), -1, SQLITE_PREPARE_PERSISTENT, &statement, nullptr);
+  };
+  if (statement == nullptr) rc = prepare(thousand_instructions());
+  if (rc == SQLITE_ERROR || rc == SQLITE_AUTH || rc == SQLITE_TOOBIG)
+    rc = prepare("SELECT 1");  // limits of the host
   if (rc == SQLITE_OK) {
     sqlite3_step(statement);
     rc = sqlite3_reset(statement);

@@ -1,8 +1,9 @@
 // Has sqlite3_interrupt been called? Asked from inside a long computation, on every version of SQLite.
 //
 // sqlite3_is_interrupted came with 3.41. Stepping a statement notices an interrupt on all versions and also
-// drives the application's progress handler. The clock is read at each check, the statement stepped about
-// once a millisecond: some 30 ns a check.
+// drives the application's progress handler: of a handler that SQLite calls every N of its instructions, one
+// call per N microseconds. The clock is read at each check, the statement stepped about once per millisecond:
+// some 30 ns per check.
 //
 // A connection refuses to be closed while a statement is left. Whoever may have asked must call finalize()
 // before that, at the latest when SQLite disconnects its table.
