@@ -18,10 +18,20 @@ template <int D>
 void find_ends(const VectorSet<D>& set, Vec<D>& least, Vec<D>& most) {
   least = most = Vec<D>::Zero();
   if ((set.centre == 0).all() && (set.along == 0).all() && (set.pad == 0).all()) return;
-  for (int axis = 0; axis < D; ++axis) most[axis] = set.greatest(axis), least[axis] = set.least(axis);
+  for (int axis = 0; axis < D; ++axis) {
+    const bool is_one = !set.turns && set.along[axis] == 0 && set.pad[axis] == 0;
+    most[axis] = is_one ? set.centre[axis] : set.greatest(axis);
+    least[axis] = is_one ? set.centre[axis] : set.least(axis);
+  }
 }
 
 }  // namespace
+
+template <int D>
+void find_ends(ChangedWays<D>& ways) {
+  const VectorSet<D>* const parts[] = {&ways.all.place, &ways.all.velocity, &ways.all.acceleration};
+  for (int part = 0; part < 3; ++part) find_ends<D>(*parts[part], ways.least[part], ways.most[part]);
+}
 
 template <int D>
 RoughWay<D> rough_way(const OwnMotion& base, const Change& change, double k) {
@@ -40,22 +50,30 @@ ChangedWays<D> changed_ways(const OwnMotion& base, const Change& change, double 
   ChangedWays<D> ways;
   ways.all = motions_between<D>(base, change, p, q);
   const auto& all = ways.all;
+  ways.delayed = change.manoeuvre == Manoeuvre::delay;
   ways.middle = {all.place.centre, all.velocity.centre, all.acceleration.centre, all.begin, all.end};
   ways.first = rough_way<D>(base, change, p), ways.last = rough_way<D>(base, change, q);
-  const VectorSet<D>* const parts[] = {&all.place, &all.velocity, &all.acceleration};
-  for (int part = 0; part < 3; ++part) find_ends<D>(*parts[part], ways.least[part], ways.most[part]);
+  find_ends<D>(ways);
   const auto off_chord = [](const VectorSet<D>& set) {
     return set.turns ? (1 - (set.whole_circle ? -1 : set.cosine)) * set.radius : 0;
   };
-  ways.turned[0] = (change.manoeuvre == Manoeuvre::delay ? all.place.pad.sum() : 0);
+  ways.turned[0] = (ways.delayed ? all.place.pad.sum() : 0);
   ways.turned[1] = off_chord(all.velocity), ways.turned[2] = off_chord(all.acceleration);
   // Turned by more than a third of a circle, the middle stands for few of them: none moves on the whole.
   if (all.velocity.turns && all.velocity.cosine < 0.5) ways.middle.v *= all.velocity.cosine > 0 ? 0.5 : 0;
+  if (ways.delayed) {
+    ways.at_start = motions_between<D>(base, {Manoeuvre::accelerate, 1}, 0, 0).velocity;
+    const double unsure = least_change(base, change, p, q);
+    ways.delay_from = p + change.later - unsure, ways.delay_to = q + change.later + unsure;
+  }
   ways.bends = (ways.most[2] != 0).any() || (ways.least[2] != 0).any();
   ways.one_interval = change.manoeuvre != Manoeuvre::turn && p < q;
   return ways;
 }
 
+template void find_ends<1>(ChangedWays<1>&);
+template void find_ends<2>(ChangedWays<2>&);
+template void find_ends<3>(ChangedWays<3>&);
 template RoughWay<1> rough_way<1>(const OwnMotion&, const Change&, double);
 template RoughWay<2> rough_way<2>(const OwnMotion&, const Change&, double);
 template RoughWay<3> rough_way<3>(const OwnMotion&, const Change&, double);

@@ -14,7 +14,7 @@ namespace foresee::contact {
 /// Of a bent path, in looking for a moment: none is proven by that.
 inline constexpr int moments_looked_at = 32;
 /// What is taken for touching: relative to the lengths at hand, more than a proof at any width asks for.
-inline constexpr double touching_share = 0x1p-42;
+inline constexpr double touching_share = 0x1p-44;
 
 /// One motion, roughly: as of the change, the place as seen from the base's own, and when it exists.
 template <int D>
@@ -28,14 +28,22 @@ template <int D>
 struct ChangedWays {
   MotionSet<D> all;
   RoughWay<D> middle, first, last;
-  Vec<D> most[3], least[3];  ///< of places, velocities and accelerations along each axis
-  double turned[3];   ///< how far an arc of these leaves its chord at most; 0: what does not turn is straight
-  bool bends;         ///< any of them is accelerated
-  bool one_interval;  ///< what is not bent touches for the changes of one interval
+  Vec<D> most[3], least[3];             ///< of places, velocities and accelerations along each axis
+  double turned[3]{};                   ///< how far an arc of these leaves its chord; 0: a segment
+  bool delayed = false;                 ///< each has a start of its own, at one place …
+  double delay_from = 0, delay_to = 0;  ///< … so long after the base's t …
+  VectorSet<D> at_start;                ///< … and with one velocity
+  bool is_from_start = false;           ///< seen_from_start(): what differs is where the other is
+  bool bends;                           ///< any of them is accelerated
+  bool one_interval;                    ///< what is not bent touches for the changes of one interval
 };
 
 template <int D>
 ChangedWays<D> changed_ways(const OwnMotion& base, const Change& change, double p, double q);
+
+/// The ends on each axis, of what `all` is by now.
+template <int D>
+void find_ends(ChangedWays<D>& ways);
 
 template <int D>
 RoughWay<D> rough_way(const OwnMotion& base, const Change& change, double k);

@@ -12,8 +12,9 @@ DoubleDouble number(double value) {
 /// The last moment of the horizon after `s`, rounded up.
 double horizon_end(const Horizon& horizon, double s) {
   if (s == horizon.now) return horizon.h;
-  const double passed = s - horizon.now;
-  return (horizon.h - passed) + 0x1p-50 * (horizon.h + std::abs(passed));
+  const DoubleDouble passed = difference(s, horizon.now), left = difference(horizon.h, passed.high);
+  if (passed.low == 0 && left.low == 0) return left.high;
+  return left.high + 0x1p-50 * (horizon.h + std::abs(passed.high));
 }
 
 }  // namespace

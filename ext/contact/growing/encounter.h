@@ -24,6 +24,8 @@ struct Encounter {
   double begin, end;          ///< both exist within the horizon, in seconds after the change, rounded outward
   double play = 0;            ///< of some changes the set reaches so much farther, or less far …
   double chord = 0;           ///< … as it is turned by this, in lengths of what turns
+  double square_gap = 0;  ///< of discs and balls beside: their distance squared less reach squared, at least
+  bool beside = false;    ///< apart at the change by exact contact, so near that doubles may not tell
 
   bool bends() const { return (a != 0).any(); }
 };

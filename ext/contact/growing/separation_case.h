@@ -1,5 +1,4 @@
-// One question about a range of changes: an encounter, the changed motions, and the moments of both, looked
-// at for proofs and for whom all of them touch.
+// One range of changes and an encounter: looked at for proofs, and for whether all of them touch.
 #pragma once
 
 #include <array>
@@ -12,7 +11,6 @@ namespace foresee::contact {
 /// What a guess has come to.
 enum class Look : std::uint8_t { proven, touches, open };
 
-/// One question: an encounter, a range of changes, and the moments of both.
 template <int D>
 class SeparationCase {
  public:
@@ -21,7 +19,8 @@ class SeparationCase {
         ways_(ways),
         begin_(std::max(met.begin, ways.all.begin)),
         end_(std::min(met.end, ways.all.end)),
-        bends_(ways.bends || met.bends()) {}
+        bends_(ways.bends || met.bends()),
+        slack_(met.extents.sum ? 4 * touching_share : touching_share) {}
 
   bool never_together() const { return begin_ > end_; }
   /// Doubles hold all that is to be computed.
@@ -38,20 +37,35 @@ class SeparationCase {
   /// Is there a plane, guessed from one of the motions? `tau`: where that touches, or is near.
   Look look(const RoughWay<D>& own, double& tau) const {
     const RoughWay<D> way = relative(met_, own);
-    return bends_ ? look_at_bent(way, tau) : look_at_straight(way, tau);
+    return bends_ ? look_at_bent(way, begin_, tau) : look_at_straight(way, begin_, tau);
   }
+
+  /// Is there a plane, or one for each part of the time, from a moment on?
+  bool is_proven_after(double begin) const {
+    if (begin > end_) return true;
+    for (const RoughWay<D>* own : {&ways_.middle, &ways_.first, &ways_.last}) {
+      const RoughWay<D> way = relative(met_, *own);
+      double ignored = 0;
+      const Look look = bends_ ? look_at_bent(way, begin, ignored) : look_at_straight(way, begin, ignored);
+      if (look == Look::proven) return true;
+    }
+    return false;
+  }
+
+  /// From now on what is not told from touching does not count as that.
+  void take_only_certain_touches() { slack_ = -slack_; }
 
   bool touches(const RoughWay<D>& own) const {
     const RoughWay<D> way = relative(met_, own);
     if (!(way.begin <= way.end)) return false;
     const auto near = straight_approach<D>(met_.extents, way.x, way.v, way.begin, way.end);
-    return near.gap <= touching_share * scale_at(near.tau);
+    return near.gap <= slack_at(near.tau);
   }
 
   /// Do all motions of the range touch at tau, or at the moment nearest to it at which all are there? On one
   /// axis also if all pass the other. Roughly.
   bool all_touch_about(double tau) const {
-    const double first = std::max(begin_, ways_.last.begin), last = std::min(end_, ways_.first.end);
+    const double first = last_begin(), last = first_end();
     if (first > last) return false;
     tau = std::clamp(tau, first, last);
     if constexpr (D == 1)
@@ -62,14 +76,42 @@ class SeparationCase {
   /// The same, where all places of the range at one moment lie on a segment, or on an arc near one: what is
   /// convex holds all of a segment whose ends it holds.
   bool ends_touch_about(double tau) const {
-    const double first = std::max(begin_, ways_.last.begin), last = std::min(end_, ways_.first.end);
+    const double first = last_begin(), last = first_end();
     if (first > last) return false;
     tau = std::clamp(tau, first, last);
-    const double slack = touching_share * scale_at(tau), beside = ways_.turned[0] - slack;
+    const double slack = slack_at(tau), beside = ways_.turned[0] - slack;
     const double turned = tau * (ways_.turned[1] + 0.5 * tau * ways_.turned[2]) + met_.play;
     for (const RoughWay<D>* end : {&ways_.first, &ways_.last})
       if (!touches_at(place_at<D>(relative(met_, *end), tau), tau, beside + turned, beside)) return false;
     return true;
+  }
+
+  /// Do all touch, each at a moment of its own, between those two of the first and of the last change? Their
+  /// places then are near a chord, and what is convex holds all of it whose ends it holds. Roughly.
+  bool all_touch_between(double tau_first, double tau_last) const {
+    const double earlier = std::min(tau_first, tau_last), later = std::max(tau_first, tau_last);
+    if (met_.extents.sum || earlier < last_begin() || later > first_end()) return false;
+    const double half = 0.5 * (later - earlier);
+    const Vec<D> bend = (met_.a - ways_.most[2]).abs().max((met_.a - ways_.least[2]).abs());
+    const Vec<D> wide = (ways_.most[1] - ways_.least[1]) + later * (ways_.most[2] - ways_.least[2]);
+    const double turned = ways_.turned[0] + later * (ways_.turned[1] + 0.5 * later * ways_.turned[2]);
+    const Vec<D> beside = 0.5 * half * (half * bend + wide) + turned;
+    const auto touches_at_end = [&](const RoughWay<D>& own, double tau) {
+      const Vec<D> far = place_at<D>(relative(met_, own), tau).abs() + beside;
+      Vec<D> ignored;
+      return depth_in<D>(met_.extents.after(earlier), far, ignored) <= slack_at(tau);
+    };
+    return touches_at_end(ways_.first, tau_first) && touches_at_end(ways_.last, tau_last);
+  }
+
+  /// Both exist when any change starts, and for a while.
+  bool all_start_together() const { return last_begin() <= 0 && first_end() > 0; }
+
+  /// None touches then, to go by the middle and by how far any is from it. Roughly.
+  bool none_touches_about(double tau) const {
+    Vec<D> ignored;
+    const Vec<D> place = place_at<D>(relative(met_, ways_.middle), tau);
+    return depth_in<D>(met_.extents.after(tau), place, ignored) > width_at(tau);
   }
 
   /// When one of the motions is nearest, on a path that is not bent.
@@ -112,7 +154,7 @@ class SeparationCase {
   }
 
   bool all_touch_at(double tau) const {
-    const double slack = touching_share * scale_at(tau);
+    const double slack = slack_at(tau);
     const PairExtents<D> extents = met_.extents.after(tau);
     double square = 0;
     int first = 0;
@@ -157,6 +199,11 @@ class SeparationCase {
     return std::max(std::abs(place_of(ways_.most, axis, tau)), std::abs(place_of(ways_.least, axis, tau)));
   }
 
+  /// All are there from the one until the other.
+  double last_begin() const { return std::max({begin_, ways_.first.begin, ways_.last.begin}); }
+  double first_end() const { return std::min({end_, ways_.first.end, ways_.last.end}); }
+
+  double slack_at(double tau) const { return slack_ * scale_at(tau); }
   double scale_at(double tau) const {
     const Vec<D> v = ways_.most[1].abs().max(ways_.least[1].abs()) + met_.v.abs();
     const PairExtents<D> extents = met_.extents.after(tau);
@@ -164,21 +211,32 @@ class SeparationCase {
     return (met_.x.abs() + extents.half.abs() + tau * v).maxCoeff() + std::abs(extents.radius) + sum;
   }
 
-  Look look_at_straight(const RoughWay<D>& way, double& tau) const {
-    const auto near = straight_approach<D>(met_.extents, way.x, way.v, begin_, end_);
+  Look look_at_straight(const RoughWay<D>& way, double begin, double& tau) const {
+    const auto near = straight_approach<D>(met_.extents, way.x, way.v, begin, end_);
     tau = near.tau;
     if (!(near.gap > 0)) return Look::touches;
-    return plane_proves<D>(met_, ways_.all, near.normal, begin_, end_) ? Look::proven : Look::open;
+    if (plane_proves<D>(met_, ways_.all, near.normal, begin, end_)) return Look::proven;
+    return is_proven_by_tilt(way, near, begin) ? Look::proven : Look::open;
+  }
+
+  /// Near touching, a plane that nearly holds for ever turns a little, so that those pass it which the last
+  /// places of their velocities would lead through it in the end.
+  bool is_proven_by_tilt(const RoughWay<D>& way, const StraightApproach<D>& near, double begin) const {
+    const double square = (way.v * way.v).sum(), size = scale_at(near.tau);
+    if (near.gap > 0x1p-30 * size || !(square > 0)) return false;
+    const Vec<D> unsure = ways_.all.velocity.pad + met_.ev + 0x1p-50 * met_.v.abs();
+    const Vec<D> tilted = near.normal + (2 * (near.normal.abs() * unsure).sum() / square) * way.v;
+    return plane_proves<D>(met_, ways_.all, tilted, begin, end_);
   }
 
   /// Part by part of the time, each taken for straight.
-  Look look_at_bent(const RoughWay<D>& way, double& tau) const {
+  Look look_at_bent(const RoughWay<D>& way, double begin, double& tau) const {
     struct Part {
       double begin, end;
     };
     std::array<Part, 64> parts;
     std::size_t count = 0;
-    parts[count++] = {begin_, end_};
+    parts[count++] = {begin, end_};
     for (int looks = 0; count > 0; ++looks, ++parts_) {
       const Part part = parts[--count];
       const double middle = 0.5 * (part.begin + part.end), length = part.end - part.begin;
@@ -192,8 +250,10 @@ class SeparationCase {
         tau = deepest_moment(way, tau);
         return Look::touches;
       }
-      const double bend = 0.125 * length * length * way.a.abs().sum();
-      if (looks > 200 || !(bend > 0.5 * width_at(part.end))) return Look::open;
+      // What cutting gains, and what only shorter ranges do.
+      const Vec<D> along = ways_.is_from_start ? near.normal : Vec<D>(Vec<D>::Ones());
+      const double bend = 0.125 * length * length * (along * way.a).abs().sum();
+      if (looks > 200 || !(bend > 0.5 * width_along(along, part.end))) return Look::open;
       parts[count++] = {middle, part.end};
       parts[count++] = {part.begin, middle};
       if (count + 2 > parts.size()) return Look::open;
@@ -223,16 +283,17 @@ class SeparationCase {
   }
 
   /// How far apart two of the range can be at tau.
-  double width_at(double tau) const {
-    return ((ways_.most[0] - ways_.least[0]) +
-            tau * ((ways_.most[1] - ways_.least[1]) + 0.5 * tau * (ways_.most[2] - ways_.least[2])))
-        .sum();
+  double width_at(double tau) const { return width_along(Vec<D>::Ones(), tau); }
+  double width_along(const Vec<D>& n, double tau) const {
+    const Vec<D> v = ways_.most[1] - ways_.least[1], a = ways_.most[2] - ways_.least[2];
+    return (n.abs() * (ways_.most[0] - ways_.least[0] + tau * (v + 0.5 * tau * a))).sum();
   }
 
   const Encounter<D>& met_;
   const ChangedWays<D>& ways_;
   double begin_, end_;
   bool bends_;
+  double slack_;
   mutable std::uint64_t parts_ = 0;
 };
 

@@ -9,8 +9,8 @@
 #include "base/float_environment.h"
 #include "motion/life.h"
 #include "query/avoid/clear_ranges.h"
+#include "query/avoid/close_look.h"
 #include "query/avoid/intruders.h"
-#include "query/avoid/touched.h"
 #include "query/join/question.h"
 
 namespace foresee::query {
@@ -141,10 +141,14 @@ class Manoeuvring {
   template <int D>
   std::vector<KRange> proven() {
     const bool delayed = asked_.manoeuvre == Manoeuvre::delay;
-    std::vector<std::vector<std::uint8_t>> first;
-    for (const auto& near : near_) first.emplace_back(near->size());
-    for (const Intruder& intruder : touched_.at_first(record_at_first()))
-      first[static_cast<std::size_t>(intruder.table)][intruder.row] = 1;
+    const auto marked = [&](const std::vector<Intruder>& some) {
+      std::vector<std::vector<std::uint8_t>> marks;
+      for (const auto& near : near_) marks.emplace_back(near->size());
+      for (const Intruder& intruder : some) marks[static_cast<std::size_t>(intruder.table)][intruder.row] = 1;
+      return marks;
+    };
+    const auto first = marked(touched_.at_first(record_at_first()));
+    const auto at_start = delayed ? marked(touched_at_start()) : first;
     struct Ordered {
       double nearness;
       std::size_t table;
@@ -165,13 +169,18 @@ class Manoeuvring {
         if (i % 4096 == 0) interrupt_.check();
         const bool touches = first[table][i] != 0;
         if (touches && question_.touching == Touching::ignore) continue;
-        const auto met = encounter_of<D>(seen_from_, {question_.now, question_.h}, there, there.row(i),
-                                         rule.pair<D>(own.row(0), there.row(i), seen_from_.t));
+        auto met = encounter_of<D>(seen_from_, {question_.now, question_.h}, there, there.row(i),
+                                   rule.pair<D>(own.row(0), there.row(i), seen_from_.t));
         if (met.begin > met.end) continue;
         const double far = (met.x.abs() - met.extents.half).maxCoeff() - met.extents.radius;
         std::shared_ptr<const OutlinePair> pair;
         if (outlines) pair = std::make_shared<OutlinePair>(own_outline, there, i);
-        ordered.push_back({far, table, near_[table]->ids[i], {met, touches && !delayed, std::move(pair)}});
+        const auto known = at_first<D>(met, touches, at_start[table][i] != 0);
+        if (needs_close_look(met, touches)) {
+          const Intruder intruder{static_cast<int>(table), static_cast<std::uint32_t>(i)};
+          look_closely(met, touched_.first(record_at_first(), intruder), delayed);
+        }
+        ordered.push_back({far, table, near_[table]->ids[i], {met, known, std::move(pair)}});
       }
     }
     std::sort(ordered.begin(), ordered.end(), [](const Ordered& a, const Ordered& b) {
@@ -180,6 +189,28 @@ class Manoeuvring {
     std::vector<MetIntruder<D>> met;
     for (Ordered& one : ordered) met.push_back(std::move(one.met));
     return ClearRanges<D>(seen_from_, change_, std::move(met), interrupt_).between(asked_.lo, asked_.hi);
+  }
+
+  /// Whom the object touches, at some moment, if it never leaves the place of its start.
+  std::vector<Intruder> touched_at_start() {
+    static const std::vector<Intruder> nobody;
+    OwnMotion resting = stored_;
+    resting.t = seen_from_.t, resting.until = std::numeric_limits<double>::infinity();
+    resting.v = resting.a = resting.force = {};
+    return touched_.by(Touched::with_motion(question_.own->layout, question_.record, resting), &nobody);
+  }
+
+  /// Of a delay it is known of who rests alone: whenever that starts, the other is where it was.
+  template <int D>
+  typename MetIntruder<D>::AtFirst at_first(const Encounter<D>& met, bool touches,
+                                            bool touches_at_start) const {
+    using AtFirst = typename MetIntruder<D>::AtFirst;
+    if (asked_.manoeuvre == Manoeuvre::delay) {
+      const bool rests = (met.v == 0).all() && (met.ev == 0).all() && !met.bends() && !met.extents.grows;
+      return rests && !touches_at_start ? AtFirst::apart : AtFirst::unknown;
+    }
+    if (touches) return AtFirst::touches;
+    return met.begin > 0 || turns_ ? AtFirst::unknown : AtFirst::apart;
   }
 
   /// Clear ranges and what lies between them.

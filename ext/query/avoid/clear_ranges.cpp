@@ -51,15 +51,6 @@ double ClearRanges<D>::narrowest() const {
                                                                 : 0x1p-12));
 }
 
-/// Parting on bent paths is proven by intervals, which leave a little in doubt at any width.
-template <int D>
-double ClearRanges<D>::narrowest_for(const MetIntruder<D>& intruder) const {
-  const bool bends =
-      intruder.met().bends() || std::any_of(base_.a.begin(), base_.a.end(), [](double a) { return a != 0; });
-  return intruder.touches_first() && (bends || change_.manoeuvre == Manoeuvre::accelerate) ? width_ * 0x1p-14
-                                                                                           : 0;
-}
-
 template <int D>
 std::pair<std::uint32_t, std::uint32_t> ClearRanges<D>::parts_of(std::uint32_t intruder) {
   const auto found = parts_.find(intruder);
@@ -76,8 +67,7 @@ Judgement ClearRanges<D>::judged(const MetIntruder<D>& intruder, const Range& ra
   const Judgement judgement = intruder.judge(range.ways, range.from, range.to, looks);
   step_.costly(static_cast<std::uint32_t>(16 * (1 + looks)));
   if (!range.is_first) looks_ += looks;
-  const bool narrow = judgement == Judgement::open && range.to - range.from <= narrowest_for(intruder);
-  return narrow ? Judgement::blocked : judgement;
+  return judgement;
 }
 
 template <int D>

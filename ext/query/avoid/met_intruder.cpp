@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contact/growing/departure.h"
 #include "contact/growing/parting.h"
 
 namespace foresee::query {
@@ -17,29 +18,33 @@ double chord_of(double degrees) {
 }  // namespace
 
 template <int D>
-MetIntruder<D>::MetIntruder(const Encounter<D>& met, bool touches_first,
+MetIntruder<D>::MetIntruder(const Encounter<D>& met, AtFirst at_first,
                             std::shared_ptr<const OutlinePair> outlines)
     : met_(met),
-      touches_first_(touches_first),
+      at_first_(at_first),
       stage_(outlines ? Stage::whole : Stage::simple),
       outlines_(std::move(outlines)),
       round_(met.extents.radius) {
-  if (outlines_) met_.extents.radius += outlines_->reach() * (1 + 0x1p-50);
+  if (outlines_)
+    met_.extents.radius += outlines_->reach() * (1 + 0x1p-50);
+  else
+    met_.beside = at_first == AtFirst::apart && is_beside(met_);
 }
 
 template <int D>
 Judgement MetIntruder<D>::judge(const ChangedWays<D>& ways, double p, double q, std::uint64_t& looks) const {
-  if (touches_first_) ++looks;
+  if (touches_first()) ++looks;
   if (stage_ == Stage::simple)
-    return touches_first_ ? judge_parting<D>(met_, ways) : contact::judge<D>(met_, ways, looks);
+    return touches_first() ? judge_parting<D>(met_, ways, looks) : contact::judge<D>(met_, ways, looks);
   if (has_parts())
     return contact::judge<D>(turning_ ? met_between(p, q) : met_, ways, looks) == Judgement::clear
                ? Judgement::clear
                : Judgement::open;
   const Encounter<D> turned = turning_ ? met_between(p, q) : met_;
-  if (!touches_first_) return contact::judge<D>(turned, ways, looks);
+  if (!touches_first()) return contact::judge<D>(turned, ways, looks);
   const bool surely_first = outlines_->is_sole() && !outlines_->turns();
-  return surely_first ? judge_parting<D>(turned, ways) : judge_parting_of_piece<D>(turned, ways, looks);
+  return surely_first ? judge_parting<D>(turned, ways, looks)
+                      : judge_parting_of_piece<D>(turned, ways, looks);
 }
 
 template <int D>
@@ -62,7 +67,7 @@ bool MetIntruder<D>::is_worth_parting(const ChangedWays<D>& ways) const {
   const Vec<D> apart = (ways.most[0] - ways.least[0]) +
                        end * ((ways.most[1] - ways.least[1]) + (0.5 * end) * (ways.most[2] - ways.least[2]));
   const double size = stage_ == Stage::boxes ? outlines_->size_of(part_) : 0;
-  return touches_first_ || 4 * (size + 2 * met_.extents.after(end).radius) >= apart.maxCoeff();
+  return touches_first() || 4 * (size + 2 * met_.extents.after(end).radius) >= apart.maxCoeff();
 }
 
 template <int D>
@@ -77,6 +82,8 @@ std::vector<MetIntruder<D>> MetIntruder<D>::parts() const {
     if (outlines_->turns()) one.turning_ = part.pieces ? one.sum_ : outlines_->turning_sum_of(part);
     one.met_.extents.sum = one.sum_.get();
     one.met_.extents.radius = round_ + outlines_->more_round(part) * (1 + 0x1p-50);
+    one.met_.beside =
+        part.pieces && !outlines_->turns() && at_first_ == AtFirst::apart && is_beside(one.met_);
     parts.push_back(std::move(one));
   }
   return parts;

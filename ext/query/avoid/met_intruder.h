@@ -2,7 +2,7 @@
 // as the disc around both, then box by box, down to their convex pieces, where what is around them is in
 // doubt.
 //
-//   MetIntruder<2> ship(met, false);
+//   MetIntruder<2> ship(met, MetIntruder<2>::AtFirst::apart);
 //   ship.judge(changed_ways<2>(base, change, 10, 20), 10, 20, looks)
 //
 // Guarantee: what is judged clear is so for every change of the range (contact/growing/separation.h). What
@@ -21,11 +21,17 @@ namespace foresee::query {
 template <int D>
 class MetIntruder {
  public:
-  /// `touches_first`: must part. `outlines`: null where sizes alone tell what touches.
-  MetIntruder(const Encounter<D>& met, bool touches_first, std::shared_ptr<const OutlinePair> outlines = {});
+  /// What is known of the moment of the change, by exact contact.
+  enum class AtFirst : std::uint8_t {
+    touches,  ///< must part
+    apart,
+    unknown
+  };
+  /// `outlines`: null where sizes alone tell what touches.
+  MetIntruder(const Encounter<D>& met, AtFirst at_first, std::shared_ptr<const OutlinePair> outlines = {});
 
   const Encounter<D>& met() const { return met_; }
-  bool touches_first() const { return touches_first_; }
+  bool touches_first() const { return at_first_ == AtFirst::touches; }
   Judgement judge(const ChangedWays<D>& ways, double p, double q, std::uint64_t& looks) const;
 
   /// That of one change, for guesses.
@@ -45,7 +51,7 @@ class MetIntruder {
   Encounter<D> met_between(double p, double q) const;
 
   Encounter<D> met_;
-  bool touches_first_;
+  AtFirst at_first_;
   Stage stage_;
   std::shared_ptr<const OutlinePair> outlines_;
   OutlinePair::Part part_;

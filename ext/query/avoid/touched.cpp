@@ -230,7 +230,8 @@ bool Touched::parts(const Intruder& intruder) {
     if (has_outlines(own.layout, others.layout))
       outlines =
           std::make_shared<OutlinePair>(std::make_shared<OwnOutline>(own, 0, false), others, intruder.row);
-    return is_clear_of<D>({met, true, outlines}, changed_ways<D>(base, {Manoeuvre::speed, 1}, 0, 0), 0);
+    return is_clear_of<D>({met, MetIntruder<D>::AtFirst::touches, outlines},
+                          changed_ways<D>(base, {Manoeuvre::speed, 1}, 0, 0), 0);
   });
 }
 

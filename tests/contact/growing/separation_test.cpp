@@ -99,7 +99,8 @@ TEST(Parting, NeedsADistanceThatNeverShrinks) {
   Meeting beside;
   beside.met.x = {15, 0};
   const auto parting = [&](double p, double q) {
-    return judge_parting<2>(beside.met, changed_ways<2>(beside.base, {Manoeuvre::turn, 10}, p, q));
+    std::uint64_t looks = 0;
+    return judge_parting<2>(beside.met, changed_ways<2>(beside.base, {Manoeuvre::turn, 10}, p, q), looks);
   };
   EXPECT_EQ(parting(-179, -1), Judgement::clear);
   EXPECT_EQ(parting(1, 179), Judgement::blocked);
