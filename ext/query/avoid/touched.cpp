@@ -159,8 +159,10 @@ void Touched::take_form() {
 
 std::unique_ptr<Contact> Touched::contact(std::size_t table, const Horizon& horizon) const {
   const Scene& near = *near_[table];
-  return make_contact(own_.bodies(), near.bodies(), {horizon, question_.within, question_.within_z},
+  auto contact = make_contact(own_.bodies(), near.bodies(), {horizon, question_.within, question_.within_z},
                       own_.name, near.name);
+  contact->heed(interrupt_);
+  return contact;
 }
 
 std::vector<Intruder> Touched::decided(std::vector<std::unique_ptr<Contact>>& contacts,
