@@ -79,9 +79,7 @@ class Chord {
   }
   template <class Lengths>
   [[gnu::noinline]] Real moved(const Size& size, const Lengths& lengths) const {
-    const Real rate = greater(most(size.rate, lengths), Real(0.0)),
-               bend = greater(most(size.bend, lengths), Real(0.0));
-    return end_ * (rate + end_ * bend) * (1 + 0x1p-40) + 0x1p-1000;
+    return end_ * greater(most(size.rate, lengths), Real(0.0)) * (1 + 0x1p-40) + 0x1p-1000;
   }
 
   /// When the chord crosses a face: infinite, towards the side that the face is on, if there is none.

@@ -39,8 +39,7 @@ std::size_t PairPolynomials::number_of(int primitive) {
 
 bool PairPolynomials::same_bound(const Primitive& a, const Primitive& b) const {
   return a.parts[0].axis == b.parts[0].axis && a.parts[0].sign == b.parts[0].sign &&
-         same_length(a.size.value, b.size.value) && same_length(a.size.rate, b.size.rate) &&
-         same_length(a.size.bend, b.size.bend);
+         same_length(a.size.value, b.size.value) && same_length(a.size.rate, b.size.rate);
 }
 
 /// Two that differ do so by the radius, and to add what is not 0 always shows in a number's bits or in its

@@ -103,7 +103,7 @@ class ContactSet {
 
   /// Of two sizes.
   Size sum(const Size& a, const Size& b) {
-    return {sum(a.value, b.value), sum(a.rate, b.rate), sum(a.bend, b.bend)};
+    return {sum(a.value, b.value), sum(a.rate, b.rate)};
   }
 
   // Primitives; each function gives a primitive's number. What pieces share is made once.

@@ -7,8 +7,7 @@
 // kind and its polynomial there.
 //
 // A primitive holds no numbers of a pair. It names lengths of its contact set (contact_set.h), which each
-// stage computes in its own number type. A size may change with time: value + rate tau + bend tau^2, tau from
-// `now`.
+// stage computes in its own number type. A size may change with time: value + rate tau, tau from `now`.
 #pragma once
 
 #include <algorithm>
@@ -25,9 +24,9 @@ constexpr int no_length = -1;
 
 /// Numbers of lengths.
 struct Size {
-  int value = no_length, rate = no_length, bend = no_length;
+  int value = no_length, rate = no_length;
 
-  bool moves() const { return (rate & bend) != no_length; }
+  bool moves() const { return rate != no_length; }
 };
 
 /// What a primitive says about one axis.
@@ -62,12 +61,10 @@ T length_at(const Lengths& lengths, int number) {
 /// or 0 for its value alone.
 template <int K, class T, class Lengths, class Moment>
 [[gnu::noinline]] Powers<T, K> moving_size(const Size& size, const Lengths& lengths, const Moment& tau) {
-  const T t = T{tau}, rate = length_at<T>(lengths, size.rate), bend = length_at<T>(lengths, size.bend),
-          turn = t * bend;
-  Powers<T, K> p;
-  p[0] = length_at<T>(lengths, size.value) + t * (rate + turn);
-  if constexpr (K >= 1) p[1] = rate + twice(turn);
-  if constexpr (K >= 2) p[2] = bend;
+  const T rate = length_at<T>(lengths, size.rate);
+  Powers<T, K> p{};
+  p[0] = length_at<T>(lengths, size.value) + T{tau} * rate;
+  if constexpr (K >= 1) p[1] = rate;
   return p;
 }
 

@@ -195,10 +195,10 @@ TEST(ContactSet, OfNoPieceIsNeverMetAndOfAnEmptyPieceAlways) {
   expect_span(passage.through(set), 0, 8);
 }
 
-/// |x| <= R over two axes, R = r + rate tau + bend tau^2.
-ContactSet growing_disc(double r, double rate, double bend) {
+/// |x| <= R over two axes, R = r + rate tau.
+ContactSet growing_disc(double r, double rate) {
   ContactSet set;
-  const Size radius{set.given(r), set.given(rate), set.given(bend)};
+  const Size radius{set.given(r), set.given(rate)};
   const AxisPart centre[] = {{.axis = 0}, {.axis = 1}};
   const int ball = set.ball(centre, radius);
   Conditions piece{.all = {ball}, .ball = ball};
@@ -210,14 +210,13 @@ ContactSet growing_disc(double r, double rate, double bend) {
 
 TEST(ContactSet, SizesGrowWithTime) {
   const Passage at_rest({6, 8}, {0, 0}, 100), closing({12, 0}, {-1, 0}, 100);
-  expect_span(at_rest.through(growing_disc(4, 0.5, 0)), 12, 100);
-  expect_span(at_rest.through(growing_disc(2, 0, 0.5)), 4, 100);
-  expect_span(closing.through(growing_disc(3, 0.5, 0)), 6, 30);
+  expect_span(at_rest.through(growing_disc(4, 0.5)), 12, 100);
+  expect_span(closing.through(growing_disc(3, 0.5)), 6, 30);
   // Away at the speed at which the disc grows: it is never met; a little slower, and it is.
-  EXPECT_FALSE(Passage({4, 0}, {2, 0}, 100).through(growing_disc(3, 2, 0)));
-  expect_span(Passage({4, 0}, {2, 0}, 100).through(growing_disc(3, 2.25, 0)), 4, 100);
+  EXPECT_FALSE(Passage({4, 0}, {2, 0}, 100).through(growing_disc(3, 2)));
+  expect_span(Passage({4, 0}, {2, 0}, 100).through(growing_disc(3, 2.25)), 4, 100);
   // Shrinking: it lets go of what it holds.
-  expect_span(Passage({3, 4}, {0, 0}, 16).through(growing_disc(9, -0.5, 0)), 0, 8);
+  expect_span(Passage({3, 4}, {0, 0}, 16).through(growing_disc(9, -0.5)), 0, 8);
 }
 
 TEST(ContactSet, BoundsAndCentresMoveToo) {

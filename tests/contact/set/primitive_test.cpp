@@ -65,7 +65,7 @@ class Sample {
       const auto of = [&](int i) {
         return i == no_length ? Dyadic() : Dyadic(lengths[static_cast<std::size_t>(i)]);
       };
-      return of(s.value) + t * of(s.rate) + t * t * of(s.bend);
+      return of(s.value) + t * of(s.rate);
     };
     const Dyadic size = value(primitive.size);
     Dyadic sum, width;
@@ -107,7 +107,7 @@ class Sample {
   }
   Size size(bool moving) {
     Size s{.value = length()};
-    if (moving) s.rate = length(), s.bend = length();
+    if (moving) s.rate = length();
     return s;
   }
 
@@ -169,8 +169,6 @@ TEST(Primitive, EveryNumberTypeEnclosesTheExactCoefficients) {
 TEST(Primitive, OfUniformMotionHasTheSameCoefficients) {
   for_each_sample([](Sample sample, std::uint64_t seed) {
     for (auto& axis : sample.motion) axis[2] = 0;
-    for (double& length : sample.lengths)
-      if (sample.primitive.size.moves() || sample.primitive.parts[0].at.moves()) length = 0;  // no bend
     const auto two = sample.polynomial<2, Dyadic>(0);
     const auto one = sample.polynomial<1, Dyadic>(0);
     for (std::size_t k = 0; k < two.size(); ++k)
