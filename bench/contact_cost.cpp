@@ -12,6 +12,7 @@
 
 #include "contact/contact.h"
 #include "index/gpcd_grid/gpcd_grid.h"
+#include "index/resting_bodies.h"
 #include "measure.h"
 #include "plain_contact.h"
 #include "program.h"
@@ -30,12 +31,13 @@ struct Cost {
 template <int D>
 std::unique_ptr<Candidates> candidates_of(const Workload& w) {
   const auto boxes_of = [&](const Workload& side) {
-    return swept_boxes<D>(side.bodies(), {0, w.h}, Vec<D>::Zero(), never);
+    return testing::RestingBodies<D>(swept_boxes<D>(side.bodies(), {0, w.h}, Vec<D>::Zero(), never));
   };
-  const std::vector<Box<D>> boxes = boxes_of(w);
-  if (!w.other) return make_gpcd_grid<D>(std::span<const Box<D>>(boxes), never);
-  const std::vector<Box<D>> others = boxes_of(*w.other);
-  return make_gpcd_grid<D>(boxes, std::span<const Box<D>>(others), never);
+  const testing::RestingBodies<D> boxes = boxes_of(w);
+  if (!w.other) return make_gpcd_grid<D>(boxes.side(), nullptr, never);
+  const testing::RestingBodies<D> others = boxes_of(*w.other);
+  const MovingBoxes<D> second = others.side();
+  return make_gpcd_grid<D>(boxes.side(), &second, never);
 }
 
 /// The grid's candidates in batches, each given to `take`.

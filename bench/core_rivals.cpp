@@ -7,6 +7,7 @@
 
 #include "core_emitter.h"
 #include "index/gpcd_grid/gpcd_grid.h"
+#include "index/resting_bodies.h"
 
 namespace foresee::bench {
 namespace {
@@ -99,7 +100,8 @@ Answer by_stepping(const Workload& w, double dt) {
     for (long step = 0; step <= steps; ++step) {
       const double t = static_cast<double>(step) * dt;
       place_boxes<D>(w, t, boxes);
-      const auto grid = make_gpcd_grid<D>(std::span<const Box<D>>(boxes), never);
+      const testing::RestingBodies<D> placed(boxes);
+      const auto grid = make_gpcd_grid<D>(placed.side(), nullptr, never);
       for (; grid->next(batch); batch.clear())
         for (const Pair& pair : batch) {
           ++answer.candidates;

@@ -31,7 +31,7 @@ class Giants {
 
   /// Finds what each giant covers when the horizon begins, rounded inward. Before stripes are visited.
   /// Requires: all that the giants meet are there when the horizon begins.
-  void find_cores(const BeamSource<D>& source, const Frame<D>& frame, const Partition<D>& partition);
+  void find_cores(const MovingSource<D>& source, const Frame<D>& frame, const Partition<D>& partition);
 
   /// How many cross each stripe, by its number. Requires: none has been visited.
   std::vector<std::size_t> crossing_counts(const Partition<D>& partition) const;

@@ -48,13 +48,4 @@ std::unique_ptr<DividedCandidates> make_divided_grid(const MovingBoxes<D>& a, co
                                                      std::size_t helpers, Interrupt& interrupt,
                                                      std::shared_ptr<GridSpace> space);
 
-/// The same for pairs among boxes at rest. The grid keeps no reference to them.
-template <int D>
-std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>> boxes, Interrupt& interrupt);
-
-/// Pairs between `boxes_a` and `boxes_b`.
-template <int D>
-std::unique_ptr<Candidates> make_gpcd_grid(std::span<const Box<D>> boxes_a, std::span<const Box<D>> boxes_b,
-                                           Interrupt& interrupt);
-
 }  // namespace foresee::index

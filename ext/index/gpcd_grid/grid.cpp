@@ -15,7 +15,7 @@ constexpr std::size_t steps_per_batch = 1 << 17;  // about a millisecond
 
 /// Non-empty beams of both sides, one from each of some hundred equal parts, not at equal distances.
 template <int D>
-std::vector<Beam<D>> sample_of(const BeamSource<D>& a, const BeamSource<D>* b) {
+std::vector<Beam<D>> sample_of(const MovingSource<D>& a, const MovingSource<D>* b) {
   const std::size_t count_a = a.count(), count = count_a + (b ? b->count() : 0),
                     aim = std::clamp(count / sample_share, sample_enough, sample_max),
                     wanted = std::min(count, aim);
@@ -34,7 +34,7 @@ std::vector<Beam<D>> sample_of(const BeamSource<D>& a, const BeamSource<D>* b) {
 
 /// What either side needs; no travel where the frame's unit is too small for the test of time.
 template <int D>
-Columns columns_of(const BeamSource<D>& a, const BeamSource<D>* b, const Frame<D>& frame) {
+Columns columns_of(const MovingSource<D>& a, const MovingSource<D>* b, const Frame<D>& frame) {
   const Columns first = a.columns(), second = b ? b->columns() : Columns{};
   const bool travel = frame.resolves_time() && (first.travel || second.travel);
   return {travel, travel && (first.life || second.life)};
@@ -43,7 +43,7 @@ Columns columns_of(const BeamSource<D>& a, const BeamSource<D>* b, const Frame<D
 }  // namespace
 
 template <int D>
-Grid<D>::Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, std::size_t helpers,
+Grid<D>::Grid(const MovingSource<D>& a, const MovingSource<D>* b, GridSpace& space, std::size_t helpers,
               Interrupt& interrupt) {
   const std::vector<Beam<D>> sample = sample_of(a, b);
   const Frame<D> frame = frame_of(std::span<const Beam<D>>(sample));
@@ -52,7 +52,7 @@ Grid<D>::Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, 
   partition_ = choose_partition(std::span<const FloatBox<D>>(boxes), a.count() + (b ? b->count() : 0));
   for (int axis = 1; axis < D; ++axis)
     stripe_height_[axis] = 1 / static_cast<double>(partition_.axis[axis].per_unit) / frame.scale[axis];
-  for (const BeamSource<D>* source : {&a, b})
+  for (const MovingSource<D>* source : {&a, b})
     if (source)
       sides_.push_back(std::make_unique<Side>(*source, frame, columns, partition_, space.sides[sides_.size()],
                                               helpers, interrupt));

@@ -1,7 +1,7 @@
 // The grid as a whole: GPCD steps 1 to 5c from swept boxes to candidates. gpcd_grid.h is the door; this
 // header shows the parts and counters to tests and benchmarks.
 //
-//   step 1  beams or boxes: beam_sources.h, float_rows.h
+//   step 1  beams: moving_source.h, float_rows.h
 //   step 2  cell size: cell_size.h
 //   step 3  enter: stripes.h, giants.h
 //   step 4, 5a, 5c  share a stripe and overlap, in space and in time: lanes.h, scan.h
@@ -29,7 +29,7 @@ class Grid {
   /// The objects of one side of the join.
   struct Side {
     /// Enters every object of `source` into the stripes that its box meets, or among the giants.
-    Side(const BeamSource<D>& source, const Frame<D>& frame, Columns columns, const Partition<D>& partition,
+    Side(const MovingSource<D>& source, const Frame<D>& frame, Columns columns, const Partition<D>& partition,
          GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
         : rows(source.count(), columns, source.objects(), memory.rows),
           stripes(source, frame, partition, rows, memory, helpers, interrupt),
@@ -42,7 +42,7 @@ class Grid {
   /// Enters the objects of `a`, or of both if `b` is not null; afterwards the sources are not needed. What is
   /// read from them is kept in `space`, which must outlive the grid. `helpers` are threads beside this one;
   /// the grid is the same for any number of them.
-  Grid(const BeamSource<D>& a, const BeamSource<D>* b, GridSpace& space, std::size_t helpers,
+  Grid(const MovingSource<D>& a, const MovingSource<D>* b, GridSpace& space, std::size_t helpers,
        Interrupt& interrupt);
 
   /// One side, or two.

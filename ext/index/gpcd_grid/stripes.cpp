@@ -10,7 +10,7 @@ constexpr std::size_t chunks_per_check = 64, entries_per_check = 8192;
 }  // namespace
 
 template <int D>
-Stripes<D>::Stripes(const BeamSource<D>& source, const Frame<D>& frame, const Partition<D>& partition,
+Stripes<D>::Stripes(const MovingSource<D>& source, const Frame<D>& frame, const Partition<D>& partition,
                     FloatRows<D>& rows, GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
     : partition_(partition), rows_(rows), begins_(memory.stripes.room(partition.stripes() + 1)) {
   std::vector<Part> parts(helpers + 1);
@@ -26,8 +26,8 @@ Stripes<D>::Stripes(const BeamSource<D>& source, const Frame<D>& frame, const Pa
 }
 
 template <int D>
-void Stripes<D>::read(const BeamSource<D>& source, const Frame<D>& frame, std::size_t begin, std::size_t end,
-                      GridSpace::Part& memory, Part& part, Interrupt& interrupt) {
+void Stripes<D>::read(const MovingSource<D>& source, const Frame<D>& frame, std::size_t begin,
+                      std::size_t end, GridSpace::Part& memory, Part& part, Interrupt& interrupt) {
   part.counts = memory.counts.room(partition_.stripes());
   std::fill_n(part.counts, partition_.stripes(), 0);
   const FloatKernels<D>& kernels = float_kernels<D>();

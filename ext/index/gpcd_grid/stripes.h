@@ -13,8 +13,8 @@
 #include <span>
 #include <vector>
 
-#include "index/gpcd_grid/beam_sources.h"
 #include "index/gpcd_grid/float_rows.h"
+#include "index/gpcd_grid/moving_source.h"
 #include "index/gpcd_grid/sort_keys.h"
 
 namespace foresee::index::gpcd {
@@ -35,7 +35,7 @@ class Stripes {
   /// Enters all objects of the source: each box into every stripe that it meets, or among the giants; empty
   /// ones nowhere. Writes all rows. Requires: source.count() < 2^32; rows and memory outlive the stripes.
   /// Throws Error if there are more entries than 2^32.
-  Stripes(const BeamSource<D>& source, const Frame<D>& frame, const Partition<D>& partition,
+  Stripes(const MovingSource<D>& source, const Frame<D>& frame, const Partition<D>& partition,
           FloatRows<D>& rows, GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt);
 
   const FloatRows<D>& rows() const { return rows_; }
@@ -57,7 +57,7 @@ class Stripes {
   };
 
   /// Writes the rows from `begin` to before `end` and collects what they enter, in their order.
-  void read(const BeamSource<D>& source, const Frame<D>& frame, std::size_t begin, std::size_t end,
+  void read(const MovingSource<D>& source, const Frame<D>& frame, std::size_t begin, std::size_t end,
             GridSpace::Part& memory, Part& part, Interrupt& interrupt);
   /// Appends what these lanes enter to the part: one entry for each stripe of a box, or a giant.
   void enter(const FloatLanes<D>& lanes, std::size_t first, std::size_t count, GridSpace::Part& memory,

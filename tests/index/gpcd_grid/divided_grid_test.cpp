@@ -5,9 +5,9 @@
 
 #include "base/parallel.h"
 #include "index/candidate_pairs.h"
-#include "index/gpcd_grid/beam_sources.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "index/gpcd_grid/grid.h"
+#include "index/gpcd_grid/moving_source.h"
 
 namespace foresee::testing {
 namespace {

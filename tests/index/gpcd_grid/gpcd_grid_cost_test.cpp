@@ -1,7 +1,8 @@
 // What the grid costs, in counts that are the same on every machine: entries, steps of the kernel, checks.
 #include "index/candidate_pairs.h"
-#include "index/gpcd_grid/beam_sources.h"
 #include "index/gpcd_grid/grid.h"
+#include "index/gpcd_grid/moving_source.h"
+#include "index/resting_bodies.h"
 #include "stop_at.h"
 
 namespace foresee::testing {
@@ -21,7 +22,9 @@ struct Cost {
 template <int D>
 Cost cost_of(const std::vector<Box<D>>& boxes) {
   GridSpace space;
-  gpcd::Grid<D> grid(gpcd::RestingSource<D>(boxes), nullptr, space, 0, never);
+  const RestingBodies<D> resting(boxes);
+  const MovingBoxes<D> side = resting.side();
+  gpcd::Grid<D> grid(gpcd::MovingSource<D>(side, never), nullptr, space, 0, never);
   gpcd::GridVisit<D> visit(grid, space.visit, never);
   const std::size_t candidates = drain(visit).size();
   return {grid.entry_count(), grid.giant_count(), visit.steps_taken(), candidates};
@@ -104,19 +107,21 @@ TEST(GpcdGridCost, StaysModerateWithTwoSizes) {
 }
 
 TEST(GpcdGridInterrupt, IsSeenDuringTheBuild) {
-  const std::vector<Box<2>> boxes = boxes_of<2>(SceneKind::uniform, 100000);
+  const RestingBodies<2> resting(boxes_of<2>(SceneKind::uniform, 100000));
+  const MovingBoxes<2> side = resting.side();
   for (int checks : {0, 1, 5, 20}) {
     StopAt stop(checks);
     GridSpace space;
-    EXPECT_THROW(gpcd::Grid<2>(gpcd::RestingSource<2>(boxes), nullptr, space, 0, stop), Interrupted);
+    EXPECT_THROW(gpcd::Grid<2>(gpcd::MovingSource<2>(side, stop), nullptr, space, 0, stop), Interrupted);
   }
 }
 
 TEST(GpcdGridInterrupt, IsSeenInEveryBatch) {
-  const std::vector<Box<2>> boxes(20000, Box<2>{Vec<2>::Zero(), Vec<2>::Constant(1)});
+  const RestingBodies<2> resting(std::vector(20000, Box<2>{Vec<2>::Zero(), Vec<2>::Constant(1)}));
+  const MovingBoxes<2> side = resting.side();
   StopAt stop(1000);
   GridSpace space;
-  gpcd::Grid<2> grid(gpcd::RestingSource<2>(boxes), nullptr, space, 0, stop);
+  gpcd::Grid<2> grid(gpcd::MovingSource<2>(side, stop), nullptr, space, 0, stop);
   gpcd::GridVisit<2> visit(grid, space.visit, stop);
   std::vector<Pair> batch;
   ASSERT_TRUE(visit.next(batch));

@@ -6,6 +6,7 @@
 
 #include "index/candidate_pairs.h"
 #include "index/gpcd_grid/gpcd_grid.h"
+#include "index/resting_bodies.h"
 
 namespace foresee::testing {
 namespace {
@@ -17,12 +18,15 @@ std::vector<Box<D>> boxes_of(const RandomScene& scene, double h) {
 
 template <int D>
 void expect_grid_agrees(const RandomScene& scene, const RandomScene& other, double h) {
-  const std::vector<Box<D>> a = boxes_of<D>(scene, h), b = boxes_of<D>(other, h);
-  const std::span<const Box<D>> left(a), right(b);
-  const std::vector<Pair> within = pairs_that_meet(left), between = pairs_that_meet(left, right);
+  const RestingBodies<D> left(boxes_of<D>(scene, h)), right(boxes_of<D>(other, h));
+  const std::vector<Box<D>> a = left.boxes(never), b = right.boxes(never);
+  const std::vector<Pair> within = pairs_that_meet<D>(a), between = pairs_that_meet<D>(a, b);
+  const MovingBoxes<D> second = right.side();
   // Rounded outward, boxes on a lattice that just miss each other may meet; otherwise hardly any do.
-  expect_all_once(within_order(drain(*make_gpcd_grid<D>(left, never))), within, within.size() / 10 + 20);
-  expect_all_once(in_order(drain(*make_gpcd_grid<D>(left, right, never))), between, between.size() / 10 + 20);
+  expect_all_once(within_order(drain(*make_gpcd_grid<D>(left.side(), nullptr, never))), within,
+                  within.size() / 10 + 20);
+  expect_all_once(in_order(drain(*make_gpcd_grid<D>(left.side(), &second, never))), between,
+                  between.size() / 10 + 20);
 }
 
 void expect_grid_agrees(const RandomScene& scene, const RandomScene& other, double h) {
@@ -62,9 +66,9 @@ TEST_P(GpcdGridScenes, AgreesForHorizonsOfAnyLength) {
       SCOPED_TRACE(h);
       const std::size_t most = scene.size() * (scene.size() - 1) / 2;
       auto agrees = [&]<int D>(std::integral_constant<int, D>) {
-        const std::vector<Box<D>> boxes = boxes_of<D>(scene, h);
-        const std::span<const Box<D>> all(boxes);
-        expect_all_once(within_order(drain(*make_gpcd_grid<D>(all, never))), pairs_that_meet(all), most);
+        const RestingBodies<D> all(boxes_of<D>(scene, h));
+        expect_all_once(within_order(drain(*make_gpcd_grid<D>(all.side(), nullptr, never))),
+                        pairs_that_meet<D>(all.boxes(never)), most);
       };
       if (axes == 1) agrees(std::integral_constant<int, 1>());
       if (axes == 2) agrees(std::integral_constant<int, 2>());
@@ -108,10 +112,9 @@ template <int D>
 void expect_nothing_lost(SceneKind kind) {
   const std::size_t count = kind == SceneKind::one_spot ? 700 : 5000;
   const Layout layout{D, Law::accelerated, Shape::box, true, true};
-  const std::vector<Box<D>> boxes = boxes_of<D>(random_scene({layout, kind, count, 42}), 3);
-  const std::vector<Pair> found =
-      within_order(drain(*make_gpcd_grid<D>(std::span<const Box<D>>(boxes), never)));
-  const std::vector<Pair> judged = pairs_by_rtree<D>(boxes);
+  const RestingBodies<D> bodies(boxes_of<D>(random_scene({layout, kind, count, 42}), 3));
+  const std::vector<Pair> found = within_order(drain(*make_gpcd_grid<D>(bodies.side(), nullptr, never)));
+  const std::vector<Pair> judged = pairs_by_rtree<D>(bodies.boxes(never));
   expect_all_once(found, judged, judged.size() / 10 + 20);
 }
 
