@@ -80,11 +80,11 @@ void beams(const Bodies& bodies, std::size_t first, std::size_t count, const Hor
   find(out, count, grow);
 }
 
-#define FORESEE_BEAMS_OF_AXES(D) \
+#define FORESEE_OF_AXES(D) \
   template void beams(const Bodies&, std::size_t, std::size_t, const Horizon&, const Vec<D>&, BeamLanes<D>&)
-FORESEE_BEAMS_OF_AXES(1);
-FORESEE_BEAMS_OF_AXES(2);
-FORESEE_BEAMS_OF_AXES(3);
-#undef FORESEE_BEAMS_OF_AXES
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
 }  // namespace foresee::shape

@@ -89,14 +89,14 @@ std::unique_ptr<DividedCandidates> make_divided_grid(const MovingBoxes<D>& a, co
   return std::make_unique<DividedGrid<D>>(first, &second, helpers, std::move(space), interrupt);
 }
 
-#define FORESEE_GRID_OF_AXES(D)                                                                     \
+#define FORESEE_OF_AXES(D)                                                                          \
   template std::unique_ptr<Candidates> make_gpcd_grid(const MovingBoxes<D>&, const MovingBoxes<D>*, \
                                                       Interrupt&, std::shared_ptr<GridSpace>);      \
   template std::unique_ptr<DividedCandidates> make_divided_grid(                                    \
       const MovingBoxes<D>&, const MovingBoxes<D>*, std::size_t, Interrupt&, std::shared_ptr<GridSpace>)
-FORESEE_GRID_OF_AXES(1);
-FORESEE_GRID_OF_AXES(2);
-FORESEE_GRID_OF_AXES(3);
-#undef FORESEE_GRID_OF_AXES
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
 }  // namespace foresee::index

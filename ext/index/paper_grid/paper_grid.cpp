@@ -230,14 +230,13 @@ std::unique_ptr<PaperGrid<D>> make_paper_grid(const Bodies& a, const Bodies& b, 
   return std::make_unique<PaperGrid<D>>(boxes_a, boxes_b, interrupt);
 }
 
-template class PaperGrid<1>;
-template class PaperGrid<2>;
-template class PaperGrid<3>;
-template std::unique_ptr<PaperGrid<1>> make_paper_grid(const Bodies&, const Bodies&, bool, const Horizon&,
-                                                       const Vec<1>&, Interrupt&);
-template std::unique_ptr<PaperGrid<2>> make_paper_grid(const Bodies&, const Bodies&, bool, const Horizon&,
-                                                       const Vec<2>&, Interrupt&);
-template std::unique_ptr<PaperGrid<3>> make_paper_grid(const Bodies&, const Bodies&, bool, const Horizon&,
-                                                       const Vec<3>&, Interrupt&);
+#define FORESEE_OF_AXES(D)                                                                                   \
+  template class PaperGrid<D>;                                                                               \
+  template std::unique_ptr<PaperGrid<D>> make_paper_grid(const Bodies&, const Bodies&, bool, const Horizon&, \
+                                                         const Vec<D>&, Interrupt&)
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
 }  // namespace foresee::index

@@ -79,20 +79,15 @@ Bounds<D> carried(const Bounds<D>& bounds, double from, double to) {
   return {lower.x, -upper.x, lower.v, -upper.v, bounds.a_lower, bounds.a_upper};
 }
 
-template Vec<1> lower_end<1>(const Vec<1>&, const Vec<1>&);
-template Vec<1> upper_end<1>(const Vec<1>&, const Vec<1>&);
-template Bounds<1> bounds_at(const Motion<1>&, const Extents<1>&, double, double);
-template Bounds<1> with_growth(const Bounds<1>&, const Vec<1>&, double, double);
-template Bounds<1> carried(const Bounds<1>&, double, double);
-template Vec<2> lower_end<2>(const Vec<2>&, const Vec<2>&);
-template Vec<2> upper_end<2>(const Vec<2>&, const Vec<2>&);
-template Bounds<2> bounds_at(const Motion<2>&, const Extents<2>&, double, double);
-template Bounds<2> with_growth(const Bounds<2>&, const Vec<2>&, double, double);
-template Bounds<2> carried(const Bounds<2>&, double, double);
-template Vec<3> lower_end<3>(const Vec<3>&, const Vec<3>&);
-template Vec<3> upper_end<3>(const Vec<3>&, const Vec<3>&);
-template Bounds<3> bounds_at(const Motion<3>&, const Extents<3>&, double, double);
-template Bounds<3> with_growth(const Bounds<3>&, const Vec<3>&, double, double);
-template Bounds<3> carried(const Bounds<3>&, double, double);
+#define FORESEE_OF_AXES(D)                                                           \
+  template Vec<D> lower_end<D>(const Vec<D>&, const Vec<D>&);                        \
+  template Vec<D> upper_end<D>(const Vec<D>&, const Vec<D>&);                        \
+  template Bounds<D> bounds_at(const Motion<D>&, const Extents<D>&, double, double); \
+  template Bounds<D> with_growth(const Bounds<D>&, const Vec<D>&, double, double);   \
+  template Bounds<D> carried(const Bounds<D>&, double, double)
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
 }  // namespace foresee::index

@@ -142,17 +142,14 @@ void bulk_load_tree(TreeState<D>& state, ObjectParts& parts, Interrupt& interrup
   TreeLoad<D>(state, interrupt).run(parts);
 }
 
-template void start_clock<1>(TreeState<1>&, std::span<const double>);
-template void bulk_load_tree<1>(TreeState<1>&, std::span<const std::int64_t>, std::span<const double>,
-                                Interrupt&);
-template void bulk_load_tree<1>(TreeState<1>&, ObjectParts&, Interrupt&);
-template void start_clock<2>(TreeState<2>&, std::span<const double>);
-template void bulk_load_tree<2>(TreeState<2>&, std::span<const std::int64_t>, std::span<const double>,
-                                Interrupt&);
-template void bulk_load_tree<2>(TreeState<2>&, ObjectParts&, Interrupt&);
-template void start_clock<3>(TreeState<3>&, std::span<const double>);
-template void bulk_load_tree<3>(TreeState<3>&, std::span<const std::int64_t>, std::span<const double>,
-                                Interrupt&);
-template void bulk_load_tree<3>(TreeState<3>&, ObjectParts&, Interrupt&);
+#define FORESEE_OF_AXES(D)                                                                               \
+  template void start_clock<D>(TreeState<D>&, std::span<const double>);                                  \
+  template void bulk_load_tree<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>, \
+                                  Interrupt&);                                                           \
+  template void bulk_load_tree<D>(TreeState<D>&, ObjectParts&, Interrupt&)
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
 }  // namespace foresee::index

@@ -114,17 +114,15 @@ std::size_t closest_sibling(const TreeState<D>& state, const Node& above, NodeNu
   return closest_children(state, above, number, 2).back();
 }
 
-template class ChildChoice<1>;
-template class ChildChoice<2>;
-template class ChildChoice<3>;
-template std::vector<Growth> growths(const Node&, const Bounds<1>&, const VisitCost<1>&, double);
-template std::vector<Growth> growths(const Node&, const Bounds<2>&, const VisitCost<2>&, double);
-template std::vector<Growth> growths(const Node&, const Bounds<3>&, const VisitCost<3>&, double);
-template std::vector<std::size_t> closest_children(const TreeState<1>&, const Node&, NodeNumber, std::size_t);
-template std::vector<std::size_t> closest_children(const TreeState<2>&, const Node&, NodeNumber, std::size_t);
-template std::vector<std::size_t> closest_children(const TreeState<3>&, const Node&, NodeNumber, std::size_t);
-template std::size_t closest_sibling(const TreeState<1>&, const Node&, NodeNumber);
-template std::size_t closest_sibling(const TreeState<2>&, const Node&, NodeNumber);
-template std::size_t closest_sibling(const TreeState<3>&, const Node&, NodeNumber);
+#define FORESEE_OF_AXES(D)                                                                          \
+  template class ChildChoice<D>;                                                                    \
+  template std::vector<Growth> growths(const Node&, const Bounds<D>&, const VisitCost<D>&, double); \
+  template std::vector<std::size_t> closest_children(const TreeState<D>&, const Node&, NodeNumber,  \
+                                                     std::size_t);                                  \
+  template std::size_t closest_sibling(const TreeState<D>&, const Node&, NodeNumber)
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
 }  // namespace foresee::index

@@ -163,14 +163,13 @@ void even_out_root(TreeState<D>& state) {
   lower_root(state);
 }
 
-template void even_out<1>(TreeState<1>&, NodeNumber, std::span<const NodeNumber>);
-template void even_out<2>(TreeState<2>&, NodeNumber, std::span<const NodeNumber>);
-template void even_out<3>(TreeState<3>&, NodeNumber, std::span<const NodeNumber>);
-template bool even_out_leaf<1>(TreeState<1>&, NodeNumber, NodeNumber);
-template bool even_out_leaf<2>(TreeState<2>&, NodeNumber, NodeNumber);
-template bool even_out_leaf<3>(TreeState<3>&, NodeNumber, NodeNumber);
-template void even_out_root<1>(TreeState<1>&);
-template void even_out_root<2>(TreeState<2>&);
-template void even_out_root<3>(TreeState<3>&);
+#define FORESEE_OF_AXES(D)                                                           \
+  template void even_out<D>(TreeState<D>&, NodeNumber, std::span<const NodeNumber>); \
+  template bool even_out_leaf<D>(TreeState<D>&, NodeNumber, NodeNumber);             \
+  template void even_out_root<D>(TreeState<D>&)
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
 }  // namespace foresee::index

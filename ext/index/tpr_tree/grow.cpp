@@ -194,29 +194,18 @@ void insert_branch(TreeState<D>& state, const Branch<D>& branch) {
   fit_upward(state, number, branch);
 }
 
-template NodeNumber put_root_above<1>(TreeState<1>&, NodeNumber);
-template void hang_below<1>(TreeState<1>&, const Unread&, NodeNumber);
-template NodeNumber split_node<1>(TreeState<1>&, NodeNumber, NodeNumber);
-template NodeNumber put_root_above<2>(TreeState<2>&, NodeNumber);
-template void hang_below<2>(TreeState<2>&, const Unread&, NodeNumber);
-template NodeNumber split_node<2>(TreeState<2>&, NodeNumber, NodeNumber);
-template NodeNumber put_root_above<3>(TreeState<3>&, NodeNumber);
-template void hang_below<3>(TreeState<3>&, const Unread&, NodeNumber);
-template NodeNumber split_node<3>(TreeState<3>&, NodeNumber, NodeNumber);
-template void insert_object<1>(TreeState<1>&, const NewObject<1>&, NodeNumber, NodeNumber);
-template void insert_object<2>(TreeState<2>&, const NewObject<2>&, NodeNumber, NodeNumber);
-template void insert_object<3>(TreeState<3>&, const NewObject<3>&, NodeNumber, NodeNumber);
-template void fit_upward(TreeState<1>&, NodeNumber, const NewObject<1>&);
-template void fit_upward(TreeState<2>&, NodeNumber, const NewObject<2>&);
-template void fit_upward(TreeState<3>&, NodeNumber, const NewObject<3>&);
-template void insert_branch<1>(TreeState<1>&, const Branch<1>&);
-template void insert_branch<2>(TreeState<2>&, const Branch<2>&);
-template void insert_branch<3>(TreeState<3>&, const Branch<3>&);
-template void renew_entries<1>(TreeState<1>&, NodeNumber);
-template void renew_entries<2>(TreeState<2>&, NodeNumber);
-template void renew_entries<3>(TreeState<3>&, NodeNumber);
-template bool freshen<1>(TreeState<1>&, NodeNumber, std::size_t);
-template bool freshen<2>(TreeState<2>&, NodeNumber, std::size_t);
-template bool freshen<3>(TreeState<3>&, NodeNumber, std::size_t);
+#define FORESEE_OF_AXES(D)                                                                    \
+  template NodeNumber put_root_above<D>(TreeState<D>&, NodeNumber);                           \
+  template void hang_below<D>(TreeState<D>&, const Unread&, NodeNumber);                      \
+  template NodeNumber split_node<D>(TreeState<D>&, NodeNumber, NodeNumber);                   \
+  template void insert_object<D>(TreeState<D>&, const NewObject<D>&, NodeNumber, NodeNumber); \
+  template void fit_upward(TreeState<D>&, NodeNumber, const NewObject<D>&);                   \
+  template void insert_branch<D>(TreeState<D>&, const Branch<D>&);                            \
+  template void renew_entries<D>(TreeState<D>&, NodeNumber);                                  \
+  template bool freshen<D>(TreeState<D>&, NodeNumber, std::size_t)
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
 }  // namespace foresee::index

@@ -155,14 +155,13 @@ template <int D>
   for (const auto& [distance, slot] : near_) hits.slots.push_back(slot), hits.distances.push_back(distance);
 }
 
-template double least_distance<1>(const MovingBox<1>&, const MovingBox<1>&, const TimeSpan&);
-template double least_distance<2>(const MovingBox<2>&, const MovingBox<2>&, const TimeSpan&);
-template double least_distance<3>(const MovingBox<3>&, const MovingBox<3>&, const TimeSpan&);
-template double least_point_distance<1>(const MovingBox<1>&, const MovingBox<1>&);
-template double least_point_distance<2>(const MovingBox<2>&, const MovingBox<2>&);
-template double least_point_distance<3>(const MovingBox<3>&, const MovingBox<3>&);
-template class NearestWalk<1>;
-template class NearestWalk<2>;
-template class NearestWalk<3>;
+#define FORESEE_OF_AXES(D)                                                                      \
+  template double least_distance<D>(const MovingBox<D>&, const MovingBox<D>&, const TimeSpan&); \
+  template double least_point_distance<D>(const MovingBox<D>&, const MovingBox<D>&);            \
+  template class NearestWalk<D>
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
 }  // namespace foresee::index

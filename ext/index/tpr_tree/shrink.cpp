@@ -166,20 +166,15 @@ void refresh_newest(TreeState<D>& state, NodeNumber number) {
   }
 }
 
-template void lower_root<1>(TreeState<1>&);
-template void lower_root<2>(TreeState<2>&);
-template void lower_root<3>(TreeState<3>&);
-template bool take_out<1>(TreeState<1>&, NodeNumber, std::size_t);
-template bool take_out<2>(TreeState<2>&, NodeNumber, std::size_t);
-template bool take_out<3>(TreeState<3>&, NodeNumber, std::size_t);
-template void tighten_upward<1>(TreeState<1>&, NodeNumber);
-template void tighten_upward<2>(TreeState<2>&, NodeNumber);
-template void tighten_upward<3>(TreeState<3>&, NodeNumber);
-template void refresh_newest<1>(TreeState<1>&, NodeNumber);
-template void refresh_newest<2>(TreeState<2>&, NodeNumber);
-template void refresh_newest<3>(TreeState<3>&, NodeNumber);
-template double newest_in<1>(const Node&, const LeafReader<1>&);
-template double newest_in<2>(const Node&, const LeafReader<2>&);
-template double newest_in<3>(const Node&, const LeafReader<3>&);
+#define FORESEE_OF_AXES(D)                                           \
+  template void lower_root<D>(TreeState<D>&);                        \
+  template bool take_out<D>(TreeState<D>&, NodeNumber, std::size_t); \
+  template void tighten_upward<D>(TreeState<D>&, NodeNumber);        \
+  template void refresh_newest<D>(TreeState<D>&, NodeNumber);        \
+  template double newest_in<D>(const Node&, const LeafReader<D>&)
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
 }  // namespace foresee::index

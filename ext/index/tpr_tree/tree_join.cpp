@@ -148,20 +148,15 @@ std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies_a, const TreeLev
       std::make_unique<JoinSide<D>>(bodies_b, levels_b, horizon, margin, interrupt), interrupt);
 }
 
-template std::unique_ptr<Candidates> make_tree_join<1>(const Bodies&, const TreeLevels&, const Horizon&,
-                                                       const Vec<1>&, Interrupt&);
-template std::unique_ptr<Candidates> make_tree_join<2>(const Bodies&, const TreeLevels&, const Horizon&,
-                                                       const Vec<2>&, Interrupt&);
-template std::unique_ptr<Candidates> make_tree_join<3>(const Bodies&, const TreeLevels&, const Horizon&,
-                                                       const Vec<3>&, Interrupt&);
-template std::unique_ptr<Candidates> make_tree_join<1>(const Bodies&, const TreeLevels&, const Bodies&,
-                                                       const TreeLevels&, const Horizon&, const Vec<1>&,
-                                                       Interrupt&);
-template std::unique_ptr<Candidates> make_tree_join<2>(const Bodies&, const TreeLevels&, const Bodies&,
-                                                       const TreeLevels&, const Horizon&, const Vec<2>&,
-                                                       Interrupt&);
-template std::unique_ptr<Candidates> make_tree_join<3>(const Bodies&, const TreeLevels&, const Bodies&,
-                                                       const TreeLevels&, const Horizon&, const Vec<3>&,
-                                                       Interrupt&);
+#define FORESEE_OF_AXES(D)                                                                                 \
+  template std::unique_ptr<Candidates> make_tree_join<D>(const Bodies&, const TreeLevels&, const Horizon&, \
+                                                         const Vec<D>&, Interrupt&);                       \
+  template std::unique_ptr<Candidates> make_tree_join<D>(const Bodies&, const TreeLevels&, const Bodies&,  \
+                                                         const TreeLevels&, const Horizon&, const Vec<D>&, \
+                                                         Interrupt&)
+FORESEE_OF_AXES(1);
+FORESEE_OF_AXES(2);
+FORESEE_OF_AXES(3);
+#undef FORESEE_OF_AXES
 
 }  // namespace foresee::index
