@@ -11,7 +11,6 @@
 
 #include <memory>
 
-#include "all_rooms.h"
 #include "moments.h"
 #include "shape/mesh/mesh.h"
 

@@ -9,8 +9,6 @@
 #include <filesystem>
 #include <string>
 
-#include "all_rooms.h"
-
 namespace foresee::bench {
 
 class ScratchFile {

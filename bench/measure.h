@@ -12,7 +12,6 @@
 #include <exception>
 #include <vector>
 
-#include "all_rooms.h"
 #include "base/error.h"
 
 namespace foresee::bench {

@@ -11,7 +11,6 @@
 #include <span>
 #include <vector>
 
-#include "all_rooms.h"
 #include "contact/contact.h"
 
 namespace foresee::bench {

@@ -7,7 +7,6 @@
 
 #include <vector>
 
-#include "all_rooms.h"
 #include "base/pair.h"
 #include "shape/bodies.h"
 #include "shape/outline/outline_rows.h"

@@ -8,7 +8,6 @@
 
 #include <cmath>
 
-#include "all_rooms.h"
 #include "shape/bodies.h"
 
 namespace foresee::bench {

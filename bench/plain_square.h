@@ -13,8 +13,6 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "all_rooms.h"
-
 namespace foresee::bench {
 
 template <int Degree>

@@ -12,8 +12,6 @@
 #include <string>
 #include <vector>
 
-#include "all_rooms.h"
-
 namespace foresee::bench {
 
 /// --flags, names, and values that follow a flag.

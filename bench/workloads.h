@@ -33,7 +33,6 @@
 #include <string>
 #include <vector>
 
-#include "all_rooms.h"
 #include "shape/bodies.h"
 
 namespace foresee::bench {

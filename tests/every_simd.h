@@ -18,19 +18,19 @@ class KeptSimd {
   KeptSimd() = default;
   KeptSimd(const KeptSimd&) = delete;
   KeptSimd& operator=(const KeptSimd&) = delete;
-  ~KeptSimd() { base::use_simd(usual_); }
+  ~KeptSimd() { use_simd(usual_); }
 
  private:
-  base::Simd usual_ = base::simd_in_use();
+  Simd usual_ = simd_in_use();
 };
 
 /// run(simd) with each set of instructions that this CPU has in use, narrowest first: Simd::baseline, ...
 template <class Run>
 void for_every_simd(Run&& run) {
   const KeptSimd kept;
-  for (const base::Simd simd : base::available_simd()) {
-    SCOPED_TRACE(base::name_of(simd));
-    base::use_simd(simd);
+  for (const Simd simd : available_simd()) {
+    SCOPED_TRACE(name_of(simd));
+    use_simd(simd);
     run(simd);
   }
 }

@@ -5,6 +5,6 @@
 
 namespace foresee::testing {
 
-inline base::NeverInterrupt never;
+inline NeverInterrupt never;
 
 }  // namespace foresee::testing

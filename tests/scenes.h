@@ -18,7 +18,6 @@
 #include <utility>
 #include <vector>
 
-#include "all_rooms.h"
 #include "sanitized.h"
 #include "shape/bodies.h"
 

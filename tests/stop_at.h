@@ -8,10 +8,10 @@
 
 namespace foresee::testing {
 
-struct StopAt final : base::Interrupt {
+struct StopAt final : Interrupt {
   explicit StopAt(int passing) : checks_left(passing) {}
   void check() override {
-    if (--checks_left < 0) throw base::Interrupted();
+    if (--checks_left < 0) throw Interrupted();
   }
   int checks_left;
 };

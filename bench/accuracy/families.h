@@ -27,7 +27,6 @@
 #include <string>
 #include <vector>
 
-#include "all_rooms.h"
 #include "shape/bodies.h"
 
 namespace foresee::bench {

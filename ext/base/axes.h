@@ -6,9 +6,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "base/rooms.h"
-
-namespace foresee::base {
+namespace foresee {
 
 template <int D>
 using Axes = std::integral_constant<int, D>;
@@ -26,4 +24,4 @@ decltype(auto) with_axes(int axes, Use&& use) {
   }
 }
 
-}  // namespace foresee::base
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "base/lane_math.h"
 #include "base/registers.h"
 
-namespace foresee::base {
+namespace foresee {
 namespace {
 
 struct DoublesMask {
@@ -72,4 +72,4 @@ inline bool any(const DoublesMask& mask) {
 }
 
 }  // namespace
-}  // namespace foresee::base
+}  // namespace foresee

@@ -5,9 +5,7 @@
 
 #include <stdexcept>
 
-#include "base/rooms.h"
-
-namespace foresee::base {
+namespace foresee {
 
 /// A wrong question or wrong data; what() is shown to the person who asked, as it is.
 struct Error : std::runtime_error {
@@ -33,4 +31,4 @@ class NeverInterrupt final : public Interrupt {
   void check() override {}
 };
 
-}  // namespace foresee::base
+}  // namespace foresee

@@ -15,13 +15,11 @@
 #include <cfenv>
 #endif
 
-#include "base/rooms.h"
-
 #ifdef __FAST_MATH__
 #error "foresee needs IEEE arithmetic: build without -ffast-math (and -Ofast)"
 #endif
 
-namespace foresee::base {
+namespace foresee {
 
 class FloatEnvironment {
  public:
@@ -61,4 +59,4 @@ class FloatEnvironment {
 #endif
 };
 
-}  // namespace foresee::base
+}  // namespace foresee

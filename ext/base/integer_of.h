@@ -7,9 +7,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "base/rooms.h"
-
-namespace foresee::base {
+namespace foresee {
 
 /// Nothing where it is none, or none of 64 bits.
 inline std::optional<std::int64_t> integer_of(double number) {
@@ -19,4 +17,4 @@ inline std::optional<std::int64_t> integer_of(double number) {
   return integer;
 }
 
-}  // namespace foresee::base
+}  // namespace foresee

@@ -4,9 +4,7 @@
 // All is inlined wherever it is called: a kernel must not share a function with code for older CPUs.
 #pragma once
 
-#include "base/rooms.h"
-
-namespace foresee::base {
+namespace foresee {
 
 [[gnu::always_inline]] inline double size_of(double x) {
   return __builtin_fabs(x);
@@ -30,4 +28,4 @@ namespace foresee::base {
   return a > b ? a : b;
 }
 
-}  // namespace foresee::base
+}  // namespace foresee

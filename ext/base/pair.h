@@ -4,9 +4,7 @@
 #include <compare>
 #include <cstdint>
 
-#include "base/rooms.h"
-
-namespace foresee::base {
+namespace foresee {
 
 /// Row numbers of two objects, the first among the bodies a, the second among the bodies b (or a again).
 struct Pair {
@@ -17,4 +15,4 @@ struct Pair {
   friend auto operator<=>(const Pair&, const Pair&) = default;
 };
 
-}  // namespace foresee::base
+}  // namespace foresee

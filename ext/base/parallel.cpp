@@ -8,7 +8,7 @@
 
 #include "base/float_environment.h"
 
-namespace foresee::base {
+namespace foresee {
 namespace {
 
 /// The first failure of several threads.
@@ -58,4 +58,4 @@ void run_together(std::size_t helpers, Interrupt& interrupt, const PartOfWork& w
   failure.throw_if_any();
 }
 
-}  // namespace foresee::base
+}  // namespace foresee

@@ -15,7 +15,7 @@
 
 #include "base/error.h"
 
-namespace foresee::base {
+namespace foresee {
 
 /// What a helper asks in place of the connection.
 class HelperInterrupt final : public Interrupt {
@@ -35,4 +35,4 @@ using PartOfWork = std::function<void(std::size_t part, std::size_t parts, Inter
 /// Without helpers: one part, on this thread.
 void run_together(std::size_t helpers, Interrupt& interrupt, const PartOfWork& work);
 
-}  // namespace foresee::base
+}  // namespace foresee

@@ -3,9 +3,7 @@
 // the file that includes it.
 #pragma once
 
-#include "base/rooms.h"
-
-namespace foresee::base {
+namespace foresee {
 namespace {
 
 /// As many numbers as a register holds.
@@ -40,4 +38,4 @@ inline Some column(const double* const* row, long place) {
 }
 
 }  // namespace
-}  // namespace foresee::base
+}  // namespace foresee

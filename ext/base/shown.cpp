@@ -2,11 +2,11 @@
 
 #include <charconv>
 
-namespace foresee::base {
+namespace foresee {
 
 std::string shown(double number) {
   char digits[32];
   return {digits, std::to_chars(digits, digits + sizeof digits, number).ptr};
 }
 
-}  // namespace foresee::base
+}  // namespace foresee

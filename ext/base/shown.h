@@ -5,10 +5,8 @@
 
 #include <string>
 
-#include "base/rooms.h"
-
-namespace foresee::base {
+namespace foresee {
 
 std::string shown(double number);
 
-}  // namespace foresee::base
+}  // namespace foresee

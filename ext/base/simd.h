@@ -23,9 +23,7 @@
 #include <span>
 #include <type_traits>
 
-#include "base/rooms.h"
-
-namespace foresee::base {
+namespace foresee {
 
 enum class Simd : std::uint8_t { baseline, avx2, avx512 };
 
@@ -55,4 +53,4 @@ decltype(auto) with_simd_in_use(Use&& use) {
 /// threads.
 void use_simd(Simd simd);
 
-}  // namespace foresee::base
+}  // namespace foresee

@@ -10,7 +10,7 @@
 
 #include "base/error.h"
 
-namespace foresee::base {
+namespace foresee {
 
 class Steps {
  public:
@@ -36,4 +36,4 @@ class Steps {
   unsigned costly_ = 0;  ///< since it was asked last about these
 };
 
-}  // namespace foresee::base
+}  // namespace foresee

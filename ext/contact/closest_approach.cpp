@@ -6,7 +6,7 @@
 #include "contact/certain/crossing.h"
 #include "contact/exact/exact_approach.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// What DoubleDouble loses, as a share of a bound on what double loses; it counts at least 4 u of every term.
@@ -248,4 +248,4 @@ template ClosestApproach closest_approach_of<1>(const Setup&, const double*, con
 template ClosestApproach closest_approach_of<2>(const Setup&, const double*, const double*);
 template ClosestApproach closest_approach_of<3>(const Setup&, const double*, const double*);
 
-}  // namespace foresee::contact
+}  // namespace foresee

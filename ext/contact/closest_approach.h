@@ -10,10 +10,10 @@
 #include "contact/contact.h"
 #include "contact/set/relative_motion.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Requires: both objects exist together at some moment of the horizon.
 template <int D>
 ClosestApproach closest_approach_of(const Setup& setup, const double* row_a, const double* row_b);
 
-}  // namespace foresee::contact
+}  // namespace foresee

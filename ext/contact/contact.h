@@ -24,7 +24,7 @@
 #include "base/error.h"
 #include "shape/bodies.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 struct ContactQuestion {
   Horizon horizon;
@@ -114,4 +114,4 @@ class Contact {
 std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const ContactQuestion& question,
                                       const std::string& name_a, const std::string& name_b);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "contact/set/shape_pairs.h"
 #include "contact/typed_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// A ball-shaped table whose radii are all 0 and stay so holds points: where nothing is round and nothing is
@@ -142,4 +142,4 @@ std::unique_ptr<Contact> make_contact(const Bodies& a, const Bodies& b, const Co
   return make_set_contact(setup, box ? box_ball_set(setup) : ball_ball_set(setup), degree);
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

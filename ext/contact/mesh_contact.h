@@ -17,7 +17,7 @@
 #include "contact/set/relative_motion.h"
 #include "shape/mesh/mesh_rows.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Of both tables; null: one without meshes, whose rows are what their layout says. Those of a layout of
 /// meshes are the smallest boxes around them, grown by r.
@@ -29,4 +29,4 @@ struct MeshTables {
 /// Requires: three axes, no cylinders and no prisms; the tables outlive the contact.
 std::unique_ptr<Contact> make_mesh_contact(const Setup& setup, const MeshTables& meshes, int degree);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -18,7 +18,7 @@
 #include "contact/set/relative_motion.h"
 #include "shape/outline/outline_rows.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Of both tables; null: one without outlines, whose rows are what their layout says. That of a layout of
 /// outlines are the smallest rectangles around them, grown by r.
@@ -31,4 +31,4 @@ struct OutlineTables {
 /// and then the outlines are those of upright prisms; the tables outlive the contact.
 std::unique_ptr<Contact> make_outline_contact(const Setup& setup, const OutlineTables& outlines, int degree);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -9,7 +9,7 @@
 #include "contact/closest_approach.h"
 #include "contact/exact/exact_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// D: the axes. Degree: 1 or 2, the highest power of time in the relative motion and in the set's sizes.
 template <int D, int Degree>
@@ -194,4 +194,4 @@ extern template class SetContact<2, 2>;
 extern template class SetContact<3, 1>;
 extern template class SetContact<3, 2>;
 
-}  // namespace foresee::contact
+}  // namespace foresee

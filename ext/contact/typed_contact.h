@@ -12,7 +12,7 @@
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Answers by a set. `degree`: of the relative motion, at most 2.
 std::unique_ptr<Contact> make_set_contact(const Setup& setup, ContactSet set, int degree);
@@ -28,4 +28,4 @@ std::unique_ptr<Contact> make_typed(int axes, int degree, Arguments&&... argumen
   });
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "contact/set/shape_pairs.h"
 #include "contact/typed_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 ContactSet window_set(const Setup& setup) {
@@ -68,4 +68,4 @@ std::unique_ptr<Contact> make_window_contact(const MovingWindow& window, const B
   return make_set_contact(setup, window_set(setup), degree_of(objects.layout.law));
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

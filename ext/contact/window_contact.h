@@ -21,7 +21,7 @@
 #include "shape/outline/cut_outline.h"
 #include "shape/outline/outline_rows.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// A window as a body that contact can be asked about: a point at the reference of its faces, or at the
 /// origin where contact is that of outlines or meshes. With a zone the window is what lies within that
@@ -59,4 +59,4 @@ class MovingWindow {
 std::unique_ptr<Contact> make_window_contact(const MovingWindow& window, const Bodies& objects,
                                              const Horizon& horizon);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -5,7 +5,7 @@
 
 #include "geography/geodesic.h"
 
-namespace foresee::geography {
+namespace foresee {
 
 struct Course {
   double speed;    ///< metres per second
@@ -18,4 +18,4 @@ struct Fix {
   std::optional<Course> course;
 };
 
-}  // namespace foresee::geography
+}  // namespace foresee

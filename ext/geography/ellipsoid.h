@@ -3,9 +3,7 @@
 
 #include <cmath>
 
-#include "base/rooms.h"
-
-namespace foresee::geography {
+namespace foresee {
 
 // WGS84 (NIMA TR8350.2, table 3.1).
 inline constexpr double semi_major = 6378137;
@@ -18,7 +16,7 @@ struct Direction {
   double sine, cosine;
 };
 
-inline Direction direction_of(double degrees) {
+inline Direction unit_direction(double degrees) {
   int quarters = 0;
   const double rest = std::remquo(degrees, 90, &quarters) * (3.14159265358979323846 / 180);
   const double s = std::sin(rest), c = std::cos(rest);
@@ -55,4 +53,4 @@ inline double course_of(double east, double north) {
   return full_turn(std::atan2(east, north) * (180 / 3.14159265358979323846));
 }
 
-}  // namespace foresee::geography
+}  // namespace foresee

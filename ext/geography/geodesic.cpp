@@ -13,7 +13,7 @@
 
 #include "geography/ellipsoid.h"
 
-namespace foresee::geography {
+namespace foresee {
 namespace {
 
 namespace formula = boost::geometry::formula;
@@ -55,4 +55,4 @@ GeodesicEnd geodesic_from(const LatLon& from, double azimuth, double distance) {
           found.reduced_length};
 }
 
-}  // namespace foresee::geography
+}  // namespace foresee

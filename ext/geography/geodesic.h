@@ -10,9 +10,7 @@
 // are some nanometres. Cost: about a microsecond.
 #pragma once
 
-#include "base/rooms.h"
-
-namespace foresee::geography {
+namespace foresee {
 
 /// Requires: finite, |lat| <= 90.
 struct LatLon {
@@ -39,4 +37,4 @@ GeodesicEnd geodesic_from(const LatLon& from, double azimuth, double distance);
 /// computed neither.
 inline constexpr double greatest_distance = 20003931.458626;
 
-}  // namespace foresee::geography
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "base/shown.h"
 #include "geography/ellipsoid.h"
 
-namespace foresee::geography {
+namespace foresee {
 namespace {
 
 using Vector = std::array<double, 3>;
@@ -40,7 +40,7 @@ bool all_finite(const Vector& v) {
 
 OnGlobe::Motion motion_of(const Flight& flight, const Horizontal& here) {
   const Course& given = *flight.fix.course;
-  const Direction course = direction_of(given.degrees);
+  const Direction course = unit_direction(given.degrees);
   const double curvature = course.sine * course.sine / (here.across + flight.height) +
                            course.cosine * course.cosine / (here.along + flight.height);
   const int exponent = exponent_of(std::max(std::abs(given.speed), std::abs(flight.climb)));
@@ -64,7 +64,7 @@ OnGlobe::Motion motion_of(const Flight& flight, const Horizontal& here) {
 
 OnGlobe to_globe(const Flight& flight) {
   const LatLon& place = flight.fix.place;
-  const Horizontal here(direction_of(place.lat), direction_of(std::remainder(place.lon, 360)));
+  const Horizontal here(unit_direction(place.lat), unit_direction(std::remainder(place.lon, 360)));
   if (!(here.along + flight.height >= least_radius))
     throw Error("height is " + shown(flight.height) +
                 " m: the centre of the Earth is 6.4e6 m down; write metres above the ellipsoid, or NULL");
@@ -122,4 +122,4 @@ Flight from_globe(const OnGlobe& point) {
   return flight;
 }
 
-}  // namespace foresee::geography
+}  // namespace foresee

@@ -16,7 +16,7 @@
 
 #include "geography/course.h"
 
-namespace foresee::geography {
+namespace foresee {
 
 /// A report with a height above the ellipsoid, in metres, and the speed at which that grows.
 struct Flight {
@@ -42,4 +42,4 @@ OnGlobe to_globe(const Flight& flight);
 /// move over the ground has no course: its speed is 0, degrees NaN.
 Flight from_globe(const OnGlobe& point);
 
-}  // namespace foresee::geography
+}  // namespace foresee

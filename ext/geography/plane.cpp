@@ -8,7 +8,7 @@
 #include "base/shown.h"
 #include "geography/ellipsoid.h"
 
-namespace foresee::geography {
+namespace foresee {
 namespace {
 
 /// How much longer across than on the Earth a way is on the plane. The reduced length has lost its last
@@ -16,7 +16,7 @@ namespace {
 /// origin.
 double stretch(double distance, double reduced_length, const LatLon& origin) {
   if (distance > 3000) return distance / reduced_length;
-  const double sine = direction_of(origin.lat).sine, flat = 1 - eccentricity_squared * sine * sine;
+  const double sine = unit_direction(origin.lat).sine, flat = 1 - eccentricity_squared * sine * sine;
   const double curvature = flat * flat / (semi_minor * semi_minor);
   return 1 + curvature * distance * distance / 6;
 }
@@ -25,7 +25,7 @@ double stretch(double distance, double reduced_length, const LatLon& origin) {
 double convergence(const Geodesic& way, const LatLon& from, const LatLon& to) {
   if (way.distance >= 1e-3) return way.azimuth_there - way.azimuth;
   const double lon = std::remainder(to.lon, 360) - std::remainder(from.lon, 360);
-  return std::remainder(lon, 360) * direction_of((from.lat + to.lat) / 2).sine;
+  return std::remainder(lon, 360) * unit_direction((from.lat + to.lat) / 2).sine;
 }
 
 /// Neighbouring geodesics meet again opposite the origin: at the end of half a meridian, and on the equator
@@ -38,14 +38,14 @@ bool is_opposite(const Geodesic& way) {
 
 OnPlane to_plane(const Fix& fix, const LatLon& origin) {
   const Geodesic way = geodesic_between(origin, fix.place);
-  const Direction bearing = direction_of(way.azimuth);
+  const Direction bearing = unit_direction(way.azimuth);
   // + 0.0: the origin itself is at 0, not at -0.
   OnPlane point{way.distance * bearing.sine + 0.0, way.distance * bearing.cosine + 0.0, {}};
   if (!fix.course) return point;
   if (is_opposite(way))
     throw Error("lat, lon are opposite the origin: no plane about it holds a velocity there");
-  const Direction off = direction_of(std::remainder(fix.course->degrees, 360) - way.azimuth -
-                                     convergence(way, origin, fix.place));
+  const Direction off = unit_direction(std::remainder(fix.course->degrees, 360) - way.azimuth -
+                                       convergence(way, origin, fix.place));
   const int exponent = exponent_of(fix.course->speed);
   const double speed = std::ldexp(fix.course->speed, -exponent), outward = speed * off.cosine;
   const double across = speed * off.sine * stretch(way.distance, way.reduced_length, origin);
@@ -68,7 +68,7 @@ Fix from_plane(const OnPlane& point, const LatLon& origin) {
   if (!point.v) return fix;
   const int exponent = exponent_of(std::max(std::abs((*point.v)[0]), std::abs((*point.v)[1])));
   const double vx = std::ldexp((*point.v)[0], -exponent), vy = std::ldexp((*point.v)[1], -exponent);
-  const Direction bearing = direction_of(azimuth);
+  const Direction bearing = unit_direction(azimuth);
   const double outward = vx * bearing.sine + vy * bearing.cosine;
   const double across =
       (vx * bearing.cosine - vy * bearing.sine) / stretch(distance, end.reduced_length, origin);
@@ -80,4 +80,4 @@ Fix from_plane(const OnPlane& point, const LatLon& origin) {
   return fix;
 }
 
-}  // namespace foresee::geography
+}  // namespace foresee

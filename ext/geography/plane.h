@@ -17,7 +17,7 @@
 
 #include "geography/course.h"
 
-namespace foresee::geography {
+namespace foresee {
 
 struct OnPlane {
   double x, y;                             ///< metres east and north of the origin
@@ -32,4 +32,4 @@ OnPlane to_plane(const Fix& fix, const LatLon& origin);
 /// has no course: its speed is 0, degrees NaN.
 Fix from_plane(const OnPlane& point, const LatLon& origin);
 
-}  // namespace foresee::geography
+}  // namespace foresee

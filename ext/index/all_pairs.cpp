@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 constexpr std::size_t pairs_per_batch = 4096;
@@ -44,4 +44,4 @@ std::unique_ptr<Candidates> make_all_pairs(std::size_t count_a, std::size_t coun
   return std::make_unique<AllPairs>(count_b == 0 ? 0 : count_a, count_b, false, interrupt);
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "index/candidates.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// All pairs of `count` objects, each once.
 std::unique_ptr<Candidates> make_all_pairs(std::size_t count, Interrupt& interrupt);
@@ -12,4 +12,4 @@ std::unique_ptr<Candidates> make_all_pairs(std::size_t count, Interrupt& interru
 /// All pairs between `count_a` and `count_b` objects.
 std::unique_ptr<Candidates> make_all_pairs(std::size_t count_a, std::size_t count_b, Interrupt& interrupt);
 
-}  // namespace foresee::index
+}  // namespace foresee

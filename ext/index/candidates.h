@@ -17,7 +17,7 @@
 
 #include "shape/swept_boxes.h"
 
-namespace foresee::index {
+namespace foresee {
 
 class Candidates {
  public:
@@ -44,4 +44,4 @@ class DividedCandidates {
   virtual std::unique_ptr<Candidates> part(std::size_t i, Interrupt& interrupt) = 0;
 };
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 std::size_t fitting(std::size_t asked, std::size_t bytes_per_key) {
@@ -75,4 +75,4 @@ void MemoryPages::place(std::span<const std::int64_t> ids, NodeNumber leaf) {
   for (const std::int64_t id : ids) leaves_[id] = leaf;
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

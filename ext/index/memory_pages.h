@@ -10,7 +10,7 @@
 
 #include "index/pages.h"
 
-namespace foresee::index {
+namespace foresee {
 
 class MemoryPages final : public Pages {
  public:
@@ -48,4 +48,4 @@ class MemoryPages final : public Pages {
   std::unordered_map<std::int64_t, NodeNumber> leaves_;
 };
 
-}  // namespace foresee::index
+}  // namespace foresee

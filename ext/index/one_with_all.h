@@ -7,7 +7,7 @@
 
 #include "index/candidates.h"
 
-namespace foresee::index {
+namespace foresee {
 
 enum class Side : std::uint8_t { a, b };
 
@@ -19,4 +19,4 @@ struct OneWithAll {
 
 std::unique_ptr<Candidates> make_one_with_all(const OneWithAll& rows, Interrupt& interrupt);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -33,11 +33,9 @@
 #include "base/error.h"
 #include "shape/layout.h"
 
-namespace foresee::shape {
-class FormSource;
-}
+namespace foresee {
 
-namespace foresee::index {
+class FormSource;
 
 /// Nodes contradict one another: a parent without its child, levels that do not count down. Thrown instead of
 /// going astray, so hostile nodes cost no more than an error.
@@ -106,4 +104,4 @@ class Pages : public NodeSource {
   virtual void forget(std::int64_t id) = 0;
 };
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -1,9 +1,7 @@
 // Motion on one axis.
 #pragma once
 
-#include "base/rooms.h"
-
-namespace foresee::motion {
+namespace foresee {
 
 /// As of a reference time. Real: double, or several objects at once (base/doubles.h).
 template <class Real>
@@ -11,4 +9,4 @@ struct AxisMotion {
   Real x, v, a;
 };
 
-}  // namespace foresee::motion
+}  // namespace foresee

@@ -18,7 +18,7 @@
 #include "base/simd.h"
 #include "motion/beam_lanes.h"
 
-namespace foresee::motion {
+namespace foresee {
 namespace {
 
 constexpr double u = 0x1p-53, forever = __builtin_inf();
@@ -88,4 +88,4 @@ template const BeamKernels<1>& beam_kernels<1, Simd::FORESEE_SIMD>();
 template const BeamKernels<2>& beam_kernels<2, Simd::FORESEE_SIMD>();
 template const BeamKernels<3>& beam_kernels<3, Simd::FORESEE_SIMD>();
 
-}  // namespace foresee::motion
+}  // namespace foresee

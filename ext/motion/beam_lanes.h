@@ -5,7 +5,7 @@
 
 #include "base/simd.h"
 
-namespace foresee::motion {
+namespace foresee {
 
 /// Beams, and what they are computed from.
 template <int D>
@@ -37,4 +37,4 @@ struct BeamKernels {
 template <int D, Simd simd>
 const BeamKernels<D>& beam_kernels();
 
-}  // namespace foresee::motion
+}  // namespace foresee

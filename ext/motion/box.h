@@ -6,7 +6,7 @@
 
 #include "motion/vec.h"
 
-namespace foresee::motion {
+namespace foresee {
 
 template <int D>
 struct Box {
@@ -66,4 +66,4 @@ inline Ends grown(double lower, double upper, double below, double above) {
           sound && std::isfinite(safe_high) ? safe_high : inf};
 }
 
-}  // namespace foresee::motion
+}  // namespace foresee

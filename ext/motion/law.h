@@ -3,9 +3,7 @@
 
 #include <cstdint>
 
-#include "base/rooms.h"
-
-namespace foresee::motion {
+namespace foresee {
 
 /// How an object moves; each law adds columns to the one before.
 enum class Law : std::uint8_t {
@@ -21,4 +19,4 @@ constexpr int degree_of(Law law) {
   return law == Law::rest ? 0 : law == Law::uniform ? 1 : 2;
 }
 
-}  // namespace foresee::motion
+}  // namespace foresee

@@ -6,7 +6,7 @@
 
 #include "motion/motion.h"
 
-namespace foresee::motion {
+namespace foresee {
 
 /// When an object exists during the horizon, as time since its own t.
 struct Life {
@@ -26,4 +26,4 @@ inline Life life_of(double t, double until, const Horizon& horizon) {
   return life;
 }
 
-}  // namespace foresee::motion
+}  // namespace foresee

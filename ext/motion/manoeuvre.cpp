@@ -4,7 +4,7 @@
 
 #include "numbers/turned_vector.h"
 
-namespace foresee::motion {
+namespace foresee {
 namespace {
 
 /// Both components, if the vector has a length at all.
@@ -111,4 +111,4 @@ bool is_finite(const OwnMotion& motion) {
   return finite;
 }
 
-}  // namespace foresee::motion
+}  // namespace foresee

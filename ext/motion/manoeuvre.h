@@ -21,9 +21,7 @@
 #include <limits>
 #include <string_view>
 
-#include "base/rooms.h"
-
-namespace foresee::motion {
+namespace foresee {
 
 enum class Manoeuvre : std::uint8_t { turn, speed, climb, accelerate, delay };
 
@@ -61,4 +59,4 @@ OwnMotion changed(const OwnMotion& base, const Change& change, double k);
 /// Every number is finite but `until`.
 bool is_finite(const OwnMotion& motion);
 
-}  // namespace foresee::motion
+}  // namespace foresee

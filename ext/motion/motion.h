@@ -6,7 +6,7 @@
 
 #include "motion/vec.h"
 
-namespace foresee::motion {
+namespace foresee {
 
 /// The moments that a question asks about: the closed interval [now, now + h], its end being the exact real
 /// sum. Requires: now finite; h finite and >= 0.
@@ -23,4 +23,4 @@ struct Motion {
   double until;
 };
 
-}  // namespace foresee::motion
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-namespace foresee::motion {
+namespace foresee {
 namespace {
 
 /// More than five units in the last place and what a few roundings take.
@@ -142,4 +142,4 @@ template MotionSet<1> motions_between<1>(const OwnMotion&, const Change&, double
 template MotionSet<2> motions_between<2>(const OwnMotion&, const Change&, double, double);
 template MotionSet<3> motions_between<3>(const OwnMotion&, const Change&, double, double);
 
-}  // namespace foresee::motion
+}  // namespace foresee

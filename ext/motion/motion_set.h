@@ -17,7 +17,7 @@
 #include "motion/vec.h"
 #include "numbers/turned_vector.h"
 
-namespace foresee::motion {
+namespace foresee {
 
 /// Vectors `centre` + s `along`, |s| <= 1, or `centre` turned by an angle up to a half width; and beside each
 /// `pad` on every axis.
@@ -82,4 +82,4 @@ double least_change(const OwnMotion& base, const Change& change, double p, doubl
 template <int D>
 MotionSet<D> motions_between(const OwnMotion& base, const Change& change, double p, double q);
 
-}  // namespace foresee::motion
+}  // namespace foresee

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 
-namespace foresee::motion {
+namespace foresee {
 namespace {
 
 /// moment - t as head + tail, exactly (Knuth's two-sum); where head overflows there is no tail.
@@ -78,4 +78,4 @@ template State<1> state_at<1>(const Motion<1>&, double);
 template State<2> state_at<2>(const Motion<2>&, double);
 template State<3> state_at<3>(const Motion<3>&, double);
 
-}  // namespace foresee::motion
+}  // namespace foresee

@@ -10,7 +10,7 @@
 
 #include "motion/motion.h"
 
-namespace foresee::motion {
+namespace foresee {
 
 template <int D>
 struct State {
@@ -26,4 +26,4 @@ bool exists_at(const Motion<D>& motion, double moment) {
 template <int D>
 State<D> state_at(const Motion<D>& motion, double moment);
 
-}  // namespace foresee::motion
+}  // namespace foresee

@@ -19,7 +19,7 @@
 
 #include <algorithm>
 
-namespace foresee::motion {
+namespace foresee {
 
 Ends swept_axis(double x, double v, double a, const Life& life, double below, double above) {
   constexpr double u = 0x1p-53;
@@ -40,4 +40,4 @@ Ends swept_axis(double x, double v, double a, const Life& life, double below, do
   return grown(lower, upper, pad + below + nothing, pad + above + nothing);
 }
 
-}  // namespace foresee::motion
+}  // namespace foresee

@@ -10,7 +10,7 @@
 #include "motion/box.h"
 #include "motion/life.h"
 
-namespace foresee::motion {
+namespace foresee {
 
 /// What the position covers on one axis, x + v s + a s^2 / 2 for the time s of `life`, grown by what lies
 /// below and above it.
@@ -47,4 +47,4 @@ Box<D> core_box(const Motion<D>& motion, double now, const Extents<D>& inner) {
   return box.is_empty() ? Box<D>::empty() : box;
 }
 
-}  // namespace foresee::motion
+}  // namespace foresee

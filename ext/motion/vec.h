@@ -3,12 +3,10 @@
 
 #include <Eigen/Core>
 
-#include "base/rooms.h"
-
-namespace foresee::motion {
+namespace foresee {
 
 /// An array, not a vector in Eigen's sense: `*`, `<` and `max` go axis by axis, as boxes need.
 template <int D>
 using Vec = Eigen::Array<double, D, 1>;
 
-}  // namespace foresee::motion
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "numbers/quadratic_formula.h"
 #include "numbers/quadratic_root.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 /// The sign of x - r from the signs at x of the polynomial and its slope; r is the polynomial's root `which`.
@@ -34,7 +34,7 @@ Dyadic simplest_between(const Dyadic& low, const Dyadic& high) {
   const auto in_units = [unit](const Dyadic& x) { return Integer(x.mantissa() << (x.exponent() - unit)); };
   // Of (below, last] the multiple of the greatest power of two: where their leading bits part.
   const Integer below = in_units(low), last = in_units(high);
-  const int cut = length_of(below ^ last) - 1;
+  const int cut = bit_length(below ^ last) - 1;
   return {last >> cut, unit + cut};
 }
 
@@ -67,7 +67,7 @@ void AlgebraicRoot::recognize() {
   const int digits = b.high.magnitude() - (b.high - b.low).magnitude();
   if (b.low.sign() <= 0 || digits <= 0) return;
   const Dyadic simplest = simplest_between(b.low, b.high);
-  if (2 * length_of(simplest.mantissa()) > digits || polynomial->sign_at(simplest) != 0) return;
+  if (2 * bit_length(simplest.mantissa()) > digits || polynomial->sign_at(simplest) != 0) return;
   b.low = b.high = simplest;
   at = Midrad128(simplest), known = &b.low;
 }
@@ -235,7 +235,7 @@ AlgebraicRoot& LazyPolynomial::add_root(const Dyadic& low, const Dyadic& high, i
 }
 
 Midrad128 LazyPolynomial::value_at(const Midrad128& tau) const {
-  return numbers::value_at(rough_, degree_ <= most ? degree_ : most, tau);
+  return foresee::value_at(rough_, degree_ <= most ? degree_ : most, tau);
 }
 
 namespace {
@@ -265,8 +265,8 @@ int LazyPolynomial::sign_at(AlgebraicRoot& root) {
 int LazyPolynomial::sign_at(const Dyadic& tau) {
   int sign = value_at(Midrad128(tau)).sign();
   for (int bits = first_length; sign == unknown_sign; bits *= 2)
-    sign = numbers::value_at(enclosure(bits), exact().degree, Midrad(tau, bits)).sign();
+    sign = foresee::value_at(enclosure(bits), exact().degree, Midrad(tau, bits)).sign();
   return sign;
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -14,7 +14,7 @@
 #include "numbers/midrad.h"
 #include "numbers/polynomial.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 /// Makes the exact polynomials of a pair, by number, when one is needed.
 class PolynomialSource {
@@ -103,4 +103,4 @@ class LazyPolynomial {
   std::unique_ptr<LazyPolynomial> slope_;
 };
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -11,7 +11,7 @@
 
 #include "numbers/double_double.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 template <class Real>
 struct BoundedOf {
@@ -61,4 +61,4 @@ inline Bounded sqrt(const Bounded& a) {
   return {value, a.error / value + unit_roundoff * value};
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

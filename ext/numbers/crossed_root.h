@@ -9,7 +9,7 @@
 
 #include "numbers/double_double.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 /// A moment from `now` and absolute, each rounded once.
 struct Instant {
@@ -55,4 +55,4 @@ template <Way way>
   return rounded_instant(now, base, step, alone ? radius : __builtin_nan(""));
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -8,9 +8,7 @@
 // ends in NaN.
 #pragma once
 
-#include "base/rooms.h"
-
-namespace foresee::numbers {
+namespace foresee {
 
 constexpr double unit_roundoff = 0x1p-53;
 
@@ -79,4 +77,4 @@ struct DoubleDouble {
   return ordered_sum(first, second) + DoubleDouble{more.high / b.high, 0};
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

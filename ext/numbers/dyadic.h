@@ -10,9 +10,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <compare>
 
-#include "base/rooms.h"
-
-namespace foresee::numbers {
+namespace foresee {
 
 using Integer = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<1024, 0, boost::multiprecision::signed_magnitude,
@@ -20,7 +18,7 @@ using Integer = boost::multiprecision::number<
     boost::multiprecision::et_off>;
 
 /// Bits of the magnitude; 0 of 0.
-int length_of(const Integer& value);
+int bit_length(const Integer& value);
 /// How often 2 divides it. Requires: not 0.
 int zeros_of(const Integer& value);
 /// Without its last bits, towards 0. (>> of Boost 1.74 loses the sign of some negative numbers.)
@@ -65,4 +63,4 @@ inline Dyadic half_of(const Dyadic& a) {
 /// The nearest double, ties to even; infinite beyond the largest.
 double rounded(const Dyadic& value);
 
-}  // namespace foresee::numbers
+}  // namespace foresee

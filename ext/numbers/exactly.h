@@ -4,7 +4,7 @@
 
 #include "numbers/double_double.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 template <class T>
 struct Exactly {
@@ -17,4 +17,4 @@ struct Exactly<DoubleDouble> {
   static DoubleDouble difference_of(double a, double b) { return difference(a, b); }
 };
 
-}  // namespace foresee::numbers
+}  // namespace foresee

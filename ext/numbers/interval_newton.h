@@ -12,7 +12,7 @@
 #include "numbers/midrad.h"
 #include "numbers/powers.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 inline Midrad128 number(const Midrad128& x, int /*bits*/) {
   return x;
@@ -113,4 +113,4 @@ class IntervalNewton {
   int round_ = 0;
 };
 
-}  // namespace foresee::numbers
+}  // namespace foresee

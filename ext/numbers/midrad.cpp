@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 Integer shifted(const Integer& value, int left) {
@@ -12,7 +12,7 @@ Integer shifted(const Integer& value, int left) {
 
 /// Off by at most 4. Requires: not negative.
 Integer rough_root(const Integer& square) {
-  const int length = length_of(square);
+  const int length = bit_length(square);
   if (length <= 104) return static_cast<std::int64_t>(std::sqrt(square.convert_to<double>()));
   // The upper half of the root and four bits more, then one of Newton's steps: off by 4^2 / 2^9 and the cut.
   const int half = length / 4 - 4;
@@ -25,7 +25,7 @@ Integer rough_root(const Integer& square) {
 Midrad Midrad::of(Integer mantissa, int exponent, int error, int bits) {
   Midrad p;
   p.bits_ = bits;
-  int cut = length_of(mantissa) - bits;
+  int cut = bit_length(mantissa) - bits;
   if (error != none) cut = std::max(cut, error - 2 - exponent);
   if (!mantissa.is_zero() && cut > 0) {
     if (error != none || zeros_of(mantissa) < cut) error = both(error, exponent + cut);
@@ -100,8 +100,8 @@ Midrad operator*(const Midrad& a, const Midrad& b) {
 
 Midrad operator/(const Midrad& a, const Midrad& b) {
   if (a.is_zero()) return {};
-  const int bits = std::max(a.bits_, b.bits_), divisor = length_of(b.mantissa_),
-            divided = length_of(a.mantissa_);
+  const int bits = std::max(a.bits_, b.bits_), divisor = bit_length(b.mantissa_),
+            divided = bit_length(a.mantissa_);
   // As many digits as mean something.
   int wanted = bits;
   if (!a.exact()) wanted = std::min(wanted, divided);
@@ -118,7 +118,7 @@ Midrad operator/(const Midrad& a, const Midrad& b) {
 
 Midrad sqrt(const Midrad& a) {
   if (a.is_zero()) return {};
-  int shift = 2 * a.bits_ - length_of(a.mantissa_);
+  int shift = 2 * a.bits_ - bit_length(a.mantissa_);
   if ((a.exponent_ - shift) % 2 != 0) --shift;
   const int exponent = (a.exponent_ - shift) / 2;
   // The derivative is below 2^-(magnitude / 2), as a is more than half its midpoint.
@@ -126,4 +126,4 @@ Midrad sqrt(const Midrad& a) {
   return Midrad::of(rough_root(shifted(a.mantissa_, shift)), exponent, error, a.bits_);
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -14,7 +14,7 @@
 
 #include "numbers/midrad_128.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 /// The length to begin with; then twice as many, and so on.
 constexpr int first_length = 512;
@@ -57,7 +57,7 @@ class Midrad {
   /// An error times what is below 2^magnitude.
   static int times(int error, int magnitude) { return error == none ? none : error + magnitude; }
   /// floor(log2 |midpoint|). Requires: the midpoint is not 0.
-  int magnitude() const { return length_of(mantissa_) - 1 + exponent_; }
+  int magnitude() const { return bit_length(mantissa_) - 1 + exponent_; }
   bool is_zero() const { return mantissa_.is_zero() && exact(); }
 
   Integer mantissa_ = 0;
@@ -70,4 +70,4 @@ inline Midrad half_of(const Midrad& a) {
   return a.scaled(-1);
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 constexpr Uint128 top_bit = Uint128{1} << 127;
@@ -237,4 +237,4 @@ Midrad128 sqrt(const Midrad128& a) {
                                root.exponent_);
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -17,7 +17,7 @@
 
 #include "numbers/dyadic.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 __extension__ using Uint128 = unsigned __int128;
 
@@ -104,4 +104,4 @@ inline Midrad128 half_of(const Midrad128& a) {
   return a.scaled(-1);
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "numbers/residue.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 /// Requires: b divides a; both reduced, so that its mantissa divides a's.
@@ -102,4 +102,4 @@ bool surely_coprime(const Polynomial& p, const Polynomial& q) {
   return b.degree == 0;
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

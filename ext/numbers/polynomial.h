@@ -5,7 +5,7 @@
 
 #include "numbers/dyadic.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 struct Polynomial {
   static constexpr int most = 4;
@@ -36,4 +36,4 @@ Polynomial common_divisor(Polynomial a, Polynomial b);
 /// likely if false. Requires: not both zero.
 bool surely_coprime(const Polynomial& p, const Polynomial& q);
 
-}  // namespace foresee::numbers
+}  // namespace foresee

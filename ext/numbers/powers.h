@@ -6,7 +6,7 @@
 #include "numbers/bounded.h"
 #include "numbers/double_double.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 template <class T, int K = 4>
 using Powers = std::array<T, K + 1>;
@@ -34,4 +34,4 @@ BoundedOf<Real> square(const BoundedOf<Real>& a) {
   return {value, a.error * (2 * abs(a.value) + a.error) + unit_roundoff * value};
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

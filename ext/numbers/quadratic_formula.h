@@ -3,9 +3,7 @@
 
 #include <array>
 
-#include "base/rooms.h"
-
-namespace foresee::numbers {
+namespace foresee {
 
 /// c2 times one root, and c0 divided by the other. `d` = c1^2 - 4 c0 c2; its sign and that of c1 are known.
 template <class N, std::size_t Size>
@@ -22,4 +20,4 @@ N root_of_quadratic(const std::array<N, Size>& c, const N& product, int which) {
   return which == first ? product / c[2] : c[0] / product;
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

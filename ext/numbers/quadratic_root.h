@@ -7,10 +7,10 @@
 
 #include "numbers/polynomial.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 /// p's roots are told apart by `which`: -1 the lesser, 1 the greater, 0 the only one.
 /// Requires: p has degree 1 or 2 and has that root.
 int sign_at_root(const Polynomial& q, const Polynomial& p, int which);
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -9,7 +9,7 @@
 
 #include "numbers/midrad_128.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 class Residue {
  public:
@@ -48,4 +48,4 @@ class Residue {
   std::uint64_t value_ = 0;
 };
 
-}  // namespace foresee::numbers
+}  // namespace foresee

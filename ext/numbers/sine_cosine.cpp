@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace foresee::numbers {
+namespace foresee {
 
 namespace {
 
@@ -109,4 +109,4 @@ SineCosine<Midrad> sine_cosine(double degrees, int bits) {
                 [bits](int n) { return number(1, bits) / number(static_cast<double>(n) * (n - 1), bits); });
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

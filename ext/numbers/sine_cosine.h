@@ -11,7 +11,7 @@
 #include "numbers/midrad.h"
 #include "numbers/midrad_128.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 template <class T>
 struct SineCosine {
@@ -24,4 +24,4 @@ SineCosine<Midrad128> sine_cosine(double degrees);
 /// The same in as many bits; tens of microseconds for 512.
 SineCosine<Midrad> sine_cosine(double degrees, int bits);
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "numbers/interval_newton.h"
 #include "numbers/quadratic_formula.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 /// What roots and the moments between them are found among: in order of time, each with the polynomial's
@@ -211,4 +211,4 @@ TimeIntervals common(const TimeIntervals& a, const TimeIntervals& b) {
   return both;
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -10,7 +10,7 @@
 
 #include "numbers/algebraic_root.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 /// Closed; a single moment where both ends are the same root.
 struct TimeInterval {
@@ -42,4 +42,4 @@ TimeIntervals outside(const TimeIntervals& inside, const Asked& asked);
 /// The moments that are in both.
 TimeIntervals common(const TimeIntervals& a, const TimeIntervals& b);
 
-}  // namespace foresee::numbers
+}  // namespace foresee

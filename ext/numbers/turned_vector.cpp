@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 /// Beyond so many bits only what is exactly between two doubles stays in doubt.
@@ -115,4 +115,4 @@ SineCosine<double> quick_sine_cosine(double degrees) {
   return {sine, cosine};
 }
 
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -12,7 +12,7 @@
 #include "numbers/dyadic.h"
 #include "numbers/sine_cosine.h"
 
-namespace foresee::numbers {
+namespace foresee {
 
 struct Turned {
   double x, y;
@@ -35,4 +35,4 @@ inline constexpr double quick_sine_error = 0x1p-49;
 /// Requires: |degrees| <= 720.
 SineCosine<double> quick_sine_cosine(double degrees);
 
-}  // namespace foresee::numbers
+}  // namespace foresee

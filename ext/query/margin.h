@@ -7,7 +7,7 @@
 #include "contact/contact.h"
 #include "motion/vec.h"
 
-namespace foresee::query {
+namespace foresee {
 
 /// Each side's swept boxes grow by half the reach, rounded up: two grown boxes meet wherever the pair can
 /// touch.
@@ -21,4 +21,4 @@ Vec<D> margin_of(const Contact::Reach& reach) {
   return margin;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "base/shown.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 [[noreturn]] void reject(const char* name, const char* kind, double value) {
@@ -53,4 +53,4 @@ void reject_missing(const Searched& objects, const std::string& coordinate) {
   throw Error(axes_in_words(objects) + ": " + coordinate + " is missing; give one number for each axis");
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -5,7 +5,7 @@
 
 #include "query/searched.h"
 
-namespace foresee::query {
+namespace foresee {
 
 /// "h must be a finite number >= 0, not -3"
 void require_not_negative(const char* name, double value);
@@ -30,4 +30,4 @@ void require_order(const char* lower_name, double lower, const char* upper_name,
 /// "ships has 2 axes (x, y): y is missing"
 [[noreturn]] void reject_missing(const Searched& objects, const std::string& coordinate);
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -14,7 +14,7 @@
 #include "shape/bodies.h"
 #include "shape/row_forms.h"
 
-namespace foresee::query {
+namespace foresee {
 
 struct Scene {
   std::string name;  ///< what messages call it
@@ -38,4 +38,4 @@ struct Scene {
   }
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

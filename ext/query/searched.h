@@ -12,7 +12,7 @@
 #include "index/pages.h"
 #include "query/scene.h"
 
-namespace foresee::query {
+namespace foresee {
 
 struct Searched {
   std::string name;  ///< what messages call it
@@ -22,4 +22,4 @@ struct Searched {
   const Layout& layout() const { return scene ? scene->layout : tree->layout(); }
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

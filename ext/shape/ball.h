@@ -4,7 +4,7 @@
 #include "motion/box.h"
 #include "shape/size_column.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// Half the side of a square or cube in a disc or ball of radius 1, by the number of axes; rounded down.
 constexpr double inscribed[] = {1, 1, 0.7071, 0.5773};
@@ -23,4 +23,4 @@ struct BallShape {
   }
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

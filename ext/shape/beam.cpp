@@ -6,7 +6,7 @@
 #include "base/simd.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 template <int D>
@@ -87,4 +87,4 @@ FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);
 #undef FORESEE_OF_AXES
 
-}  // namespace foresee::shape
+}  // namespace foresee

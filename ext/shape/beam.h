@@ -24,7 +24,7 @@
 #include "motion/box.h"
 #include "shape/bodies.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 template <int D>
 struct Beam {
@@ -60,4 +60,4 @@ template <int D>
 void beams(const Bodies& bodies, std::size_t first, std::size_t count, const Horizon& horizon,
            const Vec<D>& margin, BeamLanes<D>& out);
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -15,7 +15,7 @@
 #include "motion/motion.h"
 #include "shape/layout.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 class MeshRows;
 class OutlineRows;
@@ -46,4 +46,4 @@ Motion<D> motion_of(const Bodies& bodies, std::size_t i) {
           value_or(row, at.until, std::numeric_limits<double>::infinity())};
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -4,7 +4,7 @@
 #include "motion/box.h"
 #include "shape/size_column.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 struct BoxShape {
   static constexpr Shape shape = Shape::box;
@@ -20,4 +20,4 @@ struct BoxShape {
   }
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

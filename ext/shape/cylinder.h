@@ -4,7 +4,7 @@
 
 #include "shape/ball.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 struct CylinderShape {
   static constexpr Shape shape = Shape::cylinder;
@@ -28,4 +28,4 @@ struct CylinderShape {
   }
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "shape/outline/cut_outline.h"
 #include "shape/outline/wkt_reader.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 std::shared_ptr<const Form> read_form(Shape shape, std::string_view text) {
   if (shape == Shape::mesh) {
@@ -18,4 +18,4 @@ std::shared_ptr<const Form> read_form(Shape shape, std::string_view text) {
   return std::make_shared<const CutOutline>(std::move(outline));
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -15,7 +15,7 @@
 #include "motion/box.h"
 #include "shape/layout.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 class Form {
  public:
@@ -49,4 +49,4 @@ constexpr const char* name_of_form(Shape shape) {
   return shape == Shape::mesh ? "mesh" : "outline";
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -13,7 +13,7 @@
 
 #include "shape/form.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 class KnownExtents {
  public:
@@ -43,4 +43,4 @@ class KnownExtents {
   std::unordered_map<Lie, Extents<3>, HashOfLie> known_;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -11,7 +11,7 @@
 
 #include "motion/law.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// What an object is around its centre.
 enum class Shape : std::uint8_t {
@@ -96,4 +96,4 @@ Offsets row_offsets(const Layout& layout);
 /// Turns one stored record into the row that queries read. The two differ for Law::forced only.
 void row_from_record(const Layout& layout, const double* record, double* row);
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "motion/life.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 constexpr std::size_t lives_per_check = 8192;
@@ -38,4 +38,4 @@ bool all_exist_throughout(const Bodies& bodies, const Horizon& horizon, Interrup
   return !partly;
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "shape/bodies.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// Whether every body that exists during the horizon is there when it begins.
 bool all_exist_at_begin(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt);
@@ -17,4 +17,4 @@ bool all_exist_at_begin(const Bodies& bodies, const Horizon& horizon, Interrupt&
 /// Whether every body that exists during the horizon does so at each of its moments.
 bool all_exist_throughout(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt);
 
-}  // namespace foresee::shape
+}  // namespace foresee

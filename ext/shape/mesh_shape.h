@@ -8,7 +8,7 @@
 #include "shape/size_column.h"
 #include "shape/stored_bounds.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 struct MeshShape {
   static constexpr Shape shape = Shape::mesh;
@@ -25,4 +25,4 @@ struct MeshShape {
   }
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

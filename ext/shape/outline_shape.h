@@ -9,7 +9,7 @@
 #include "shape/size_column.h"
 #include "shape/stored_bounds.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 struct OutlineShape {
   static constexpr Shape shape = Shape::outline;
@@ -28,4 +28,4 @@ struct OutlineShape {
   }
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

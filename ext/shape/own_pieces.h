@@ -7,7 +7,7 @@
 
 #include <memory>
 
-namespace foresee::shape {
+namespace foresee {
 
 template <class Pieces>
 struct OwnPieces {
@@ -20,4 +20,4 @@ struct OwnPieces {
   }
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

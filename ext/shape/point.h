@@ -6,7 +6,7 @@
 #include "motion/box.h"
 #include "shape/size_column.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 struct PointShape {
   static constexpr Shape shape = Shape::point;
@@ -22,4 +22,4 @@ struct PointShape {
   }
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

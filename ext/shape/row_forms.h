@@ -8,7 +8,7 @@
 #include "shape/mesh/turned_meshes.h"
 #include "shape/outline/turned_outlines.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 class RowForms {
  public:
@@ -33,4 +33,4 @@ class RowForms {
   TurnedMeshes meshes_;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -17,7 +17,7 @@
 #include "shape/outline_shape.h"
 #include "shape/point.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// use(the shape of this name).
 template <class Use>
@@ -78,4 +78,4 @@ Extents<D> core_of(Shape shape, const double* numbers, const Offsets& at) {
   return with_shape(shape, [&](auto known) { return known.template core<D>(numbers, at); });
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

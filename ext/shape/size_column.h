@@ -3,7 +3,7 @@
 
 #include "shape/layout.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// One quantity of a shape's size: "r", or "h" on every axis for hx, hy, hz.
 struct SizeColumn {
@@ -26,4 +26,4 @@ constexpr bool has_column(const Layout& layout, const SizeColumn& column) {
   return column.place == &Offsets::r ? layout.has_radius : layout.axes == 3;
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

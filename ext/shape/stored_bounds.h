@@ -13,7 +13,7 @@
 #include "motion/box.h"
 #include "shape/layout.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// The sum, and what rounding may have lost of it.
 inline double sum_outward(double bound, double more) {
@@ -41,4 +41,4 @@ Extents<D> no_extents() {
   return {Vec<D>::Constant(inf), Vec<D>::Constant(-inf)};
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

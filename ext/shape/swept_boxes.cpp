@@ -2,7 +2,7 @@
 
 #include "base/float_environment.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 constexpr std::size_t objects_per_check = 4096;
@@ -26,4 +26,4 @@ template std::vector<Box<1>> swept_boxes<1>(const Bodies&, const Horizon&, const
 template std::vector<Box<2>> swept_boxes<2>(const Bodies&, const Horizon&, const Vec<2>&, Interrupt&);
 template std::vector<Box<3>> swept_boxes<3>(const Bodies&, const Horizon&, const Vec<3>&, Interrupt&);
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -10,7 +10,7 @@
 #include "shape/bodies.h"
 #include "shape/shapes.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// The box around object i as of t, seen from its position.
 template <int D>
@@ -51,4 +51,4 @@ template <int D>
 std::vector<Box<D>> swept_boxes(const Bodies& bodies, const Horizon& horizon, const Vec<D>& margin,
                                 Interrupt& interrupt);
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "shape/mesh/cut_mesh.h"
 #include "shape/outline/cut_outline.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 template <class KindOfForm>
 void TurnedForms<KindOfForm>::assign(const Bodies& bodies, FormSource& source, Interrupt& interrupt) {
@@ -77,4 +77,4 @@ std::size_t TurnedForms<KindOfForm>::memory() const {
 template class TurnedForms<CutOutline>;
 template class TurnedForms<CutMesh>;
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -23,7 +23,7 @@
 #include "shape/form.h"
 #include "shape/own_pieces.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 template <class KindOfForm>
 class TurnedForms {
@@ -80,4 +80,4 @@ class TurnedForms {
   mutable std::size_t kept_bytes_ = 0;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

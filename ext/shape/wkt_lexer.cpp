@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -115,4 +115,4 @@ void WktLexer::expected(const std::string& what) {
   fail("expected " + what + ", found '" + quoted(found) + "'");
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

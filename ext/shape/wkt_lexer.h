@@ -13,7 +13,7 @@
 #include <string>
 #include <string_view>
 
-namespace foresee::shape {
+namespace foresee {
 
 class WktLexer {
  public:
@@ -46,4 +46,4 @@ class WktLexer {
   std::size_t at_ = 0;  ///< all before it is read
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "index/pages.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 int report(char** message, int code, const char* text) noexcept {
@@ -38,4 +38,4 @@ int code_of_exception(char** message) noexcept {
   }
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

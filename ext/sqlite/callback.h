@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 /// What was asked is refused with this result code: SQLITE_CONSTRAINT for values and conflicts (which
 /// OR IGNORE skips), SQLITE_MISMATCH for an id that is no integer.
@@ -42,4 +42,4 @@ int guarded(char** message, Body&& body) noexcept {
   }
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include "base/float_environment.h"
 #include "sqlite/sql_tokens.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 std::size_t memory_of(const Scene& scene) {
@@ -125,4 +125,4 @@ void Connection::drop_scenes_used_long_ago() noexcept {
   }
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -22,7 +22,7 @@
 #include "storage/rows/statement_interrupt.h"
 #include "storage/table/store.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 class TableCursor;
 
@@ -119,4 +119,4 @@ class Connection {
   std::shared_ptr<GridSpace> space_ = std::make_shared<GridSpace>();
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

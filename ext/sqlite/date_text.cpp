@@ -4,7 +4,7 @@
 
 #include "storage/rows/text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 std::optional<std::string> as_unixepoch(sqlite3_value* value) {
   if (sqlite3_value_type(value) != SQLITE_TEXT) return std::nullopt;
@@ -18,4 +18,4 @@ std::optional<std::string> as_unixepoch(sqlite3_value* value) {
   return "unixepoch(" + shown(value) + ")";
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -6,9 +6,9 @@
 
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 /// "unixepoch('2026-11-21 12:00')" for such a text; nothing for another value.
 std::optional<std::string> as_unixepoch(sqlite3_value* value);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "sqlite/modules.h"
 #include "storage/rows/statement.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 /// This PRAGMA reads no schema: a file may still wait for its key.
@@ -34,4 +34,4 @@ extern "C" __attribute__((visibility("default"))) int sqlite3_foresee_init(sqlit
   });
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -7,7 +7,7 @@
 #include "sqlite/version.h"
 #include "storage/rows/statement.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 // As sqlite3_libversion_number() counts.
@@ -22,10 +22,10 @@ bool host_has(int since) {
 
 }  // namespace
 
-void require_version(int number, const char* version) {
+void require_version(int number, const char* host) {
   if (number >= oldest) return;
-  throw Error(std::string("foresee ") + sqlite::version() +
-              " needs SQLite 3.31 or newer, and this program has " + version);
+  throw Error(std::string("foresee ") + version() + " needs SQLite 3.31 or newer, and this program has " +
+              host);
 }
 
 bool may_be_list(sqlite3_index_info& info, int i) {
@@ -57,4 +57,4 @@ std::vector<std::string> schema_names(sqlite3* db) {
   return names;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

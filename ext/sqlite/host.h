@@ -12,13 +12,12 @@
 #include <string>
 #include <vector>
 
-#include "base/rooms.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 /// Throws Error, which names foresee's version and this one, if this one is too old.
-void require_version(int number, const char* version);
+void require_version(int number, const char* host);
 
 /// Is constraint `i` a list, `column IN (…)`? Before 3.38 SQLite does not tell, and it may be one.
 bool may_be_list(sqlite3_index_info& info, int i);
@@ -35,4 +34,4 @@ sqlite3_value* written_value(sqlite3_index_info& info, int i);
 /// ones. (Before 3.39 an authorizer may forbid the question: StoreError.)
 std::vector<std::string> schema_names(sqlite3* db);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -5,7 +5,7 @@
 
 #include "sqlite/connection.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 // Each returns an SQLite result code.
 int register_scalars(sqlite3* db);  // scalars.cpp
@@ -16,4 +16,4 @@ int register_predictive_watch(sqlite3* db,
 int register_table_functions(sqlite3* db,
                              const std::shared_ptr<Connection>& connection);  // table_functions.cpp
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

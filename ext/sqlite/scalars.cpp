@@ -10,7 +10,7 @@
 #include "sqlite/version.h"
 #include "storage/rows/text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 void foresee_version(sqlite3_context* context, int, sqlite3_value**) {
@@ -62,4 +62,4 @@ int register_scalars(sqlite3* db) {
   return sqlite3_create_function(db, "geo_distance", 4, flags, nullptr, geo_distance, nullptr, nullptr);
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

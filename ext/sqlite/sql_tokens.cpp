@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 bool is_space(char c) {
@@ -86,4 +86,4 @@ bool same_name(std::string_view a, std::string_view b) {
                     [](char l, char r) { return lower(l) == lower(r); });
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -14,9 +14,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/rooms.h"
-
-namespace foresee::sqlite {
+namespace foresee {
 
 struct SqlToken {
   enum class Kind : std::uint8_t { word, quoted, number, sign };
@@ -49,4 +47,4 @@ class SqlTokens {
 /// Equal as SQLite compares names: ASCII letters in any case.
 bool same_name(std::string_view a, std::string_view b);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

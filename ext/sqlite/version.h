@@ -3,9 +3,7 @@
 
 #include <string>
 
-#include "base/rooms.h"
-
-namespace foresee::sqlite {
+namespace foresee {
 
 /// The version as SQL reports it, e.g. "0.2.0".
 const char* version();
@@ -13,4 +11,4 @@ const char* version();
 /// Version, commit, compiler, SIMD in use and SQLite, one a line.
 std::string debug_report();
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

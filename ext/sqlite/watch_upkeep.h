@@ -5,9 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "base/rooms.h"
-
-namespace foresee::sqlite {
+namespace foresee {
 
 class Connection;
 
@@ -25,4 +23,4 @@ class WatchUpkeep {
   virtual void finalize() noexcept = 0;
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

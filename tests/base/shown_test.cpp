@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace foresee::base {
+namespace foresee {
 namespace {
 
 TEST(Shown, HasAsFewDigitsAsTellANumberFromItsNeighbours) {
@@ -18,4 +18,4 @@ TEST(Shown, HasAsFewDigitsAsTellANumberFromItsNeighbours) {
 }
 
 }  // namespace
-}  // namespace foresee::base
+}  // namespace foresee

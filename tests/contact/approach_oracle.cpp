@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 namespace {
 
 Coefficients squared_distance(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
@@ -95,4 +95,4 @@ std::string judge_approach(const testing_by_hand::Object& a, const testing_by_ha
   return "";
 }
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

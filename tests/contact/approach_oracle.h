@@ -4,11 +4,11 @@
 
 #include "contact/oracle.h"
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 
 /// Compares the engine's answer with the exact one; empty if they agree, else what is wrong.
 /// Requires: both exist at some moment of the horizon.
 std::string judge_approach(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
                            const Horizon& horizon, const ClosestApproach& answer);
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

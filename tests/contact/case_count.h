@@ -6,7 +6,7 @@
 
 #include "sanitized.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
 using testing::sanitized;
 
@@ -14,4 +14,4 @@ inline int scaled_count(int cases) {
   return std::getenv("FORESEE_LONG") ? cases * 50 : sanitized ? (cases + 19) / 20 : cases;
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

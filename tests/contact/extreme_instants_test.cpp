@@ -10,7 +10,7 @@
 #include "contact/set/shape_pairs.h"
 #include "contact/window_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using testing_by_hand::contact;
@@ -110,4 +110,4 @@ TEST(ExtremeInstants, AnswersAreExactOverHorizonsOfAnyLength) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -2,7 +2,7 @@
 // answers, and greater distances are reached no later.
 #include "contact/form_laws.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -75,4 +75,4 @@ TYPED_TEST(FormLaws, AGreaterDistanceIsReachedNoLater) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,6 +1,6 @@
 #include "contact/hard_pairs.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 namespace {
 
 const Family families[] = {
@@ -156,4 +156,4 @@ std::ostream& operator<<(std::ostream& out, const Case& c) {
              << c.question.within << " within_z " << c.question.within_z.value_or(-1);
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

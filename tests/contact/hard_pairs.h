@@ -9,7 +9,7 @@
 
 #include "contact/oracle.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
 /// How the numbers of a family look.
 struct Family {
@@ -142,4 +142,4 @@ void for_each_hard_pair(Shapes shapes, int axes, int count, std::uint64_t seed, 
 /// Both objects and the question, to the last digit.
 std::ostream& operator<<(std::ostream& out, const Case& c);
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

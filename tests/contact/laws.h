@@ -12,7 +12,7 @@
 #include "contact/case_count.h"
 #include "contact/hard_pairs.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
 /// Everything that contact says about a pair.
 struct Said {
@@ -129,4 +129,4 @@ inline bool retell(Object& o, double s) {
   return exact;
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

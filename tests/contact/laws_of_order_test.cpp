@@ -5,7 +5,7 @@
 #include "contact/laws.h"
 #include "numbers/dyadic.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -193,4 +193,4 @@ TEST(Laws, OtherPairsOfTheCallDoNotMatter) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

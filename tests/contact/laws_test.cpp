@@ -2,7 +2,7 @@
 // answers.
 #include "contact/laws.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -160,4 +160,4 @@ TEST(Laws, TimeReversalChangesNoDecision) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

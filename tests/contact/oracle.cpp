@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 namespace {
 
 /// Contact in a stretch of time: the polynomial of a region, <= 0; or the answer is known.
@@ -258,4 +258,4 @@ std::string judge(const Rule& rule, const testing_by_hand::Object& a, const test
   return "";
 }
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

@@ -13,7 +13,7 @@
 #include "contact/pair_by_hand.h"
 #include "contact/sturm.h"
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 
 /// Centre of b minus centre of a on one axis, as a polynomial in the time since `now`.
 Coefficients relative_axis(const testing_by_hand::Object& a, const testing_by_hand::Object& b, int axis,
@@ -39,4 +39,4 @@ Asked asked_about(const testing_by_hand::Object& a, const testing_by_hand::Objec
 std::string judge(const Rule& rule, const testing_by_hand::Object& a, const testing_by_hand::Object& b,
                   const Horizon& horizon, const std::optional<ContactTimes>& answer);
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

@@ -10,7 +10,7 @@
 #include "contact/case_count.h"
 #include "contact/hard_pairs.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -146,4 +146,4 @@ TEST(Oracle, ObjectsToAnyOtherAnswer) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -8,7 +8,7 @@
 
 #include "contact/contact.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
 /// One object with every number spelled out; only those of its layout are used.
 struct Object {
@@ -82,4 +82,4 @@ inline ClosestApproach closest(const Object& a, const Object& b, const ContactQu
   return approach;
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

@@ -4,7 +4,7 @@
 #include <bit>
 #include <cmath>
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 namespace {
 
 bool begins_before(const Stretch& s, const Stretch& t) {
@@ -120,4 +120,4 @@ std::string judged_by_moments(const std::function<bool(const Rational&)>& touch,
   return {};
 }
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

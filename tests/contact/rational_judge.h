@@ -10,7 +10,7 @@
 
 #include "contact/pair_by_hand.h"
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 
 using Rational = boost::multiprecision::cpp_rational;
 
@@ -51,4 +51,4 @@ std::string compared(const std::optional<Stretch>& exact, const std::optional<Co
 std::string judged_by_moments(const std::function<bool(const Rational&)>& touch, double h,
                               const std::optional<ContactTimes>& answer);
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

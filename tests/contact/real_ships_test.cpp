@@ -10,7 +10,7 @@
 
 #include "contact/contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 std::string data_folder() {
@@ -93,4 +93,4 @@ TEST(RealShips, MeetAsBoxesOfHalfExtent463Metres) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

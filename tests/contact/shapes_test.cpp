@@ -9,7 +9,7 @@
 #include "contact/pair_by_hand.h"
 #include "contact/window_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -240,4 +240,4 @@ TEST(ClosestApproach, OfAcceleratedCoursesAgainstDenseStepping) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

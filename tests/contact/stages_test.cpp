@@ -15,7 +15,7 @@
 #include "contact/set/shape_pairs.h"
 #include "every_simd.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -233,4 +233,4 @@ TEST(Midrad128, FewDigitsStayExact) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 namespace {
 
 void trim(Integers& p) {
@@ -188,4 +188,4 @@ std::vector<Moment> moments_between(const Sturm& sturm, const Exact& low, const 
   return moments;
 }
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

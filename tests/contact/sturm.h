@@ -8,7 +8,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <vector>
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 
 using Whole = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<512, 0, boost::multiprecision::signed_magnitude,
@@ -107,4 +107,4 @@ bool is_nearest(double value, Compare&& compare) {
   return (low > 0 || (low == 0 && even)) && (high < 0 || (high == 0 && even));
 }
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

@@ -12,8 +12,6 @@
 #include <span>
 #include <type_traits>
 
-#include "all_rooms.h"
-
 namespace foresee::testing {
 
 class FuzzBytes {

@@ -25,15 +25,15 @@ inline std::string fuzz_coordinate(FuzzBytes& bytes) {
       const auto bits = bytes.any<std::uint64_t>();
       double any;
       std::memcpy(&any, &bits, sizeof any);
-      return base::shown(any);
+      return shown(any);
     }
     case 1: {
       const int exponent = bytes.in_range(-300, 200);
-      return base::shown(std::ldexp(bytes.in_range(-9, 9), exponent));
+      return shown(std::ldexp(bytes.in_range(-9, 9), exponent));
     }
     case 2: {
       const double whole = bytes.in_range(0, 5);
-      return base::shown(std::nextafter(whole, bytes.flag() ? 9 : -9));
+      return shown(std::nextafter(whole, bytes.flag() ? 9 : -9));
     }
     default:
       return std::to_string(bytes.in_range(0, 5));

@@ -9,7 +9,7 @@
 #include "geography/walked.h"
 #include "scenes.h"
 
-namespace foresee::geography {
+namespace foresee {
 namespace {
 
 using testing::Random;
@@ -68,4 +68,4 @@ TEST(Geodesic, FromAPlaceToItselfIsNone) {
 }
 
 }  // namespace
-}  // namespace foresee::geography
+}  // namespace foresee

@@ -10,7 +10,7 @@
 #include "geography/walked.h"
 #include "scenes.h"
 
-namespace foresee::geography {
+namespace foresee {
 namespace {
 
 using testing::Random;
@@ -81,9 +81,9 @@ TEST(Globe, AtThePoleHasAHeight) {
 }
 
 TEST(Globe, HasNoHeightAtItsCentre) {
-  EXPECT_THROW(from_globe({{0, 0, 0}, {}}), base::Error);
-  EXPECT_THROW(from_globe({{1e4, 1e4, -1e4}, {}}), base::Error);
+  EXPECT_THROW(from_globe({{0, 0, 0}, {}}), Error);
+  EXPECT_THROW(from_globe({{1e4, 1e4, -1e4}, {}}), Error);
 }
 
 }  // namespace
-}  // namespace foresee::geography
+}  // namespace foresee

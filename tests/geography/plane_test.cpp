@@ -10,7 +10,7 @@
 #include "geography/walked.h"
 #include "scenes.h"
 
-namespace foresee::geography {
+namespace foresee {
 namespace {
 
 using testing::Random;
@@ -97,10 +97,10 @@ TEST(Plane, WhoDoesNotMoveHasNoCourse) {
 }
 
 TEST(Plane, EndsAtTheOtherSideOfTheEarth) {
-  EXPECT_THROW(to_plane({{-30, 89.5}, Course{1, 2}}, {30, -90.5}), base::Error);
+  EXPECT_THROW(to_plane({{-30, 89.5}, Course{1, 2}}, {30, -90.5}), Error);
   EXPECT_NO_THROW(to_plane({{-30, 89.5}, {}}, {30, -90.5}));
-  EXPECT_THROW(from_plane({2.1e7, 0, {}}, {30, -90.5}), base::Error);
+  EXPECT_THROW(from_plane({2.1e7, 0, {}}, {30, -90.5}), Error);
 }
 
 }  // namespace
-}  // namespace foresee::geography
+}  // namespace foresee

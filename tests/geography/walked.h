@@ -7,7 +7,7 @@
 
 #include "geography/geodesic.h"
 
-namespace foresee::geography {
+namespace foresee {
 
 using Real = long double;
 using Point = std::array<Real, 3>;
@@ -82,4 +82,4 @@ inline Walked walked(const LatLon& from, double azimuth, double distance) {
           static_cast<double>(at.reduced)};
 }
 
-}  // namespace foresee::geography
+}  // namespace foresee

@@ -1,5 +1,5 @@
-"""One name, one type, in all rooms: a room knows the names of those to its right, so that two of one name would be
-ambiguous or hide each other; within a room they are undefined behaviour that no compiler reports (it has crashed a build).
+"""One name, one type: all headers stand in one namespace, and two types of one name are undefined behaviour that no
+compiler reports where no file includes both (it has crashed a build).
 
     python3 names_test.py
 """

@@ -6,8 +6,7 @@ The order: sqlite -> query -> index -> contact -> shape -> motion -> numbers -> 
 right and no others, with two doors of their own: storage may include shape, motion, base and the page and tree interface
 of index, and only sqlite may include storage. SQLite's headers are for storage and sqlite alone. Rooms inside a room
 have an order too; what lies beside them, at the room's door, may include them and be included. No headers include each
-other in a circle. The namespace of a file is its room; only base/rooms.h opens one room to another, in the same
-order. tests/ has no folder that is no room of ext/, but for those that are of no one room, and a test named after a file
+other in a circle. tests/ has no folder that is no room of ext/, but for those that are of no one room, and a test named after a file
 stands in that file's room.
 """
 import re
@@ -35,14 +34,6 @@ INSIDE = {
 # Folders of tests/ that are of no one room, and files that tests read.
 TESTS_OF_NO_ROOM = {"house", "fuzz", "portability", "storage/files"}
 
-# Where rooms are opened to each other; storage sees the page interface of the index there.
-ROOMS_HEADER = "base/rooms.h"
-OPENS = {**MAY_INCLUDE, "storage": MAY_INCLUDE["storage"] | {"index"}}
-
-NAMESPACE = re.compile(r"^namespace (foresee\S*) \{\n(.*?)^\}", re.M | re.S)
-DIRECTIVE = re.compile(r"^\s*using namespace ([\w:]+);", re.M)
-# What is only mentioned.
-DECLARATIONS = re.compile(r"(?:\s*(?:template <[^>]*>)?\s*(?:struct|class|enum class) \w+(?: : [\w:]+)?;)*\s*")
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
@@ -84,22 +75,6 @@ def complaint_inside(room, here, there):
     return None
 
 
-def complaints_about_namespaces(source, text):
-    """Sentences about the namespaces that the file `source`, a path under ext, opens."""
-    room, name = source.parts[0], source.as_posix()
-    if name == ROOMS_HEADER:
-        opened = [(m.group(1), other) for m in re.finditer(r"^namespace (\w+) \{\n((?:using [^\n]*\n)+)\}", text, re.M)
-                  for other in DIRECTIVE.findall(m.group(2))]
-        return [f"{name}: opens {other} to {to}, which may not include it" for to, other in opened
-                if other not in OPENS.get(to, set())]
-    found = [f"{name}: using namespace {other}: only {ROOMS_HEADER} opens namespaces" for other in DIRECTIVE.findall(text)]
-    for space, body in NAMESPACE.findall(text):
-        other = (space.split("::") + [""])[1]
-        if other != room and not (other in OPENS[room] and DECLARATIONS.fullmatch(body)):
-            found.append(f"{name}: opens namespace {space}; files of {room} stand in foresee::{room}")
-    return found
-
-
 def circle(includes):
     """The files of a circle of includes, or []. `includes`: {file: [included files]}."""
     done, path = set(), []
@@ -133,9 +108,7 @@ def violations(ext):
             found.append(f"{inside}: not in a room")
             continue
         targets = includes[inside.as_posix()] = []
-        text = path.read_text()
-        found += complaints_about_namespaces(inside, text)
-        for number, line in enumerate(text.splitlines(), 1):
+        for number, line in enumerate(path.read_text().splitlines(), 1):
             match = INCLUDE.match(line)
             if match and match.group(1) == '"':
                 targets.append(match.group(2))

@@ -60,30 +60,6 @@ class RoomGuard(unittest.TestCase):
         files["motion/c.h"] = '#include "motion/a.h"\n'
         self.assertEqual(tree(files), ["a circle of includes: motion/a.h -> motion/b.h -> motion/c.h -> motion/a.h"])
 
-    def test_the_namespace_of_a_file_is_its_room(self):
-        def found(path, text):
-            return tree({path: text})
-
-        self.assertEqual(found("motion/vec.h", "namespace foresee::motion {\nstruct Vec {\n  int x;\n};\n}\n"), [])
-        self.assertEqual(found("index/grid.h", "namespace foresee::index::gpcd {\nstruct Grid;\n}\n"), [])
-        for space in ("foresee", "foresee::shape", "foresee::numbers"):
-            self.assertEqual(found("motion/vec.h", f"namespace {space} {{\nstruct Vec {{\n  int x;\n}};\n}}\n"),
-                             [f"motion/vec.h: opens namespace {space}; files of motion stand in foresee::motion"])
-
-    def test_what_is_to_the_right_may_be_mentioned(self):
-        text = "namespace foresee::shape {\ntemplate <int D>\nstruct Beam;\n}\n"
-        self.assertEqual(tree({"index/grid.h": text}), [])
-        self.assertEqual(tree({"motion/vec.h": text}),
-                         ["motion/vec.h: opens namespace foresee::shape; files of motion stand in foresee::motion"])
-
-    def test_rooms_are_opened_to_each_other_in_one_place_and_order(self):
-        self.assertEqual(tree({"query/scene.h": "namespace foresee::query {\nusing namespace index;\n}\n"}),
-                         ["query/scene.h: using namespace index: only base/rooms.h opens namespaces"])
-        right = "namespace foresee {\nnamespace base {}\nnamespace numbers {\nusing namespace base;\n}\n}\n"
-        self.assertEqual(tree({"base/rooms.h": right}), [])
-        wrong = "namespace foresee {\nnamespace numbers {}\nnamespace base {\nusing namespace numbers;\n}\n}\n"
-        self.assertEqual(tree({"base/rooms.h": wrong}), ["base/rooms.h: opens numbers to base, which may not include it"])
-
     def test_only_storage_and_sqlite_see_sqlite(self):
         self.passes("storage/rows/sqlite_api.h", "#include <sqlite3ext.h>")
         self.catches("query/join/join.h", "#include <sqlite3.h>", "see SQLite")

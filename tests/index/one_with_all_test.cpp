@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 std::vector<Pair> all_of(const OneWithAll& rows) {
@@ -28,4 +28,4 @@ TEST(OneWithAll, GoesOnAcrossBatches) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

@@ -9,7 +9,6 @@
 
 #include <vector>
 
-#include "all_rooms.h"
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "shape/swept_boxes.h"
 

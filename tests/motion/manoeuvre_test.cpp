@@ -8,7 +8,7 @@
 #include "motion/motion_set.h"
 #include "scenes.h"
 
-namespace foresee::motion {
+namespace foresee {
 namespace {
 
 using testing::Random;
@@ -91,4 +91,4 @@ TEST(MotionSet, HoldsEachOfItsMotions) {
 }
 
 }  // namespace
-}  // namespace foresee::motion
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foresee::motion {
+namespace foresee {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -55,4 +55,4 @@ TEST(Position, IsInfiniteOnlyWhereNoDoubleHoldsIt) {
 }
 
 }  // namespace
-}  // namespace foresee::motion
+}  // namespace foresee

@@ -7,7 +7,7 @@
 #include "numbers/factors.h"
 #include "numbers/wide_numbers.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -227,4 +227,4 @@ TEST(LazyPolynomial, SignsAtNumbersAreExact) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -7,7 +7,7 @@
 #include "numbers/powers.h"
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -130,4 +130,4 @@ TEST(Powers, TwiceAndSquareAreExactWhereTheNumbersAre) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

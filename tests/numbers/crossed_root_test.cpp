@@ -6,7 +6,7 @@
 
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -127,4 +127,4 @@ TEST(RoundedInstant, EveryNumberWithinTheRadiusRoundsToIt) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -5,7 +5,7 @@
 
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -113,4 +113,4 @@ TEST(DoubleDouble, IsSymmetricUnderNegationAndExchange) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -5,7 +5,7 @@
 
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -152,4 +152,4 @@ TEST(Integer, CutNegativeNumbersStayNegative) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

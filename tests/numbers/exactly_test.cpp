@@ -7,7 +7,7 @@
 #include "numbers/bounded.h"
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -33,4 +33,4 @@ TEST(Exactly, NumbersAndDifferencesAreThoseOfTheDoubles) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

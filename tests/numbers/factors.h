@@ -7,7 +7,7 @@
 #include "numbers/algebraic_root.h"
 #include "numbers/polynomial.h"
 
-namespace foresee::numbers::judge {
+namespace foresee::judge {
 
 /// By coefficients of powers 0, 1, 2, ...
 inline Polynomial polynomial(std::initializer_list<double> coefficients) {
@@ -60,4 +60,4 @@ class ExactSource : public PolynomialSource {
   std::unique_ptr<LazyPolynomial> lazy_;
 };
 
-}  // namespace foresee::numbers::judge
+}  // namespace foresee::judge

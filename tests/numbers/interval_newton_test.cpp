@@ -7,7 +7,7 @@
 #include "numbers/factors.h"
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -135,4 +135,4 @@ TEST(Around, IsTheSamePolynomialSeenFromElsewhere) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -7,7 +7,7 @@
 
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -221,4 +221,4 @@ TEST(Midrad128, SameIsOfNumbersAndIdenticalOfBalls) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <random>
 
-namespace foresee::numbers {
+#include "numbers/polynomial.h"
+
+namespace foresee {
 namespace {
 
 class Numbers {
@@ -88,4 +90,4 @@ TEST(Midrad128, ProductsOfWideIntervalsStayNarrow) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

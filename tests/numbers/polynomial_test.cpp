@@ -6,7 +6,7 @@
 #include "numbers/factors.h"
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -132,4 +132,4 @@ TEST(SurelyCoprime, ProvesNothingWhereLeadingCoefficientsVanish) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

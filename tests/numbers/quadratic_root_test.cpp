@@ -6,7 +6,7 @@
 #include "numbers/factors.h"
 #include "numbers/wide_numbers.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -99,4 +99,4 @@ TEST(SignAtRoot, ScalingByPositiveNumbersChangesNothing) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -5,7 +5,7 @@
 
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -60,4 +60,4 @@ TEST(Residue, MultiplesOfThePrimeAreZero) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -9,7 +9,7 @@
 #include "numbers/factors.h"
 #include "numbers/rationals.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using namespace judge;
@@ -235,4 +235,4 @@ TEST(TimeIntervals, RootsNextToTheEndsAreFound) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

@@ -7,7 +7,7 @@
 
 #include "scenes.h"
 
-namespace foresee::numbers {
+namespace foresee {
 namespace {
 
 using testing::Random;
@@ -72,4 +72,4 @@ TEST(QuickSineCosine, StaysWithinItsError) {
 }
 
 }  // namespace
-}  // namespace foresee::numbers
+}  // namespace foresee

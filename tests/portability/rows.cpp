@@ -10,7 +10,6 @@
 #include <cstdio>
 
 #include "accuracy/families.h"
-#include "all_rooms.h"
 #include "contact/mesh/mesh_scenes.h"
 #include "contact/outline/outline_scenes.h"
 #include "query/avoid/avoid_cases.h"
@@ -88,18 +87,16 @@ void print_pairs(std::span<const Family> families, const Pairings& pairings, std
 }
 
 void print_outlines() {
-  using enum contact::testing_by_hand::OutlinePairing;
-  const auto first_contact = [](const auto& scene) {
-    return contact::testing_by_hand::outline_contact(scene);
-  };
-  print_pairs(contact::testing_by_hand::outline_families(),
-              std::array{outlines, outline_and_point, outline_and_box}, 8, first_contact);
+  using enum testing_by_hand::OutlinePairing;
+  const auto first_contact = [](const auto& scene) { return testing_by_hand::outline_contact(scene); };
+  print_pairs(testing_by_hand::outline_families(), std::array{outlines, outline_and_point, outline_and_box},
+              8, first_contact);
 }
 
 void print_meshes() {
-  using enum contact::testing_by_hand::MeshPairing;
-  const auto first_contact = [](const auto& scene) { return contact::testing_by_hand::mesh_contact(scene); };
-  print_pairs(contact::testing_by_hand::mesh_families(),
+  using enum testing_by_hand::MeshPairing;
+  const auto first_contact = [](const auto& scene) { return testing_by_hand::mesh_contact(scene); };
+  print_pairs(testing_by_hand::mesh_families(),
               std::array{meshes, mesh_and_point, mesh_and_box, mesh_and_ball}, 1, first_contact);
 }
 
@@ -123,6 +120,7 @@ void print_advice(const SceneSpec& spec) {
 }  // namespace foresee::testing
 
 int main() {
+  using namespace foresee;
   using namespace foresee::testing;
   std::uint64_t seed = 1;
   for (const Layout& layout : all_layouts())

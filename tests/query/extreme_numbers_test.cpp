@@ -11,7 +11,7 @@
 #include "query/search_cases.h"
 #include "query/window/window.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::as_scene;
@@ -136,4 +136,4 @@ TEST(ExtremeNumbers, TheNearestAreTheFirstOfAll) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

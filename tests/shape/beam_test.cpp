@@ -11,7 +11,7 @@
 #include "every_simd.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -178,4 +178,4 @@ TEST(Beam, KnowsWhenTheObjectExists) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 struct Counted final : Form {
@@ -39,4 +39,4 @@ TEST(KnownExtents, OfMoreHeadingsThanAreKeptAreAskedForAgain) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "shape/swept_boxes.h"
 #include "stop_at.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 using Rational = boost::multiprecision::cpp_rational;
@@ -173,4 +173,4 @@ TEST(SweptBoxes, AnswerInRowOrderAndCanBeInterrupted) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

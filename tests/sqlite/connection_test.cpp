@@ -3,7 +3,7 @@
 
 #include "storage/database.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 class Scenes : public ::testing::Test {
@@ -44,4 +44,4 @@ TEST_F(Scenes, OfATableByItselfIsKeptWhateverItsSize) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

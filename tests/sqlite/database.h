@@ -17,7 +17,6 @@
 #include <filesystem>
 #include <string>
 
-#include "all_rooms.h"
 #include "sqlite/foresee.h"
 
 namespace foresee::testing {

@@ -8,8 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "all_rooms.h"
-
 namespace foresee::testing {
 
 struct ExtremeScene {

@@ -8,7 +8,6 @@
 
 #include <cstdlib>
 
-#include "all_rooms.h"
 #include "sanitized.h"
 
 namespace foresee::testing {

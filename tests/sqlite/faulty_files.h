@@ -11,8 +11,6 @@
 
 #include <cstring>
 
-#include "all_rooms.h"
-
 namespace foresee::testing {
 
 enum class FileFault { read_fails, write_fails, disk_full, sync_fails, truncate_fails, open_fails };

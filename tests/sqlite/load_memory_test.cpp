@@ -10,7 +10,7 @@
 #include "storage/database.h"
 #include "storage/rows/shadow_schema.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 using testing::bytes_held, testing::bytes_peak, testing::FileFault, testing::FaultyFiles;
@@ -215,4 +215,4 @@ TEST(LoadFile, WithoutRoomForItARebuildChangesNothing) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using Kind = SqlToken::Kind;
@@ -57,4 +57,4 @@ TEST(SqlTokens, AreTheSameNameInAnyCaseOfAscii) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -11,7 +11,7 @@
 #include "storage/rows/statement.h"
 #include "storage/table/store.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 inline Declaration ships() {
   return {.layout = {.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true}};  // t x y vx vy r
@@ -166,4 +166,4 @@ void expect_store_error(int code, const std::string& words, Call call) {
   }
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

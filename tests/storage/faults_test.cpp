@@ -4,7 +4,7 @@
 #include "storage/rows/shadow_schema.h"
 #include "storage/table/store.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class Faults : public ::testing::Test {
@@ -221,4 +221,4 @@ TEST_F(Faults, LoadStopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

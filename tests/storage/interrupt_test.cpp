@@ -4,7 +4,7 @@
 
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class LongestPause final : public Interrupt {
@@ -51,4 +51,4 @@ TEST(LongCommands, LookForAnInterruptWhileTheySort) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

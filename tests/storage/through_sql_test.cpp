@@ -4,7 +4,7 @@
 #include "sqlite/foresee.h"
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class ThroughSql : public ::testing::Test {
@@ -230,4 +230,4 @@ TEST_F(ThroughSql, AReaderInWalModeKeepsItsSnapshotWhileAnotherWrites) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -7,7 +7,7 @@
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class TreeDamage : public ::testing::Test {
@@ -171,4 +171,4 @@ TEST_F(TreeDamage, ReadersAndWritersGetAnErrorAndChangeNothing) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

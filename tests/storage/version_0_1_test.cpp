@@ -6,7 +6,7 @@
 #include "sqlite/foresee.h"
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 const std::string files = FORESEE_SOURCE_DIR "/tests/storage/files/";
@@ -119,4 +119,4 @@ TEST_F(VersionZeroOne, MadeAnewHasTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

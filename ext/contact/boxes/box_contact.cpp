@@ -2,10 +2,10 @@
 
 #include "contact/typed_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 std::unique_ptr<Contact> make_box_contact(const Setup& setup, int degree) {
   return make_typed<BoxContact>(setup.a.layout.axes, degree, setup);
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

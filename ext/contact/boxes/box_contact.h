@@ -6,7 +6,7 @@
 #include "contact/set/shape_pairs.h"
 #include "contact/set_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// A ball of one axis is an interval.
 template <int D>
@@ -214,4 +214,4 @@ class BoxContact final : public SetContact<D, Degree> {
   MeetingLanes meetings_, endings_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

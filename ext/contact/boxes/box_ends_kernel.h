@@ -6,7 +6,7 @@
 
 #include "contact/boxes/box_lanes_kernel.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// What is left between a centre and a face, half - side x(t), as seen from `from`: gap + slope s + bend s^2.
@@ -75,4 +75,4 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

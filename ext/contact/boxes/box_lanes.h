@@ -20,7 +20,7 @@
 
 #include "base/simd.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 constexpr int lanes_width = 16;  // two of the widest registers: one computes while the other waits
 
@@ -108,4 +108,4 @@ const BoxKernel<D, Degree>& box_kernel() {
       []<Simd simd>(Level<simd>) -> const BoxKernel<D, Degree>& { return box_kernel<D, Degree, simd>(); });
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

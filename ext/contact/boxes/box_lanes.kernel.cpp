@@ -1,7 +1,7 @@
 // The loops of BoxKernel: a kernel (base/simd.h).
 #include "contact/boxes/box_ends_kernel.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 template <int D, int Degree, Simd simd>
 const BoxKernel<D, Degree>& box_kernel() {
@@ -22,4 +22,4 @@ template const BoxKernel<2, 2>& box_kernel<2, 2, Simd::FORESEE_SIMD>();
 template const BoxKernel<3, 1>& box_kernel<3, 1, Simd::FORESEE_SIMD>();
 template const BoxKernel<3, 2>& box_kernel<3, 2, Simd::FORESEE_SIMD>();
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -14,7 +14,7 @@
 #include "contact/boxes/box_lanes.h"
 #include "numbers/crossed_root.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 constexpr double huge = 0x1p1000, never = __builtin_inf(), underflow = 0x1p-900;
@@ -248,4 +248,4 @@ void find_crossings(MeetingLanes& lanes, double now) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -12,7 +12,7 @@
 #include "contact/certain/certain_set.h"
 #include "contact/certain/leaps.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 enum class Verdict : std::uint8_t { no, yes, uncertain };
 
@@ -82,7 +82,7 @@ class Advancement {
   /// leaps.h, up to the moments that certainly count.
   template <class Ask>
   bool witness(Ask&& ask, Bracket& bracket, double earliest) const {
-    return contact::witness(ask, bracket, earliest, inner_end_);
+    return foresee::witness(ask, bracket, earliest, inner_end_);
   }
 
   CertainSet<D, Degree> certain_;
@@ -90,4 +90,4 @@ class Advancement {
   double near_end_;  ///< they do not touch later
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

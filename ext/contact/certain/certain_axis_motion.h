@@ -14,7 +14,7 @@
 #include "motion/axis_motion.h"
 #include "numbers/double_double.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Up to this age of a motion what underflow loses is usual_underflow: a constant, as multiplying subnormal
 /// numbers costs processors a hundred cycles each.
@@ -91,4 +91,4 @@ void view_from(const CertainMotion<D, Real>& r, const Real& tau, AxisView<Real> 
   for (int j = 0; j < D; ++j) view[j] = view_from<Degree>(r.axis[j], tau, r.underflow);
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "contact/certain/certain_axis_motion.h"
 #include "contact/set/relative_motion.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// With the same reference time.
 template <int Degree>
@@ -40,4 +40,4 @@ CertainMotion<D> certain_motion_of(const Setup& setup, const double* row_a, cons
   return r;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -16,7 +16,7 @@
 #include "contact/certain/certified.h"
 #include "contact/set/contact_set.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Space for doubles with error bounds, used for one pair after another.
 struct CertainScratch {
@@ -94,7 +94,7 @@ class CertainSet {
   template <class Take>
   auto with_polynomial(const Primitive& primitive, Take&& take) const {
     const auto wanted = [](const Bounded&) { return true; };
-    return contact::with_polynomial<Degree>(primitive, x_, scratch_.lengths, tau_, wanted, take);
+    return foresee::with_polynomial<Degree>(primitive, x_, scratch_.lengths, tau_, wanted, take);
   }
 
   /// What underflow takes from a coefficient: nothing where there are no products.
@@ -140,7 +140,7 @@ class CertainSet {
     const double lost = this->lost(primitive);
     const auto wanted = [side, lost](const Bounded& now) { return side * now.value > now.error_bound(lost); };
     const auto take = [side, lost, room](const auto& p) { return positive_during(p, side, lost, room); };
-    return known = contact::with_polynomial<Degree>(primitive, x_, scratch_.lengths, tau_, wanted, take);
+    return known = foresee::with_polynomial<Degree>(primitive, x_, scratch_.lengths, tau_, wanted, take);
   }
 
   /// Primitive i at tau: 1: certainly outside, -1: certainly inside, 0: in doubt.
@@ -163,4 +163,4 @@ class CertainSet {
   double tau_ = 0;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

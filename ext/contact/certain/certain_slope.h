@@ -10,7 +10,7 @@
 
 #include "contact/certain/certain_motion.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// The slope at a moment and how fast it grows, each with a bound on its error.
 struct Slope {
@@ -65,4 +65,4 @@ inline Stretch stretch_between(const Slope& a, const Slope& b, double length) {
   return first < 0 ? Stretch::valley : Stretch::ridge;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -10,7 +10,7 @@
 
 #include "numbers/powers.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 constexpr double not_certain = -1;
 constexpr double for_ever = std::numeric_limits<double>::infinity();
@@ -85,4 +85,4 @@ template <std::size_t N>
   }
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

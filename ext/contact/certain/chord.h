@@ -15,7 +15,7 @@
 #include "contact/certain/certified.h"
 #include "contact/set/contact_set.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 template <int D, class Real = double>
 class Chord {
@@ -96,4 +96,4 @@ class Chord {
   Real end_, at_[D], steep_[D], room_[D];
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -10,7 +10,7 @@
 #include "contact/certain/advancement.h"
 #include "numbers/crossed_root.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 inline Instant unknown_instant() {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -138,4 +138,4 @@ class Crossing {
   double base_, width_, now_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -6,7 +6,7 @@
 
 #include "contact/certain/certified.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// A crossing that is certain: apart (or within) up to `before`, the opposite at `after`. Both equal the
 /// limit where there is none.
@@ -53,4 +53,4 @@ bool witness(Ask&& ask, Bracket& bracket, double earliest, double end) {
   return end >= earliest && ask(end);
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

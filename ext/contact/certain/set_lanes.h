@@ -16,7 +16,7 @@
 #include "base/simd.h"
 #include "contact/set/contact_set.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// What is the same for all pairs, as arrays.
 struct LanesQuestion {
@@ -63,4 +63,4 @@ const SetKernel<D, Degree>& set_kernel() {
       []<Simd simd>(Level<simd>) -> const SetKernel<D, Degree>& { return set_kernel<D, Degree, simd>(); });
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -4,7 +4,7 @@
 #include "base/doubles.h"
 #include "contact/certain/chord.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using BoundedDoubles = BoundedOf<Doubles>;
@@ -173,4 +173,4 @@ template const SetKernel<2, 2>& set_kernel<2, 2, Simd::FORESEE_SIMD>();
 template const SetKernel<3, 1>& set_kernel<3, 1, Simd::FORESEE_SIMD>();
 template const SetKernel<3, 2>& set_kernel<3, 2, Simd::FORESEE_SIMD>();
 
-}  // namespace foresee::contact
+}  // namespace foresee

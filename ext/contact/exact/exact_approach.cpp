@@ -6,14 +6,14 @@
 #include "numbers/interval_newton.h"
 #include "numbers/time_intervals.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// The double nearest to the square root, ties to even.
 double rounded_square_root(const Dyadic& square) {
   if (square.sign() <= 0) return 0;
   // 128 bits or one less, so that the exponent is even; what is cut off only has to be known to exist.
-  const int bits = numbers::length_of(square.mantissa());
+  const int bits = bit_length(square.mantissa());
   int shift = 128 - bits;
   if ((square.exponent() - shift) % 2 != 0) --shift;
   const Integer head =
@@ -142,4 +142,4 @@ ClosestApproach exact_approach(const SquaredDistance& square, const ExactMoments
   return ExactApproach(square, moments).nearest();
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -8,7 +8,7 @@
 
 #include "contact/exact/exact_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// |x + v tau + a tau^2|^2 by powers of tau.
 using SquaredDistance = std::array<Dyadic, Polynomial::most + 1>;
@@ -30,4 +30,4 @@ SquaredDistance squared_distance(const RelativeMotion<Dyadic, D>& relative) {
 /// Requires: moments.begin <= moments.end.
 ClosestApproach exact_approach(const SquaredDistance& square, const ExactMoments& moments);
 
-}  // namespace foresee::contact
+}  // namespace foresee

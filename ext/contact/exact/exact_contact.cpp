@@ -8,7 +8,7 @@
 #include "contact/certain/crossing.h"
 #include "numbers/time_intervals.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 class ExactPair {
@@ -169,7 +169,7 @@ class ExactPair {
     AlgebraicRoot *from = &begin_, *to = &end_;
     if (&first != &begin_) from = known_moment(first.at.low().dyadic(), begin_);
     if (&last != &end_) to = known_moment(last.at.high().dyadic(), end_);
-    return numbers::inside(polynomial, {*from, *to});
+    return foresee::inside(polynomial, {*from, *to});
   }
 
   /// The moment as an end, unless it is beyond what is asked.
@@ -184,7 +184,7 @@ class ExactPair {
     const std::size_t number = polynomials_.number_of(primitive);
     if (inside_.size() <= number) inside_.resize(number + 1);
     std::optional<TimeIntervals>& known = inside_[number];
-    if (!known) known = numbers::inside(polynomials_.polynomial(number), {begin_, end_});
+    if (!known) known = foresee::inside(polynomials_.polynomial(number), {begin_, end_});
     return *known;
   }
 
@@ -283,4 +283,4 @@ std::optional<ContactTimes> exact_times_of_solids(PiecePolynomials& polynomials,
   return ExactPair(polynomials, moments).times(between);
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

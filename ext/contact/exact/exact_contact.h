@@ -12,7 +12,7 @@
 #include "contact/contact.h"
 #include "contact/exact/pair_polynomials.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// The exact ends of the moments asked about, measured from now.
 struct ExactMoments {
@@ -45,4 +45,4 @@ using TouchesBetween = std::function<bool(const Dyadic& moment)>;
 std::optional<ContactTimes> exact_times_of_solids(PiecePolynomials& polynomials, const ExactMoments& moments,
                                                   const TouchesBetween& between);
 
-}  // namespace foresee::contact
+}  // namespace foresee

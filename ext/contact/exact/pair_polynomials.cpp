@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee::contact {
+namespace foresee {
 
 PairPolynomials::PairPolynomials(const ContactSet& set, const Setup& setup, const double* row_a,
                                  const double* row_b)
@@ -49,4 +49,4 @@ bool PairPolynomials::same_length(int a, int b) const {
   return a == b || identical(length_at<Midrad128>(lengths, a), length_at<Midrad128>(lengths, b));
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

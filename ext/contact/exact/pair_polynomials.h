@@ -11,7 +11,7 @@
 #include "contact/set/relative_motion.h"
 #include "numbers/algebraic_root.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// The relative motion, from `now` on; 0 on axes that are not there.
 template <class T>
@@ -74,4 +74,4 @@ class PairPolynomials final : public PiecePolynomials {
   std::vector<int> bounds_;                             ///< the primitives among them that are bounds
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "contact/growing/straight_approach.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 template <int D>
 Clearance gap_of(const Encounter<D>& met, const OwnMotion& base, const Change& change, double k) {
@@ -50,4 +50,4 @@ template Clearance parting_of<1>(const Encounter<1>&, const OwnMotion&, const Ch
 template Clearance parting_of<2>(const Encounter<2>&, const OwnMotion&, const Change&, double);
 template Clearance parting_of<3>(const Encounter<3>&, const OwnMotion&, const Change&, double);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -6,7 +6,7 @@
 
 #include "contact/growing/changed_ways.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Nothing where it is not known: paths that bend, extents that grow away from a centre.
 using Clearance = std::optional<double>;
@@ -24,4 +24,4 @@ Clearance parting_of(const Encounter<D>& met, const OwnMotion& base, const Chang
 std::optional<double> end_between(const std::function<Clearance(double)>& clearance_at, double p, double q,
                                   double width);
 
-}  // namespace foresee::contact
+}  // namespace foresee

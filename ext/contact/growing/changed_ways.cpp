@@ -2,7 +2,7 @@
 
 #include "numbers/turned_vector.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 template <int D>
@@ -63,4 +63,4 @@ template ChangedWays<1> changed_ways<1>(const OwnMotion&, const Change&, double,
 template ChangedWays<2> changed_ways<2>(const OwnMotion&, const Change&, double, double);
 template ChangedWays<3> changed_ways<3>(const OwnMotion&, const Change&, double, double);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -9,7 +9,7 @@
 #include "contact/growing/encounter.h"
 #include "motion/motion_set.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Of a bent path, in looking for a moment: none is proven by that.
 inline constexpr int moments_looked_at = 32;
@@ -52,4 +52,4 @@ Vec<D> place_at(const RoughWay<D>& way, double tau) {
   return way.x + tau * (way.v + (0.5 * tau) * way.a);
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include "contact/set/relative_motion.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 DoubleDouble number(double value) {
@@ -58,4 +58,4 @@ template Encounter<2> encounter_of<2>(const OwnMotion&, const Horizon&, const Bo
 template Encounter<3> encounter_of<3>(const OwnMotion&, const Horizon&, const Bodies&, const double*,
                                       const GrowingExtents<3>&);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -14,7 +14,7 @@
 #include "motion/manoeuvre.h"
 #include "shape/bodies.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 template <int D>
 struct Encounter {
@@ -33,4 +33,4 @@ template <int D>
 Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const Bodies& others,
                           const double* row, const GrowingExtents<D>& extents);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// Of a box's farthest corner, rounded up.
@@ -93,4 +93,4 @@ double OutlinePair::size_of(const Part& part) const {
   return (one.upper - one.lower).sum() + (two.upper - two.lower).sum();
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

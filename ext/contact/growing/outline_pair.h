@@ -18,7 +18,7 @@
 #include "contact/growing/piece_sum.h"
 #include "contact/outline/object_pieces.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Whether of two tables one has outlines: which look as an OutlinePair tells.
 inline bool has_outlines(const Layout& a, const Layout& b) {
@@ -75,4 +75,4 @@ class OutlinePair {
   mutable std::optional<ObjectPieces> other_;  ///< once it is asked for
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

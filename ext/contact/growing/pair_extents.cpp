@@ -2,7 +2,7 @@
 
 #include "shape/shapes.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// What sums of some lengths may be short of.
@@ -71,4 +71,4 @@ template GrowingExtents<1> ExtentsRule::pair<1>(const double*, const double*, do
 template GrowingExtents<2> ExtentsRule::pair<2>(const double*, const double*, double) const;
 template GrowingExtents<3> ExtentsRule::pair<3>(const double*, const double*, double) const;
 
-}  // namespace foresee::contact
+}  // namespace foresee

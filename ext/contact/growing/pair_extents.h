@@ -16,7 +16,7 @@
 #include "motion/vec.h"
 #include "shape/layout.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Within `half` of the origin on every axis, and in `sum`, if there is one, in x and y, where half is 0
 /// then; the first `round_axes` axes grown together by `radius`.
@@ -88,4 +88,4 @@ class ExtentsRule {
   double within_, within_z_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -7,7 +7,7 @@
 
 #include "contact/growing/separation_case.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// A ball, or upright a disc: no box is within. Of pieces too the distance is asked on all their axes.
@@ -232,4 +232,4 @@ template Judgement judge_parting_of_piece<1>(const Encounter<1>&, const ChangedW
 template Judgement judge_parting_of_piece<2>(const Encounter<2>&, const ChangedWays<2>&, std::uint64_t&);
 template Judgement judge_parting_of_piece<3>(const Encounter<3>&, const ChangedWays<3>&, std::uint64_t&);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -5,7 +5,7 @@
 
 #include "contact/growing/separation.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// About an object that is touched when the change is made. A change is clear of it if the distance
 /// of the two centres never shrinks; then what is convex is never touched again. Between bent paths this
@@ -21,4 +21,4 @@ Judgement judge_parting(const Encounter<D>& met, const ChangedWays<D>& ways);
 template <int D>
 Judgement judge_parting_of_piece(const Encounter<D>& met, const ChangedWays<D>& ways, std::uint64_t& looks);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -6,7 +6,7 @@
 
 #include "numbers/turned_vector.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// More than roundings of what is turned take from it, and of the heading that is stored.
@@ -114,4 +114,4 @@ double PieceSum::outside(double x, double y, double& normal_x, double& normal_y)
   return distance;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

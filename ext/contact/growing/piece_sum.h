@@ -15,7 +15,7 @@
 #include "contact/outline/convex_sum.h"
 #include "contact/outline/object_pieces.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 class PieceSum {
  public:
@@ -66,4 +66,4 @@ class PieceSum {
   double size_ = 0, own_reach_ = 0;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

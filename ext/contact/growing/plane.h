@@ -5,7 +5,7 @@
 #include "contact/growing/changed_ways.h"
 #include "numbers/double_double.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Nothing is lost to underflow that is larger.
 inline constexpr double least_gap = 0x1p-960;
@@ -48,4 +48,4 @@ bool plane_proves(const Encounter<D>& met, const MotionSet<D>& all, const Vec<D>
   return surely_positive(c0 - 4 * unit_roundoff * (std::abs(c0) + std::abs(reach)), c1, c2, begin, end);
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "contact/growing/separation_case.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 namespace {
 
@@ -55,4 +55,4 @@ template Judgement judge<1>(const Encounter<1>&, const ChangedWays<1>&, std::uin
 template Judgement judge<2>(const Encounter<2>&, const ChangedWays<2>&, std::uint64_t&);
 template Judgement judge<3>(const Encounter<3>&, const ChangedWays<3>&, std::uint64_t&);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -19,7 +19,7 @@
 
 #include "contact/growing/changed_ways.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 enum class Judgement : std::uint8_t {
   clear,    ///< proven
@@ -32,4 +32,4 @@ enum class Judgement : std::uint8_t {
 template <int D>
 Judgement judge(const Encounter<D>& met, const ChangedWays<D>& ways, std::uint64_t& looks);
 
-}  // namespace foresee::contact
+}  // namespace foresee

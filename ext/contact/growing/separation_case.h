@@ -7,7 +7,7 @@
 #include "contact/growing/plane.h"
 #include "contact/growing/straight_approach.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// What a guess has come to.
 enum class Look : std::uint8_t { proven, touches, open };
@@ -236,4 +236,4 @@ class SeparationCase {
   mutable std::uint64_t parts_ = 0;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

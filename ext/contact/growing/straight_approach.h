@@ -17,7 +17,7 @@
 
 #include "contact/growing/pair_extents.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// How far outside the set a place is in the axes that are round together: below 0 within. `over`: beyond
 /// half extents.
@@ -112,4 +112,4 @@ StraightApproach<D> straight_approach(const GrowingExtents<D>& extents, const Ve
   return best;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

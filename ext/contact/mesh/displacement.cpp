@@ -2,7 +2,7 @@
 
 #include "contact/exact/pair_polynomials.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 Displacement::Displacement(const Setup& setup, const double* row_a, const double* row_b,
                            const CertainMotion<3>& relative, const Dyadic& moment)
@@ -42,4 +42,4 @@ const Components<Dyadic>& SeenCorner::exact() {
   return *exact_;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

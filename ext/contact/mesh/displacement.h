@@ -12,7 +12,7 @@
 #include "contact/mesh/space_condition.h"
 #include "numbers/dyadic.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// d at a moment.
 class Displacement {
@@ -47,4 +47,4 @@ class SeenCorner {
   std::optional<Components<Dyadic>> exact_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -4,7 +4,7 @@
 #include "contact/pieces/union_contact.h"
 #include "contact/pieces/window_near.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 Vec<3> place_at(const double* numbers) {
@@ -40,4 +40,4 @@ std::unique_ptr<Contact> make_mesh_contact(const Setup& setup, const MeshTables&
   return std::make_unique<UnionContact<SpaceKit<2>>>(setup, meshes);
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

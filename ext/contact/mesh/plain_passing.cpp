@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using Triple = std::array<double, 3>;
@@ -127,4 +127,4 @@ PlainPassing plain_passing(const SpacePiece& a, const SpacePiece& b,
   return {left, radius.value > 0 ? all_axes : passing.axes_that_matter()};
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

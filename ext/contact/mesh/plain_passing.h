@@ -16,7 +16,7 @@
 #include "contact/mesh/space_condition.h"
 #include "contact/pieces/stays.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 struct PlainPassing {
   Period<double> near;  ///< they touch at no other moments
@@ -30,4 +30,4 @@ PlainPassing plain_passing(const SpacePiece& a, const SpacePiece& b,
                            const std::array<Powers<Bounded, 2>, 3>& x, const Bounded& radius,
                            const Stay& asked);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -1,9 +1,9 @@
 #include "contact/mesh/plate_tests.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
-const shape::Plates* plates_of(const SpacePieces& pieces) {
+const Plates* plates_of(const SpacePieces& pieces) {
   const TriangleTree* const triangles = pieces.triangles();
   return triangles && triangles->plates().are_there() ? &triangles->plates() : nullptr;
 }
@@ -29,7 +29,7 @@ PlateTests::PlateTests(const SpacePieces& a, const SpacePieces& b, const Chord<3
   slack_ = 0x1p-40 * (size + radius_) + 4 * lost + 0x1p-1000;
 }
 
-Period<double> PlateTests::cut(const shape::Plate& a, const shape::Plate& b, Period<double> near) const {
+Period<double> PlateTests::cut(const Plate& a, const Plate& b, Period<double> near) const {
   const auto dot = [](const auto& m, const auto& n) {
     return double{m[0]} * double{n[0]} + double{m[1]} * double{n[1]} + double{m[2]} * double{n[2]};
   };
@@ -37,7 +37,7 @@ Period<double> PlateTests::cut(const shape::Plate& a, const shape::Plate& b, Per
   const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0) + 0x1p-20);
   const Triple gap{double{a.middle[0]} - double{b.middle[0]}, double{a.middle[1]} - double{b.middle[1]},
                    double{a.middle[2]} - double{b.middle[2]}};
-  const auto across = [&](const shape::Plate& own, const shape::Plate& other) {
+  const auto across = [&](const Plate& own, const Plate& other) {
     const auto& n = own.normal;
     const double reach = own.half + std::abs(cosine) * other.half + sine * other.radius + radius_;
     const double swing = std::abs(dot(n, swing_)), at = dot(n, place_), speed = dot(n, speed_);
@@ -54,4 +54,4 @@ Period<double> PlateTests::cut(const shape::Plate& a, const shape::Plate& b, Per
   return near;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

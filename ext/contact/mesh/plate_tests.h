@@ -13,7 +13,7 @@
 #include "contact/mesh/space_condition.h"
 #include "contact/pieces/tree_walk.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 class PlateTests {
  public:
@@ -25,7 +25,7 @@ class PlateTests {
 
   Period<double> near(Node a, Node b, const Period<double>& asked) const {
     if (!a_) return boxes_.near(a, b, asked);
-    const shape::Plate &one = a_->of(a), &other = b_->of(b);
+    const Plate &one = a_->of(a), &other = b_->of(b);
     const Period<double> near = boxes_.boxes().plainly_between(one, other, asked);
     return near.begin <= near.end ? cut(one, other, near) : near;
   }
@@ -36,12 +36,12 @@ class PlateTests {
  private:
   using Triple = std::array<double, 3>;
 
-  Period<double> cut(const shape::Plate& a, const shape::Plate& b, Period<double> near) const;
+  Period<double> cut(const Plate& a, const Plate& b, Period<double> near) const;
 
   const BoxTests<3, SpacePieces> boxes_;
-  const shape::Plates *a_ = nullptr, *b_ = nullptr;  ///< if both have some
-  Triple place_, speed_, swing_;                     ///< as plain_passing.cpp has them
+  const Plates *a_ = nullptr, *b_ = nullptr;  ///< if both have some
+  Triple place_, speed_, swing_;              ///< as plain_passing.cpp has them
   double radius_, end_, slack_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

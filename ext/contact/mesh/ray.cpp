@@ -2,7 +2,7 @@
 
 #include "contact/pieces/stays.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 template <class T>
@@ -91,4 +91,4 @@ bool is_enclosed(const TriangleTree& solid, SeenCorner& corner, Steps& steps) {
   return Ray(solid, corner, steps).crossings(BoxTree<3>::root) % 2 != 0;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

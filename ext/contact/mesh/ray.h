@@ -12,9 +12,9 @@
 #include "base/steps.h"
 #include "contact/mesh/displacement.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Each node looked at is a step. Requires: the corner is not on the surface; there it may say anything.
 bool is_enclosed(const TriangleTree& solid, SeenCorner& corner, Steps& steps);
 
-}  // namespace foresee::contact
+}  // namespace foresee

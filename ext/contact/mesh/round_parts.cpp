@@ -1,6 +1,6 @@
 #include "contact/mesh/round_parts.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 RoundPart RoundParts::face_of_triangle(bool of_a, const SpaceCorner& seen_from) const {
   const SpacePiece& triangle = one(of_a);
@@ -55,4 +55,4 @@ RoundPart RoundParts::edges(int i, int k) const {
   return part;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -11,7 +11,7 @@
 
 #include "contact/mesh/space_hull.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 struct RoundPart {
   SpaceCondition round;                    ///< a slab, tube or ball
@@ -82,4 +82,4 @@ class RoundParts {
   const SpacePiece &a_, &b_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

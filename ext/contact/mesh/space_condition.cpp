@@ -2,7 +2,7 @@
 
 #include "numbers/dyadic.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// The same with all digits of both products.
@@ -55,4 +55,4 @@ std::array<std::optional<double>, 3> steady_axes_of(const Setup& setup, const do
   return steady;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -13,7 +13,7 @@
 #include "contact/set/primitive.h"
 #include "contact/set/relative_motion.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// A direction in space, not 0: that of a run, square to two runs, or square to such a one and a third run.
 struct SpaceAxis {
@@ -185,4 +185,4 @@ auto with_polynomial(const SpaceCondition& condition, const std::array<Powers<T,
   return take(round_polynomial<K>(condition, x, sizes.radius));
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

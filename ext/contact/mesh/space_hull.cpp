@@ -3,7 +3,7 @@
 #include "numbers/dyadic.h"
 #include "shape/outline/orientation.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// 2: unknown.
@@ -126,4 +126,4 @@ bool SpaceHull::make(const SpaceAxis& axis, SpacePlanes& planes) const {
   return true;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

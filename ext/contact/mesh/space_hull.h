@@ -12,7 +12,7 @@
 
 #include "contact/mesh/space_condition.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Both planes that touch the sum and are square to an axis.
 struct SpacePlanes {
@@ -86,4 +86,4 @@ class SpaceHull {
   const SpacePiece &a_, &b_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

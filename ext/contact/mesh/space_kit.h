@@ -9,7 +9,7 @@
 #include "contact/pieces/pair_way.h"
 #include "contact/pieces/plain_answer.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 template <int Degree>
 struct SpaceKit {
@@ -23,7 +23,7 @@ struct SpaceKit {
   using Space = PieceSpace<SpaceCondition>;
   using Tests = SpaceTests<Degree>;
   using NodeTests = PlateTests;
-  using Within = contact::Within;
+  using Within = foresee::Within;
   using Polynomials = SpacePolynomials;
 
   template <class T>
@@ -37,4 +37,4 @@ struct SpaceKit {
   static void take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables, const Pair& pair);
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

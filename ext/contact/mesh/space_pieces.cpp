@@ -1,6 +1,6 @@
 #include "contact/mesh/space_pieces.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 constexpr SpaceCorner origin{0, 0, 0}, units[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -34,4 +34,4 @@ void SpacePieces::take_box(const Box<3>& box) {
   }
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -11,7 +11,7 @@
 #include "shape/mesh/triangle_tree.h"
 #include "shape/own_pieces.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// From one corner to another: never of no length.
 struct Run {
@@ -96,4 +96,4 @@ class SpacePieces {
   OwnPieces<TriangleTree> own_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

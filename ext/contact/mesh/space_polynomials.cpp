@@ -4,7 +4,7 @@
 
 #include "contact/mesh/round_parts.h"
 
-namespace foresee::contact {
+namespace foresee {
 SpacePolynomials::SpacePolynomials(const Setup& setup, const double* row_a, const double* row_b,
                                    const SpacePieces& a, const SpacePieces& b,
                                    std::span<const PiecePair> pairs, bool grown)
@@ -66,4 +66,4 @@ Polynomial SpacePolynomials::exact_polynomial(int primitive) const {
   return Polynomial(polynomial_of(primitive, *exact_motion_));
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "contact/mesh/space_condition.h"
 #include "contact/pieces/tested_pairs.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 class SpacePolynomials final : public PiecePolynomials {
  public:
@@ -39,4 +39,4 @@ class SpacePolynomials final : public PiecePolynomials {
   mutable std::optional<std::array<Powers<Dyadic, 2>, 3>> exact_motion_;  ///< once it is needed
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

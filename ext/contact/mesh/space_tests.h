@@ -15,7 +15,7 @@
 #include "contact/pieces/pair_tests.h"
 #include "contact/pieces/seen_from.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 template <int Degree>
 class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
@@ -146,7 +146,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     // Along the plane, in it: what has no error is 0.
     if (std::all_of(p.begin(), p.end(), [](const Bounded& c) { return c.value == 0 && c.error == 0; }))
       return Inside::one(Stay::always());
-    return inside(p, lost_, asked_.end.high);
+    return times_inside(p, lost_, asked_.end.high);
   }
 
   void keep_round(const SpaceCondition& round) {
@@ -155,7 +155,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     if constexpr (Degree > 1)
       keep(round, inside_by_leaps([&](double tau) { return polynomial_at(round, tau); }, lost_, asked_));
     else
-      keep(round, inside(round_polynomial<Degree>(round, x_, radius_), lost_, asked_.end.high));
+      keep(round, times_inside(round_polynomial<Degree>(round, x_, radius_), lost_, asked_.end.high));
   }
   /// As two planes: fewer powers than their square has.
   void keep_slab(const SpaceCondition& slab) {
@@ -181,4 +181,4 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   std::array<Powers<Bounded, 2>, 3> plain_x_{};     ///< the same, whatever the degree
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include "contact/exact/exact_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 bool Within::at_begin() {
   return may_be() && at(exact_moments_of(setup_, row_a_, row_b_).begin);
@@ -22,4 +22,4 @@ bool Within::any_part(const SpacePieces& parts, const TriangleTree& solid, int s
   return false;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -9,7 +9,7 @@
 
 #include "contact/mesh/ray.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 class Within {
  public:
@@ -35,4 +35,4 @@ class Within {
   Steps& steps_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -11,7 +11,7 @@
 #include "contact/set/sizes_of_both.h"
 #include "contact/set/window_faces.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 struct Condition {
   enum class Kind : std::uint8_t {
@@ -120,4 +120,4 @@ auto with_polynomial(const Condition& condition, const std::array<Powers<T, K>, 
   }
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include "shape/outline/orientation.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// The corner that `comes_before` every other.
@@ -44,4 +44,4 @@ bool ConvexSum::next(SumEdge& edge) {
   return true;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -15,7 +15,7 @@
 #include "contact/set/primitive.h"
 #include "shape/outline/outline.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// A ring, counterclockwise, which turns left or goes straight on at each corner; or one point.
 struct ConvexPiece {
@@ -108,4 +108,4 @@ Powers<T, K> past(const SumEdge& edge, int sign, const Powers<T, K>* x) {
   return p;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include "contact/outline/condition.h"
 #include "contact/set/rounded_box.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 class Critical {
@@ -16,7 +16,7 @@ class Critical {
     const Size heights = set.sum(height_of_both(set, setup, 0), half_of_both(set, setup, 2));
     Faces across_z{.axis = 2, .below = {set.given(setup.within_z)}, .above = {set.given(setup.within_z)}};
     if (setup.window) across_z = faces_from_origin(*setup.window);
-    across_z = contact::grown(set, across_z, heights);
+    across_z = grown_faces(set, across_z, heights);
     along_z_ = between(set, {&across_z, 1});
   }
 
@@ -92,4 +92,4 @@ CriticalPieces critical_pieces(const Setup& setup, const ObjectPieces& a, const 
   return {std::move(critical.set), std::move(ends)};
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -11,7 +11,7 @@
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 struct CriticalPieces {
   ContactSet set;
@@ -22,4 +22,4 @@ struct CriticalPieces {
 CriticalPieces critical_pieces(const Setup& setup, const ObjectPieces& a, const ObjectPieces& b,
                                std::span<const PiecePair> pairs, bool grown);
 
-}  // namespace foresee::contact
+}  // namespace foresee

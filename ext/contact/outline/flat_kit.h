@@ -9,7 +9,7 @@
 #include "contact/outline_contact.h"
 #include "contact/pieces/pair_way.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 template <int D, int Degree>
 struct FlatKit {
@@ -17,7 +17,7 @@ struct FlatKit {
   static constexpr bool has_solids = false;
   using Tables = OutlineTables;
   using Pieces = ObjectPieces;
-  using Condition = contact::Condition;
+  using Condition = foresee::Condition;
   template <class T>
   using Sizes = PairSizes<T>;
   using Space = FlatSpace;
@@ -50,7 +50,7 @@ struct FlatKit {
 
   template <class T>
   static PairSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
-    return contact::sizes_of<T>(setup, row_a, row_b);
+    return foresee::sizes_of<T>(setup, row_a, row_b);
   }
   /// Of prisms only that their outlines are apart.
   static PlainAnswer plain_answer(const PairWay<FlatKit>& way, bool times_wanted);
@@ -63,4 +63,4 @@ struct FlatKit {
   static void take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables, const Pair& pair);
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -12,7 +12,7 @@
 #include "shape/bodies.h"
 #include "shape/outline/outline_rows.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Of one object at a time; what was taken must outlive its use.
 class ObjectPieces {
@@ -48,4 +48,4 @@ class ObjectPieces {
   OwnPieces<ConvexPieces> own_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

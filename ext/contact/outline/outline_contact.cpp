@@ -6,7 +6,7 @@
 #include "contact/pieces/union_contact.h"
 #include "contact/pieces/window_near.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 template <int D, int Degree>
 void FlatKit<D, Degree>::take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables,
@@ -66,4 +66,4 @@ std::unique_ptr<Contact> make_outline_contact(const Setup& setup, const OutlineT
   return std::make_unique<UnionContact<FlatKit<3, 2>>>(setup, outlines);
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

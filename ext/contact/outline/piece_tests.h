@@ -16,7 +16,7 @@
 #include "contact/pieces/pair_tests.h"
 #include "contact/pieces/seen_from.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Space for the tests of one pair of objects after another.
 struct FlatSpace : PieceSpace<Condition> {
@@ -132,7 +132,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
     // Of more powers are sides alone, which beside() has, and corners.
     with_polynomial<Degree>(condition, x_, sizes_, [&, last = asked_.end.high](const auto& p) {
       if constexpr (std::tuple_size_v<std::decay_t<decltype(p)>> < 5)
-        this->keep(condition, inside(p, lost_, last));
+        this->keep(condition, times_inside(p, lost_, last));
     });
   }
 
@@ -143,12 +143,12 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
       for (Bounded& c : p) c = -c;
     // R may be large: what underflow loses of the square counts before the product.
     subtract_times<Degree>(p, sizes_.radius, sqrt(with_lost(squared_length<Bounded>(edge), 0x1p-1060)));
-    return inside(p, lost_, asked_.end.high);
+    return times_inside(p, lost_, asked_.end.high);
   }
 
   Powers<Bounded, 4> around_corner(const Condition& condition, double tau) const {
     const auto x = seen_from<Degree>(relative_, tau);
-    const auto p = round_polynomial<Degree>(condition, x.data(), contact::seen_from(sizes_.radius, tau));
+    const auto p = round_polynomial<Degree>(condition, x.data(), seen_from(sizes_.radius, tau));
     Powers<Bounded, 4> all{};
     std::copy(p.begin(), p.end(), all.begin());
     return all;
@@ -163,4 +163,4 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
   const Chord<D> chord_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

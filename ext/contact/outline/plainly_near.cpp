@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// Squares of less vanish, or nearly; of more they overflow.
@@ -136,4 +136,4 @@ PlainAnswer plainly_near(const PlainWay& way, const ObjectPieces& a, const Objec
   return all;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -17,7 +17,7 @@
 #include "contact/pieces/plain_answer.h"
 #include "numbers/bounded.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// The way of d.
 struct PlainWay {
@@ -37,4 +37,4 @@ struct BoxedPair {
 PlainAnswer plainly_near(const PlainWay& way, const ObjectPieces& a, const ObjectPieces& b,
                          std::span<const BoxedPair> pairs, const Bounded& radius, bool times_wanted);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -11,7 +11,7 @@
 #include "contact/certain/chord.h"
 #include "motion/box.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Of boxes on the first axes of D.
 template <int axes, int D = axes>
@@ -72,4 +72,4 @@ class BoxChord {
   bool is_plain_ = true;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -8,7 +8,7 @@
 
 #include "numbers/powers.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// value + rate tau. Requires: rate >= 0.
 template <class T>
@@ -68,4 +68,4 @@ template <int K, class T, class Factor>
     }
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -10,7 +10,7 @@
 #include "contact/pieces/pair_way.h"
 #include "numbers/dyadic.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// `Kit`: what the pieces are (pair_way.h).
 template <class Kit>
@@ -102,4 +102,4 @@ class PairStays {
   typename Kit::Tests tests_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

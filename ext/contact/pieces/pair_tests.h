@@ -14,7 +14,7 @@
 
 #include "contact/pieces/piece_space.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 template <class Test, class Condition>
 class PairTests {
@@ -120,4 +120,4 @@ class PairTests {
   }
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

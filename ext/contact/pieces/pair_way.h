@@ -15,7 +15,7 @@
 #include "contact/pieces/stays.h"
 #include "contact/pieces/tree_walk.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 template <class Kit>
 struct PairWay {
@@ -61,4 +61,4 @@ struct PairWay {
   }
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

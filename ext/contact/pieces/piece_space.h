@@ -8,7 +8,7 @@
 #include "contact/pieces/tested_pairs.h"
 #include "numbers/crossed_root.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// A condition that begins or ceases to hold where a stay may begin or end.
 template <class Condition>
@@ -48,4 +48,4 @@ struct PieceSpace {
   void clear() { numbers.clear(), tested.clear(), stays.clear(), ends.clear(); }
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

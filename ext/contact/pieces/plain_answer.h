@@ -3,7 +3,7 @@
 
 #include "contact/certain/advancement.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 struct PlainAnswer {
   Verdict touches = Verdict::uncertain;
@@ -11,4 +11,4 @@ struct PlainAnswer {
   bool all_along = false;  ///< and until it ends
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "contact/certain/certain_axis_motion.h"
 #include "numbers/powers.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// By powers of the time after tau.
 template <int Degree, int D>
@@ -20,4 +20,4 @@ std::array<Powers<Bounded, Degree>, D> seen_from(const CertainMotion<D>& relativ
   return x;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -12,7 +12,7 @@
 #include "contact/pieces/seen_from.h"
 #include "contact/set/relative_motion.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// `Kit`: what the pieces are (union_pair.h).
 template <class Kit>
@@ -99,4 +99,4 @@ class StayInstants {
   RelativeMotion<DoubleDouble, D> relative_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

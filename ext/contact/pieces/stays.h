@@ -3,7 +3,7 @@
 //
 //   Stays stays;
 //   stays.start({{0, 0}, {600, 600}});                     // all of what is asked about
-//   stays.keep(inside(p, lost, 600));                      // for each polynomial p that has to be <= 0
+//   stays.keep(times_inside(p, lost, 600));                      // for each polynomial p that has to be <= 0
 //   for (const Stay& stay : stays) met |= stay.is_certain();     // surely not empty
 //
 // The two ends are enclosed apart from each other. Nothing possible is ever lost: a stay may turn out not to
@@ -18,7 +18,7 @@
 #include "contact/certain/leaps.h"
 #include "numbers/powers.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 struct Enclosure {
   double low, high;
@@ -81,10 +81,10 @@ inline Inside inside_line(const Bounded& p0, const Bounded& p1, double length) {
 }
 
 /// For 0 <= s <= length; `lost`: what underflow takes from a coefficient.
-inline Inside inside(const Powers<Bounded, 1>& p, double lost, double length) {
+inline Inside times_inside(const Powers<Bounded, 1>& p, double lost, double length) {
   return inside_line(with_lost(p[0], lost), with_lost(p[1], lost), length);
 }
-Inside inside(const Powers<Bounded, 2>& p, double lost, double length);
+Inside times_inside(const Powers<Bounded, 2>& p, double lost, double length);
 
 /// The same for degree 4, which has no formula: in leaps over [asked.begin.low, asked.end.high].
 /// polynomial_at(tau): by powers of the time after tau.
@@ -145,4 +145,4 @@ Inside inside_by_leaps(PolynomialAt&& polynomial_at, double lost, const Stay& as
   return found;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

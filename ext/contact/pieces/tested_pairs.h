@@ -5,9 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/rooms.h"
-
-namespace foresee::contact {
+namespace foresee {
 
 /// Numbers of two pieces, one of each object.
 struct PiecePair {
@@ -60,4 +58,4 @@ class TestedPairs {
   std::uint32_t count_ = 0;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

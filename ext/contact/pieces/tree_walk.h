@@ -15,7 +15,7 @@
 #include "contact/pieces/box_chord.h"
 #include "contact/pieces/moving_size.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Which of two children comes first: that which could be met earlier, or left later.
 enum class Order : std::uint8_t { earlier_first, later_first };
@@ -140,4 +140,4 @@ class TreeWalk {
   Steps& steps_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

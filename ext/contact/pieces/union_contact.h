@@ -18,7 +18,7 @@
 #include "contact/pieces/plain_answer.h"
 #include "contact/pieces/union_pair.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// `Kit`: as for UnionPair, with the type Tables of what the rows of both tables look like, take(), which
 /// gives the pieces of a pair, plain_answer(), and the type Polynomials of some pairs of pieces.
@@ -270,4 +270,4 @@ class UnionContact final : public Contact {
   std::uint64_t pairs_ = 0, pieces_ = 0;  ///< that were asked about, and what they have together
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

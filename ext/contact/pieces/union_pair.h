@@ -13,7 +13,7 @@
 #include "contact/pieces/pair_stays.h"
 #include "contact/pieces/stay_instant.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 template <class Kit>
 class UnionPair : public PairStays<Kit> {
@@ -284,4 +284,4 @@ class UnionPair : public PairStays<Kit> {
   Enclosure last_{-Stay::inf, -Stay::inf};  ///< the end of the contact, as far as it was followed
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -16,7 +16,7 @@
 #include "motion/box.h"
 #include "shape/shapes.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 template <int D>
 Box<D> window_near(const Setup& setup, const double* row_b) {
@@ -46,4 +46,4 @@ Box<D> window_near(const Setup& setup, const double* row_b) {
   return box;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -2,7 +2,7 @@
 #include "contact/set/shape_pairs.h"
 #include "contact/set/sizes_of_both.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 ContactSet box_ball_set(const Setup& setup) {
   ContactSet set;
@@ -10,4 +10,4 @@ ContactSet box_ball_set(const Setup& setup) {
   return set;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -2,7 +2,7 @@
 #include "contact/set/shape_pairs.h"
 #include "contact/set/sizes_of_both.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 ContactSet box_box_set(const Setup& setup) {
   ContactSet set;
@@ -10,9 +10,9 @@ ContactSet box_box_set(const Setup& setup) {
   const Size more =
       setup.a.layout.axes == 1 ? radius_of_both(set, setup, setup.within) : Size{set.given(setup.within)};
   std::vector<Faces> faces = faces_of_boxes(set, setup);
-  for (Faces& f : faces) f = grown(set, f, more);
+  for (Faces& f : faces) f = grown_faces(set, f, more);
   add_box(set, faces);
   return set;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// Its number.
@@ -76,4 +76,4 @@ ContactSet::Arrays ContactSet::arrays() const {
           count(pieces_),  members_.data(), hull_.data(),       count(hull_)};
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -20,7 +20,7 @@
 #include "contact/set/primitive.h"
 #include "shape/layout.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// A length of a pair: one addition, or two products and their sum.
 struct Length {
@@ -102,9 +102,7 @@ class ContactSet {
   }
 
   /// Of two sizes.
-  Size sum(const Size& a, const Size& b) {
-    return {sum(a.value, b.value), sum(a.rate, b.rate)};
-  }
+  Size sum(const Size& a, const Size& b) { return {sum(a.value, b.value), sum(a.rate, b.rate)}; }
 
   // Primitives; each function gives a primitive's number. What pieces share is made once.
   int bound(int axis, int sign, const Size& size);
@@ -225,4 +223,4 @@ class AllLengths {
   std::vector<T> lengths_;
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

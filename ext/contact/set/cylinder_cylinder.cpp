@@ -2,7 +2,7 @@
 #include "contact/set/shape_pairs.h"
 #include "contact/set/sizes_of_both.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 ContactSet cylinder_cylinder_set(const Setup& setup) {
   ContactSet set;
@@ -13,4 +13,4 @@ ContactSet cylinder_cylinder_set(const Setup& setup) {
   return set;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -17,7 +17,7 @@
 #include "numbers/exactly.h"
 #include "numbers/powers.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// In place of a length's number: 0. All its bits are set.
 constexpr int no_length = -1;
@@ -219,4 +219,4 @@ Powers<T, 2 * K> polynomial_of(const Primitive& primitive, const Powers<T, K>* x
   });
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

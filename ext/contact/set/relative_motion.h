@@ -12,7 +12,7 @@
 #include "numbers/exactly.h"
 #include "shape/bodies.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 struct WindowFaces;
 
@@ -105,4 +105,4 @@ RelativeMotion<T, D> relative_motion_of(const Setup& setup, const double* row_a,
   return relative;
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include "contact/set/rounded_box.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 void add_ball(ContactSet& set, int axes, const Size& radius, const Faces* along_z) {
   Conditions piece;
@@ -22,4 +22,4 @@ void add_ball(ContactSet& set, int axes, const Size& radius, const Faces* along_
   set.add_piece(piece);
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

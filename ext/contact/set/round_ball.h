@@ -3,9 +3,9 @@
 
 #include "contact/set/contact_set.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// |x| <= radius over the first `axes` axes, as the one piece of a set; also between `along_z`, if given.
 void add_ball(ContactSet& set, int axes, const Size& radius, const Faces* along_z = nullptr);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "contact/set/sizes_of_both.h"
 #include "contact/set/window_faces.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// One face of a box: where it is, and its bound as it is and moved outward by the radius; none: no such
@@ -116,7 +116,7 @@ std::vector<Faces> faces_of_window(ContactSet& set, const Setup& setup) {
   return faces;
 }
 
-Faces grown(ContactSet& set, Faces faces, const Size& length) {
+Faces grown_faces(ContactSet& set, Faces faces, const Size& length) {
   faces.below = set.sum(faces.below, length), faces.above = set.sum(faces.above, length);
   return faces;
 }
@@ -137,7 +137,7 @@ void add_box(ContactSet& set, std::span<const Faces> faces) {
 
 void add_rounded_box(ContactSet& set, std::span<const Faces> faces, const Size& radius,
                      const Faces* along_z) {
-  for (const Faces& f : faces) set.enclose(grown(set, f, radius));
+  for (const Faces& f : faces) set.enclose(grown_faces(set, f, radius));
   std::vector<int> also;
   if (along_z) {
     also = between(set, {along_z, 1});
@@ -146,4 +146,4 @@ void add_rounded_box(ContactSet& set, std::span<const Faces> faces, const Size& 
   RoundedBox(set, faces, radius, std::move(also)).add_pieces();
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -11,14 +11,14 @@
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Of every axis of the two tables: the box of both around the centre, `within` not added.
 std::vector<Faces> faces_of_boxes(ContactSet& set, const Setup& setup);
 /// The faces of the setup's window.
 std::vector<Faces> faces_of_window(ContactSet& set, const Setup& setup);
 /// Faces moved outward by a length.
-Faces grown(ContactSet& set, Faces faces, const Size& length);
+Faces grown_faces(ContactSet& set, Faces faces, const Size& length);
 
 /// The set of one piece, between the faces.
 void add_box(ContactSet& set, std::span<const Faces> faces);
@@ -31,4 +31,4 @@ std::vector<int> between(ContactSet& set, std::span<const Faces> faces);
 void add_rounded_box(ContactSet& set, std::span<const Faces> faces, const Size& radius,
                      const Faces* along_z = nullptr);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// Boxes, points that coincide, and everything in one dimension: on every axis |x| <= H.
 ContactSet box_box_set(const Setup& setup);
@@ -29,4 +29,4 @@ ContactSet window_ball_set(const Setup& setup);
 /// An upright cylinder: a rounded rectangle in x and y, an interval along z.
 ContactSet window_cylinder_set(const Setup& setup);
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include "shape/shapes.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 bool is_box(const Bodies& bodies) {
@@ -50,4 +50,4 @@ Size half_of_both(ContactSet& set, const Setup& setup, int axis) {
   return grown_size(set, setup, half(setup.a), half(setup.b), growth(setup.a), growth(setup.b));
 }
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -11,7 +11,7 @@
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 
-namespace foresee::contact {
+namespace foresee {
 
 /// What has grown along an axis until `now`, of what is round or upright: both places may be absent.
 Length growth_of_both(const Setup& setup, int axis);
@@ -22,4 +22,4 @@ Size height_of_both(ContactSet& set, const Setup& setup, double limit);
 /// The half extents of boxes along an axis.
 Size half_of_both(ContactSet& set, const Setup& setup, int axis);
 
-}  // namespace foresee::contact
+}  // namespace foresee

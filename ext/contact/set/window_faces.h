@@ -8,9 +8,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "base/rooms.h"
-
-namespace foresee::contact {
+namespace foresee {
 
 /// Where the faces are at `now`, as many as there are axes. Requires: lower < +infinity, upper > -infinity,
 /// lower <= upper; velocity finite.
@@ -28,4 +26,4 @@ struct WindowFaces {
   }
 };
 
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
 constexpr double stripe_height = 2;       // in mean extents: flat optimum between 1.5 and 3
@@ -120,4 +120,4 @@ template Partition<1> choose_partition(std::span<const FloatBox<1>>, std::size_t
 template Partition<2> choose_partition(std::span<const FloatBox<2>>, std::size_t);
 template Partition<3> choose_partition(std::span<const FloatBox<3>>, std::size_t);
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

@@ -16,7 +16,7 @@
 
 #include "index/gpcd_grid/float_box.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 /// A range cut into equal parts. The first and the last reach to infinity.
 struct Cuts {
@@ -57,4 +57,4 @@ struct Partition {
 template <int D>
 Partition<D> choose_partition(std::span<const FloatBox<D>> sample, std::size_t count);
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
 constexpr float inf = std::numeric_limits<float>::infinity();
@@ -83,4 +83,4 @@ template void clip(const LaneView<1>&, const LaneView<1>&, float*, float*);
 template void clip(const LaneView<2>&, const LaneView<2>&, float*, float*);
 template void clip(const LaneView<3>&, const LaneView<3>&, float*, float*);
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

@@ -16,9 +16,9 @@
 
 #include "index/gpcd_grid/scan.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 template <int D>
 void clip(const LaneView<D>& giants, const LaneView<D>& inside, float* from, float* to);
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

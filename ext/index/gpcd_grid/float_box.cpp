@@ -4,7 +4,7 @@
 
 #include "shape/beam.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
 constexpr std::size_t enough = 64;  // beams that tell where most are
@@ -58,4 +58,4 @@ template Frame<1> frame_of(std::span<const Beam<1>>);
 template Frame<2> frame_of(std::span<const Beam<2>>);
 template Frame<3> frame_of(std::span<const Beam<3>>);
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

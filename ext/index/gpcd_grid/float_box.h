@@ -14,14 +14,12 @@
 #include <limits>
 #include <span>
 
-#include "base/rooms.h"
-
-namespace foresee::shape {
+namespace foresee {
 template <int D>
 struct Beam;
 }
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 template <int D>
 struct FloatBox {
@@ -63,4 +61,4 @@ struct Frame {
 template <int D>
 Frame<D> frame_of(std::span<const Beam<D>> sample);
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

@@ -5,7 +5,7 @@
 
 #include "shape/beam.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 template <int D>
 std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>> beams, const Frame<D>& frame, Columns columns) {
@@ -43,4 +43,4 @@ FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);
 #undef FORESEE_OF_AXES
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

@@ -16,12 +16,12 @@
 #include "index/gpcd_grid/cell_size.h"
 #include "motion/beam_lanes.h"
 
-namespace foresee::motion {
+namespace foresee {
 template <int D>
 struct Box;
 }
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 constexpr double too_large = 0x1p59;  ///< for the test of time
 
@@ -81,4 +81,4 @@ std::vector<FloatBox<D>> boxes_of(std::span<const Beam<D>> beams, const Frame<D>
 template <int D>
 FloatBox<D> round_inward(const Box<D>& box, const Frame<D>& frame);
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

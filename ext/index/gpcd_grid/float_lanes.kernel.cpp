@@ -8,7 +8,7 @@
 
 #include "base/lane_math.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
 constexpr std::size_t block = 16;           // lanes at a time: the floats of the widest register
@@ -114,4 +114,4 @@ template const FloatKernels<1>& float_kernels<1, Simd::FORESEE_SIMD>();
 template const FloatKernels<2>& float_kernels<2, Simd::FORESEE_SIMD>();
 template const FloatKernels<3>& float_kernels<3, Simd::FORESEE_SIMD>();
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

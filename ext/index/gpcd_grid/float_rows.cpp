@@ -1,6 +1,6 @@
 #include "index/gpcd_grid/float_rows.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
 /// Columns of lanes as rows of `width` floats.
@@ -31,4 +31,4 @@ template class FloatRows<1>;
 template class FloatRows<2>;
 template class FloatRows<3>;
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

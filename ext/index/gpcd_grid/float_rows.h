@@ -12,7 +12,7 @@
 #include "index/gpcd_grid/object_rows.h"
 #include "index/gpcd_grid/work_space.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 template <int D>
 class FloatRows {
@@ -50,4 +50,4 @@ class FloatRows {
   float* values_;
 };
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

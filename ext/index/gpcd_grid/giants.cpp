@@ -1,6 +1,6 @@
 #include "index/gpcd_grid/giants.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
 /// Whether boxes of the usual size fit into a core.
@@ -103,4 +103,4 @@ template class Giants<1>;
 template class Giants<2>;
 template class Giants<3>;
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

@@ -15,7 +15,7 @@
 
 #include "index/gpcd_grid/stripes.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 /// Boxes as columns.
 template <int D>
@@ -60,4 +60,4 @@ class Giants {
   int row_ = -1;
 };
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

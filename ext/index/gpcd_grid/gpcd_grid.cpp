@@ -5,7 +5,7 @@
 #include "index/gpcd_grid/grid.h"
 #include "index/gpcd_grid/moving_source.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 template <int D>
@@ -99,4 +99,4 @@ FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);
 #undef FORESEE_OF_AXES
 
-}  // namespace foresee::index
+}  // namespace foresee

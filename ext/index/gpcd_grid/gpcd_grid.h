@@ -15,7 +15,7 @@
 #include "index/candidates.h"
 #include "index/gpcd_grid/work_space.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// Boxes in motion: what bodies sweep during the horizon, grown by `margin` on both sides of every axis.
 template <int D>
@@ -48,4 +48,4 @@ std::unique_ptr<DividedCandidates> make_divided_grid(const MovingBoxes<D>& a, co
                                                      std::size_t helpers, Interrupt& interrupt,
                                                      std::shared_ptr<GridSpace> space);
 
-}  // namespace foresee::index
+}  // namespace foresee

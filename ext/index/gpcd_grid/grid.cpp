@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
 constexpr std::size_t sample_max = 512;
@@ -212,4 +212,4 @@ template class GridVisit<1>;
 template class GridVisit<2>;
 template class GridVisit<3>;
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

@@ -21,7 +21,7 @@
 #include "index/gpcd_grid/scan.h"
 #include "index/gpcd_grid/stripes.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 template <int D>
 class Grid {
@@ -111,4 +111,4 @@ class GridVisit final : public Candidates {
   std::size_t steps_taken_ = 0;
 };
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

@@ -6,7 +6,7 @@
 
 #include "index/gpcd_grid/clip.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
 constexpr std::size_t boxes_per_check = 8192;
@@ -163,4 +163,4 @@ template class Lanes<1>;
 template class Lanes<2>;
 template class Lanes<3>;
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

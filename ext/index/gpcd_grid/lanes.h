@@ -14,7 +14,7 @@
 #include "index/gpcd_grid/scan.h"
 #include "index/gpcd_grid/stripes.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 template <int D>
 class Lanes {
@@ -59,4 +59,4 @@ class Lanes {
   std::size_t room_ = 0;  // lanes in a column
 };
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

@@ -9,7 +9,7 @@
 #include "shape/beam.h"
 #include "shape/lives.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 template <int D>
 class MovingSource {
@@ -56,4 +56,4 @@ class MovingSource {
   Columns columns_;
 };
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

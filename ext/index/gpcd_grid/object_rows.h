@@ -4,13 +4,11 @@
 
 #include <cstddef>
 
-#include "base/rooms.h"
-
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 struct ObjectRows {
   const char* first = nullptr;  ///< null: nobody will ask
   std::size_t bytes = 0;        ///< from one to the next
 };
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

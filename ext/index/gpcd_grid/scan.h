@@ -16,7 +16,7 @@
 #include "base/simd.h"
 #include "index/gpcd_grid/object_rows.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 /// The most lanes that one step looks at; behind the last lane stand so many sentinels that begin at
 /// infinity.
@@ -86,4 +86,4 @@ ScanKernel<D> scan_kernel() {
   return with_simd_in_use([]<Simd simd>(Level<simd>) { return scan_kernel<D, simd>(); });
 }
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

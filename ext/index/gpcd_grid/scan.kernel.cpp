@@ -23,7 +23,7 @@
 #include "base/simd.h"
 #include "index/gpcd_grid/scan_vectors.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
 enum class Time { none, horizon, life };
@@ -218,4 +218,4 @@ template ScanKernel<1> scan_kernel<1, Simd::FORESEE_SIMD>();
 template ScanKernel<2> scan_kernel<2, Simd::FORESEE_SIMD>();
 template ScanKernel<3> scan_kernel<3, Simd::FORESEE_SIMD>();
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

@@ -10,7 +10,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
 /// Writes the pair of `row` and each lane whose bit is set, lowest first.
@@ -132,4 +132,4 @@ using Vector = FourLanes;
 #endif
 
 }  // namespace
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

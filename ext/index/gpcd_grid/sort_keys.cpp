@@ -7,7 +7,7 @@
 
 #include "base/steps.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
 constexpr std::size_t few = 40;  // that are sorted by counting
@@ -115,4 +115,4 @@ std::span<const Key> along_x(std::span<const Key> keys, const Range& range, Grid
   return {sorted, size};
 }
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

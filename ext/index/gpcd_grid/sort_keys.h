@@ -14,7 +14,7 @@
 #include "index/gpcd_grid/cell_size.h"
 #include "index/gpcd_grid/work_space.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 /// Orders boxes by the lower end along x, then by row number; comparing keys is one integer comparison.
 using Key = std::uint64_t;
@@ -31,4 +31,4 @@ void sort_keys(std::span<Key> keys, Interrupt& interrupt);
 std::span<const Key> along_x(std::span<const Key> keys, const Range& range, GridSpace::Visit::Lanes& memory,
                              Interrupt& interrupt);
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

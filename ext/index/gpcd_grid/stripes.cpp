@@ -2,7 +2,7 @@
 
 #include "base/parallel.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 namespace {
 
 constexpr std::size_t chunks_per_check = 64, entries_per_check = 8192;
@@ -109,4 +109,4 @@ template class Stripes<1>;
 template class Stripes<2>;
 template class Stripes<3>;
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

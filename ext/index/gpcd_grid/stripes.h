@@ -17,7 +17,7 @@
 #include "index/gpcd_grid/moving_source.h"
 #include "index/gpcd_grid/sort_keys.h"
 
-namespace foresee::index::gpcd {
+namespace foresee::gpcd {
 
 /// Stripe numbers of a box on one axis, both ends included.
 struct StripeRange {
@@ -75,4 +75,4 @@ class Stripes {
   std::size_t entry_count_ = 0;
 };
 
-}  // namespace foresee::index::gpcd
+}  // namespace foresee::gpcd

@@ -18,7 +18,7 @@
 
 #include "base/pair.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// An array that grows as needed and never clears. T has no constructor.
 template <class T>
@@ -161,4 +161,4 @@ struct GridSpace {
   }
 };
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -8,7 +8,7 @@
 
 #include "index/candidates.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// Pairs within `a`, or with `between` of `a` and `b`. The bodies and `interrupt` must outlive the
 /// candidates.
@@ -17,4 +17,4 @@ std::unique_ptr<Candidates> make_paper_candidates(const Bodies& a, const Bodies&
                                                   const Horizon& horizon, const Vec<D>& margin,
                                                   Interrupt& interrupt);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <numeric>
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 constexpr double entries_per_object = 64;
@@ -239,4 +239,4 @@ FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);
 #undef FORESEE_OF_AXES
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -21,7 +21,7 @@
 
 #include "index/candidates.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 class PaperGrid final : public Candidates {
@@ -78,4 +78,4 @@ std::unique_ptr<PaperGrid<D>> make_paper_grid(const Bodies& a, const Bodies& b, 
                                               const Horizon& horizon, const Vec<D>& margin,
                                               Interrupt& interrupt);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "index/paper_grid/time_interval.h"
 #include "index/paper_grid/trajectory_intersection.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 /// The same objects as points.
@@ -130,4 +130,4 @@ template std::unique_ptr<PaperStages> make_paper_stages(const Bodies&, const Bod
 template std::unique_ptr<PaperStages> make_paper_stages(const Bodies&, const Bodies&, bool, const Horizon&,
                                                         const Vec<3>&, Interrupt&);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -23,7 +23,7 @@
 #include "base/error.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::index {
+namespace foresee {
 
 enum class PaperStage : std::uint8_t {
   projection_overlap,
@@ -60,4 +60,4 @@ std::unique_ptr<PaperStages> make_paper_stages(const Bodies& a, const Bodies& b,
                                                const Horizon& horizon, const Vec<D>& margin,
                                                Interrupt& interrupt);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -4,9 +4,7 @@
 
 #include <ctime>
 
-#include "base/rooms.h"
-
-namespace foresee::index {
+namespace foresee {
 
 inline double thread_seconds() {
   timespec now{};
@@ -14,4 +12,4 @@ inline double thread_seconds() {
   return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 constexpr double u = 0x1p-53;
@@ -121,4 +121,4 @@ template bool times_may_overlap<1>(const Trajectory<1>&, const Trajectory<1>&);
 template bool times_may_overlap<2>(const Trajectory<2>&, const Trajectory<2>&);
 template bool times_may_overlap<3>(const Trajectory<3>&, const Trajectory<3>&);
 
-}  // namespace foresee::index
+}  // namespace foresee

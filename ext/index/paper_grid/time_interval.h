@@ -11,9 +11,9 @@
 
 #include "index/paper_grid/trajectory.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 bool times_may_overlap(const Trajectory<D>& a, const Trajectory<D>& b);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 Trajectory<D> trajectory_of(const Bodies& bodies, std::size_t i, const Horizon& horizon,
@@ -25,4 +25,4 @@ template Trajectory<1> trajectory_of<1>(const Bodies&, std::size_t, const Horizo
 template Trajectory<2> trajectory_of<2>(const Bodies&, std::size_t, const Horizon&, const Vec<2>&);
 template Trajectory<3> trajectory_of<3>(const Bodies&, std::size_t, const Horizon&, const Vec<3>&);
 
-}  // namespace foresee::index
+}  // namespace foresee

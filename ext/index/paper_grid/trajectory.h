@@ -10,7 +10,7 @@
 #include "index/tpr_tree/moving_box.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 struct Trajectory {
@@ -24,4 +24,4 @@ template <int D>
 Trajectory<D> trajectory_of(const Bodies& bodies, std::size_t i, const Horizon& horizon,
                             const Vec<D>& margin);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 /// The ends of an object's arc.
@@ -80,4 +80,4 @@ template bool regions_may_meet<1>(const Trajectory<1>&, const Trajectory<1>&);
 template bool regions_may_meet<2>(const Trajectory<2>&, const Trajectory<2>&);
 template bool regions_may_meet<3>(const Trajectory<3>&, const Trajectory<3>&);
 
-}  // namespace foresee::index
+}  // namespace foresee

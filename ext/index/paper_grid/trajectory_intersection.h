@@ -12,9 +12,9 @@
 
 #include "index/paper_grid/trajectory.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 bool regions_may_meet(const Trajectory<D>& a, const Trajectory<D>& b);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 Vec<D> lower_end(const Vec<D>& value, const Vec<D>& pad) {
@@ -90,4 +90,4 @@ FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);
 #undef FORESEE_OF_AXES
 
-}  // namespace foresee::index
+}  // namespace foresee

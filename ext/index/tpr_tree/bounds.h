@@ -22,7 +22,7 @@
 #include "motion/box.h"
 #include "motion/motion.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// Relative and absolute padding, and the largest finite bound.
 inline constexpr double rounding_pad = 0x1p-48;
@@ -85,4 +85,4 @@ Bounds<D> with_growth(const Bounds<D>& bounds, const Vec<D>& growth, double age,
 template <int D>
 Bounds<D> carried(const Bounds<D>& bounds, double from, double to);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "base/steps.h"
 #include "index/tpr_tree/order.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 /// The time that most objects have reached: the upper quartile of a sample of their t.
@@ -152,4 +152,4 @@ FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);
 #undef FORESEE_OF_AXES
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "index/tpr_tree/state.h"
 #include "index/tpr_tree/tpr_tree.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// Frees every node of the tree.
 void free_all(Pages& pages, Interrupt& interrupt);
@@ -24,4 +24,4 @@ void bulk_load_tree(TreeState<D>& state, std::span<const std::int64_t> ids, std:
 template <int D>
 void bulk_load_tree(TreeState<D>& state, ObjectParts& parts, Interrupt& interrupt);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 /// The side of a typical question: half the mean width of some of the children.
@@ -125,4 +125,4 @@ FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);
 #undef FORESEE_OF_AXES
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -13,7 +13,7 @@
 
 #include "index/tpr_tree/state.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 class ChildChoice {
@@ -62,4 +62,4 @@ template <int D>
 std::vector<std::size_t> closest_children(const TreeState<D>& state, const Node& above, NodeNumber number,
                                           std::size_t most);
 
-}  // namespace foresee::index
+}  // namespace foresee

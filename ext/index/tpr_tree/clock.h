@@ -8,9 +8,7 @@
 #include <array>
 #include <cstddef>
 
-#include "base/rooms.h"
-
-namespace foresee::index {
+namespace foresee {
 
 class WriteClock {
  public:
@@ -39,4 +37,4 @@ class WriteClock {
   double now_ = 0;
 };
 
-}  // namespace foresee::index
+}  // namespace foresee

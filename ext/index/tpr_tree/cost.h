@@ -13,7 +13,7 @@
 
 #include "index/tpr_tree/bounds.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 class VisitCost {
@@ -58,4 +58,4 @@ class VisitCost {
   std::array<double, 3> elapsed_;
 };
 
-}  // namespace foresee::index
+}  // namespace foresee

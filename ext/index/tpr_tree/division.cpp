@@ -4,7 +4,7 @@
 #include "index/tpr_tree/bulk_load.h"
 #include "index/tpr_tree/order_items.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 template <int D>
@@ -78,4 +78,4 @@ template std::unique_ptr<SpaceDivision> divide_space<2>(TreeState<2>&, std::span
 template std::unique_ptr<SpaceDivision> divide_space<3>(TreeState<3>&, std::span<const double>, std::size_t,
                                                         Interrupt&);
 
-}  // namespace foresee::index
+}  // namespace foresee

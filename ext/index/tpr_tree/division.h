@@ -14,7 +14,7 @@
 #include "index/tpr_tree/state.h"
 #include "index/tpr_tree/tpr_tree.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// Parts have about as many objects as one another. Requires: a sample, and one part or more. Where the clock
 /// does not run the sample sets it.
@@ -22,4 +22,4 @@ template <int D>
 std::unique_ptr<SpaceDivision> divide_space(TreeState<D>& state, std::span<const double> sample,
                                             std::size_t parts, Interrupt& interrupt);
 
-}  // namespace foresee::index
+}  // namespace foresee

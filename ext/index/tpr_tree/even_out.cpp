@@ -5,7 +5,7 @@
 #include "index/tpr_tree/leaf_pack.h"
 #include "index/tpr_tree/shrink.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 constexpr std::size_t siblings = 3;  ///< that are asked for room
@@ -172,4 +172,4 @@ FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);
 #undef FORESEE_OF_AXES
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -12,7 +12,7 @@
 
 #include "index/tpr_tree/state.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// Requires: nodes beneath `children` are in order; `parent` has them all. The parent may be too full, too
 /// empty, or without children afterwards, and its own entry is stale.
@@ -29,4 +29,4 @@ bool even_out_leaf(TreeState<D>& state, NodeNumber parent, NodeNumber leaf);
 template <int D>
 void even_out_root(TreeState<D>& state);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -4,7 +4,7 @@
 #include "index/tpr_tree/even_out.h"
 #include "index/tpr_tree/split.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 /// The node of this level, beneath `number`, whose way down grows least by what is added: ChildChoice on
@@ -208,4 +208,4 @@ FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);
 #undef FORESEE_OF_AXES
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "index/tpr_tree/state.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// Adds an object beneath `from` (0: the root). `known_leaf` is where the page map has it already, or 0.
 template <int D>
@@ -44,4 +44,4 @@ NodeNumber split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_
 template <int D>
 void hang_below(TreeState<D>& state, const Unread& from, NodeNumber parent);
 
-}  // namespace foresee::index
+}  // namespace foresee

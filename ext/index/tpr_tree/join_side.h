@@ -7,7 +7,7 @@
 #include "index/tpr_tree/tree_join.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 class JoinSide {
@@ -61,4 +61,4 @@ class JoinSide {
   std::vector<std::vector<MovingBox<D>>> boxes_;  ///< [0]: objects, [k + 1]: nodes of level k
 };
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include "index/tpr_tree/order.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 void LeafPack<D>::add(NodeNumber number, const Node& leaf) {
@@ -76,4 +76,4 @@ template class LeafPack<1>;
 template class LeafPack<2>;
 template class LeafPack<3>;
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -14,7 +14,7 @@
 
 #include "index/tpr_tree/state.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 class LeafPack {
@@ -53,4 +53,4 @@ class LeafPack {
   std::vector<Leaf> leaves_;
 };
 
-}  // namespace foresee::index
+}  // namespace foresee

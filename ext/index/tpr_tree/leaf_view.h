@@ -7,7 +7,7 @@
 #include "index/tpr_tree/moving_box.h"
 #include "index/tpr_tree/node.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// Objects of one leaf that may be part of the answer. The leaf stays as it was for as long as this is held:
 /// leaf->keys[slot] is an object's id, its record stands at leaf->values[slot * record size].
@@ -25,4 +25,4 @@ MovingBox<D> child_box(const Node& inner, std::size_t slot, const Horizon& horiz
                        span_between(times.t_least, times.until_greatest, horizon), horizon);
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

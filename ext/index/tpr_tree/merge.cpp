@@ -9,7 +9,7 @@
 #include "index/tpr_tree/repack.h"
 #include "index/tpr_tree/shrink.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 template <int D>
@@ -190,4 +190,4 @@ template void merge_objects<2>(TreeState<2>&, std::span<const std::int64_t>, std
 template void merge_objects<3>(TreeState<3>&, std::span<const std::int64_t>, std::span<const double>,
                                Interrupt&);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -16,7 +16,7 @@
 
 #include "index/tpr_tree/state.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// Afterwards each object is in the tree once, as its record says. Ids are unique. Requires: the root is an
 /// inner node.
@@ -24,4 +24,4 @@ template <int D>
 void merge_objects(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
                    Interrupt& interrupt);
 
-}  // namespace foresee::index
+}  // namespace foresee

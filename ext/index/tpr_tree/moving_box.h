@@ -23,7 +23,7 @@
 #include "index/tpr_tree/bounds.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// What spans of time are longer by where they stand for rounding.
 inline constexpr double shortest_reach = 0x1p-1000;
@@ -171,4 +171,4 @@ bool narrow_to_contact(const MovingBox<D>& a, const MovingBox<D>& b, TimeSpan& s
   return !span.is_empty();
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -7,7 +7,7 @@
 
 #include "index/tpr_tree/moving_box.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 struct NearObjects {
@@ -49,4 +49,4 @@ struct NearObjects {
   }
 };
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 /// The gap between two boxes along each axis at one moment, and how fast it grows; 0 where they overlap.
@@ -164,4 +164,4 @@ FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);
 #undef FORESEE_OF_AXES
 
-}  // namespace foresee::index
+}  // namespace foresee

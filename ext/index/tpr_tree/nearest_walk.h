@@ -15,7 +15,7 @@
 #include "base/error.h"
 #include "index/tpr_tree/leaf_view.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// A lower bound of the distance between two boxes during `span`. Requires: the span is not empty.
 template <int D>
@@ -56,4 +56,4 @@ class NearestWalk {
   std::vector<std::pair<double, std::uint32_t>> near_;
 };
 
-}  // namespace foresee::index
+}  // namespace foresee

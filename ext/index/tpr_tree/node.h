@@ -10,7 +10,7 @@
 #include "index/tpr_tree/moving_box.h"
 #include "shape/shapes.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// Reads objects out of leaves.
 template <int D>
@@ -213,4 +213,4 @@ inline void remove_slot(Node& node, std::size_t slot, std::size_t stride) {
 template <int D>
 Entry<D> summary(const Node& node, const LeafReader<D>& reader, double epoch);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include "base/steps.h"
 #include "index/tpr_tree/order_items.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 template <int D>
@@ -125,4 +125,4 @@ template std::vector<std::uint32_t> leaf_order<2>(const TreeState<2>&, std::span
 template std::vector<std::uint32_t> leaf_order<3>(const TreeState<3>&, std::span<const double>,
                                                   const std::vector<std::size_t>&, LeafRange, Interrupt&);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -15,7 +15,7 @@
 #include "base/error.h"
 #include "index/tpr_tree/state.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// How many nodes of each level a tree of so many leaves has, leaves first, up to the root.
 std::vector<std::size_t> level_sizes(std::size_t leaves, std::size_t inner_capacity);
@@ -57,4 +57,4 @@ std::vector<std::uint32_t> leaf_order(const TreeState<D>& state, std::span<const
                                       const std::vector<std::size_t>& levels, LeafRange leaves,
                                       Interrupt& interrupt);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -16,7 +16,7 @@
 
 #include "index/tpr_tree/state.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 struct OrderItem {
@@ -83,4 +83,4 @@ std::size_t widest_axis(std::span<const OrderItem<D>> items) {
   return best;
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

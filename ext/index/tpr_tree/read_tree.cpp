@@ -3,7 +3,7 @@
 #include "index/tpr_tree/node.h"
 #include "index/tpr_tree/tree_join.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 class TreeReader {
@@ -16,7 +16,7 @@ class TreeReader {
 
   TreeScene read() {
     if (source_.find_root() == 0) return std::move(scene_);
-    const auto root = index::read(source_, unread_root(source_));
+    const auto root = foresee::read(source_, unread_root(source_));
     if (root->level < 0 || root->level > 64) throw BrokenTree("a tree's root has an impossible level");
     scene_.levels.starts.resize(static_cast<std::size_t>(root->level) + 1);
     visit(source_.find_root(), *root);
@@ -66,4 +66,4 @@ TreeScene read_tree(NodeSource& source, Interrupt& interrupt) {
   return TreeReader(source, interrupt).read();
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "index/tpr_tree/leaf_pack.h"
 #include "index/tpr_tree/shrink.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 /// Leaves that are packed together, or if that does not do; and how many of their objects may move where
@@ -129,4 +129,4 @@ template void repack_around<1>(TreeState<1>&, NodeNumber, std::size_t);
 template void repack_around<2>(TreeState<2>&, NodeNumber, std::size_t);
 template void repack_around<3>(TreeState<3>&, NodeNumber, std::size_t);
 
-}  // namespace foresee::index
+}  // namespace foresee

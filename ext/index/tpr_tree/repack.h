@@ -12,11 +12,11 @@
 
 #include "index/tpr_tree/state.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// `turn` counts the calls. Cost: a look at the leaves of one node; of writes at most a few leaves and the
 /// nodes above them, and of the page map what some leaves hold.
 template <int D>
 void repack_around(TreeState<D>& state, NodeNumber leaf, std::size_t turn);
 
-}  // namespace foresee::index
+}  // namespace foresee

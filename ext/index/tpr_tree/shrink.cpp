@@ -3,7 +3,7 @@
 #include "index/tpr_tree/even_out.h"
 #include "index/tpr_tree/grow.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 /// What dissolved nodes held.
@@ -177,4 +177,4 @@ FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);
 #undef FORESEE_OF_AXES
 
-}  // namespace foresee::index
+}  // namespace foresee

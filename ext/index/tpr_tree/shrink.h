@@ -5,7 +5,7 @@
 
 #include "index/tpr_tree/state.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// Takes the object in `slot` out of a leaf and puts the tree in order. True if the leaf is still there.
 template <int D>
@@ -27,4 +27,4 @@ void refresh_newest(TreeState<D>& state, NodeNumber number);
 template <int D>
 double newest_in(const Node& node, const LeafReader<D>& reader);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 /// What elements are sorted by: their place half-way through the look-ahead, or their velocity.
@@ -84,4 +84,4 @@ template std::vector<std::uint32_t> choose_split<1>(std::span<const Bounds<1>>, 
 template std::vector<std::uint32_t> choose_split<2>(std::span<const Bounds<2>>, const VisitCost<2>&);
 template std::vector<std::uint32_t> choose_split<3>(std::span<const Bounds<3>>, const VisitCost<3>&);
 
-}  // namespace foresee::index
+}  // namespace foresee

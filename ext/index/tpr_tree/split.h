@@ -11,10 +11,10 @@
 
 #include "index/tpr_tree/cost.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// Which elements leave for the new node, by index, ascending. Requires: at least 4 elements.
 template <int D>
 std::vector<std::uint32_t> choose_split(std::span<const Bounds<D>> elements, const VisitCost<D>& cost);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "index/tpr_tree/cost.h"
 #include "index/tpr_tree/node.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// The part of `horizon` that the tree's shape looks ahead. Questions about a whole horizon are served best
 /// by 0.3 to 0.5, those about a twentieth by 0.1 or less; at 0.15 neither costs much more than it has to.
@@ -64,4 +64,4 @@ struct Branch {
   Entry<D> entry(double at) const { return {known.times, carried(known.bounds, epoch, at)}; }
 };
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 constexpr double reach_pad = 0x1p-47;  // 64 units
@@ -101,4 +101,4 @@ template class SweepWalk<1>;
 template class SweepWalk<2>;
 template class SweepWalk<3>;
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -15,7 +15,7 @@
 #include "base/error.h"
 #include "index/tpr_tree/leaf_view.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 class SweepWalk {
@@ -42,4 +42,4 @@ class SweepWalk {
   std::vector<Unread> open_;
 };
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -10,7 +10,7 @@
 #include "index/tpr_tree/repack.h"
 #include "index/tpr_tree/shrink.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 /// Fewer objects than these are merged one by one.
@@ -264,4 +264,4 @@ void collect_objects(NodeSource& source, std::vector<std::int64_t>& ids, std::ve
   }
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -29,7 +29,7 @@
 #include "base/error.h"
 #include "index/pages.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// What check_tree() found: sentences about what is wrong, and how much there is.
 struct TreeReport {
@@ -102,4 +102,4 @@ void collect_objects(NodeSource& source, std::vector<std::int64_t>& ids, std::ve
 /// Proves the invariants: levels, parents, counts, every id once and where find_leaf() says, times, bounds.
 TreeReport check_tree(Pages& pages, Interrupt& interrupt);
 
-}  // namespace foresee::index
+}  // namespace foresee

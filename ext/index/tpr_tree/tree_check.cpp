@@ -6,7 +6,7 @@
 #include "index/tpr_tree/node.h"
 #include "index/tpr_tree/tpr_tree.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 /// Walks the whole tree, with the entries above a node in hand.
@@ -136,4 +136,4 @@ TreeReport check_tree(Pages& pages, Interrupt& interrupt) {
   return with_axes(pages.layout().axes, [&]<int D>(Axes<D>) { return TreeCheck<D>(pages, interrupt).run(); });
 }
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include "index/tpr_tree/join_side.h"
 #include "index/tpr_tree/near_objects.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 constexpr std::size_t batch_size = 4096;
@@ -159,4 +159,4 @@ FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);
 #undef FORESEE_OF_AXES
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -16,7 +16,7 @@
 #include "index/candidates.h"
 #include "index/pages.h"
 
-namespace foresee::index {
+namespace foresee {
 
 /// The tree without its numbers. starts[0][i] is the first row of leaf i, starts[k][i] the first child, one
 /// level down, of node i on level k; each level ends with the size of the one below.
@@ -48,4 +48,4 @@ std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies_a, const TreeLev
                                            const Horizon& horizon, const Vec<D>& margin,
                                            Interrupt& interrupt);
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -1,6 +1,6 @@
 #include "index/tpr_tree/window_walk.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 WindowWalk<D>::WindowWalk(NodeSource& source, const MovingBox<D>& question, const Horizon& horizon,
@@ -62,4 +62,4 @@ template class WindowWalk<1>;
 template class WindowWalk<2>;
 template class WindowWalk<3>;
 
-}  // namespace foresee::index
+}  // namespace foresee

@@ -17,7 +17,7 @@
 #include "base/error.h"
 #include "index/tpr_tree/leaf_view.h"
 
-namespace foresee::index {
+namespace foresee {
 
 template <int D>
 class WindowWalk {
@@ -40,4 +40,4 @@ class WindowWalk {
   std::vector<Unread> open_;
 };
 
-}  // namespace foresee::index
+}  // namespace foresee

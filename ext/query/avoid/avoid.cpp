@@ -13,7 +13,7 @@
 #include "query/avoid/touched.h"
 #include "query/join/question.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr double least_number = std::numeric_limits<double>::denorm_min();
@@ -265,4 +265,4 @@ std::vector<AvoidRow> avoid(const AvoidQuestion& question, Interrupt& interrupt)
   return rows;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

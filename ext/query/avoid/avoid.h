@@ -24,9 +24,9 @@
 #include "base/error.h"
 #include "query/avoid/question.h"
 
-namespace foresee::query {
+namespace foresee {
 
 /// Throws Error for what require_valid() and asked_changes() refuse.
 std::vector<AvoidRow> avoid(const AvoidQuestion& question, Interrupt& interrupt);
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "contact/growing/blocked_end.h"
 #include "contact/growing/parting.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
@@ -161,14 +161,14 @@ std::optional<double> ClearRanges<D>::guessed_end(double from, double to, std::s
   const MetIntruder<D>& intruder = intruders_[open_[begin]];
   if (end - begin > few || intruder.has_parts()) return std::nullopt;
   const auto clearance_at = [&](double k) {
-    return intruder.touches_first() ? contact::parting_of<D>(intruder.met(), base_, change_, k)
-                                    : contact::gap_of<D>(intruder.met_at(k), base_, change_, k);
+    return intruder.touches_first() ? parting_of<D>(intruder.met(), base_, change_, k)
+                                    : gap_of<D>(intruder.met_at(k), base_, change_, k);
   };
-  return contact::end_between(clearance_at, from, to, 0.25 * narrowest());
+  return end_between(clearance_at, from, to, 0.25 * narrowest());
 }
 
 template class ClearRanges<1>;
 template class ClearRanges<2>;
 template class ClearRanges<3>;
 
-}  // namespace foresee::query
+}  // namespace foresee

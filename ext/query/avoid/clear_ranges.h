@@ -23,7 +23,7 @@
 #include "base/steps.h"
 #include "query/avoid/met_intruder.h"
 
-namespace foresee::query {
+namespace foresee {
 
 struct KRange {
   double from, to;
@@ -74,4 +74,4 @@ class ClearRanges {
   std::vector<KRange> clear_;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

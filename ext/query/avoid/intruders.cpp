@@ -5,7 +5,7 @@
 #include "query/join/question.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 /// Around what turns with its course, whichever that is.
@@ -113,4 +113,4 @@ std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const OwnM
   return near;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -14,7 +14,7 @@
 #include "motion/motion_set.h"
 #include "query/avoid/question.h"
 
-namespace foresee::query {
+namespace foresee {
 
 /// `itself`: of whom an object of this id is left out. `reach`: contact's.
 std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const OwnMotion& base,
@@ -22,4 +22,4 @@ std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const OwnM
                                        const Searched& others, std::optional<std::int64_t> itself,
                                        const Contact::Reach& reach, Interrupt& interrupt);
 
-}  // namespace foresee::query
+}  // namespace foresee

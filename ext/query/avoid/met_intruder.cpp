@@ -4,7 +4,7 @@
 
 #include "contact/growing/parting.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 /// How far, in shares of its distance from the middle, what turns by at most `degrees` comes: twice the sine
@@ -31,13 +31,13 @@ template <int D>
 Judgement MetIntruder<D>::judge(const ChangedWays<D>& ways, double p, double q, std::uint64_t& looks) const {
   if (touches_first_) ++looks;
   if (stage_ == Stage::simple)
-    return touches_first_ ? judge_parting<D>(met_, ways) : contact::judge<D>(met_, ways, looks);
+    return touches_first_ ? judge_parting<D>(met_, ways) : foresee::judge<D>(met_, ways, looks);
   if (has_parts())
-    return contact::judge<D>(turning_ ? met_between(p, q) : met_, ways, looks) == Judgement::clear
+    return foresee::judge<D>(turning_ ? met_between(p, q) : met_, ways, looks) == Judgement::clear
                ? Judgement::clear
                : Judgement::open;
   const Encounter<D> turned = turning_ ? met_between(p, q) : met_;
-  if (!touches_first_) return contact::judge<D>(turned, ways, looks);
+  if (!touches_first_) return foresee::judge<D>(turned, ways, looks);
   const bool surely_first = outlines_->is_sole() && !outlines_->turns();
   return surely_first ? judge_parting<D>(turned, ways) : judge_parting_of_piece<D>(turned, ways, looks);
 }
@@ -99,4 +99,4 @@ template bool is_clear_of<1>(const MetIntruder<1>&, const ChangedWays<1>&, doubl
 template bool is_clear_of<2>(const MetIntruder<2>&, const ChangedWays<2>&, double);
 template bool is_clear_of<3>(const MetIntruder<3>&, const ChangedWays<3>&, double);
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -16,7 +16,7 @@
 #include "contact/growing/outline_pair.h"
 #include "contact/growing/separation.h"
 
-namespace foresee::query {
+namespace foresee {
 
 template <int D>
 class MetIntruder {
@@ -57,4 +57,4 @@ class MetIntruder {
 template <int D>
 bool is_clear_of(const MetIntruder<D>& intruder, const ChangedWays<D>& ways, double k);
 
-}  // namespace foresee::query
+}  // namespace foresee

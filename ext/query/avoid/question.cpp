@@ -7,7 +7,7 @@
 #include "query/join/question.h"
 #include "query/require.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 void require_range(const AvoidQuestion& question) {
@@ -151,4 +151,4 @@ std::vector<AskedChanges> asked_changes(const AvoidQuestion& question, const Own
   return asked;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -11,7 +11,7 @@
 #include "query/scene.h"
 #include "query/searched.h"
 
-namespace foresee::query {
+namespace foresee {
 
 /// What is asked of who touches the object already when the change is made.
 enum class Touching : std::uint8_t {
@@ -73,4 +73,4 @@ struct AskedChanges {
 std::vector<AskedChanges> asked_changes(const AvoidQuestion& question, const OwnMotion& stored,
                                         const OwnMotion& base);
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -12,7 +12,7 @@
 #include "query/join/question.h"
 #include "shape/shapes.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -272,4 +272,4 @@ std::optional<Blocker> Touched::first_of(const std::vector<double>& record,
   return first;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

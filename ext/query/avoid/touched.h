@@ -19,7 +19,7 @@
 #include "contact/contact.h"
 #include "query/avoid/question.h"
 
-namespace foresee::query {
+namespace foresee {
 
 /// One of the intruders: of which table, and its row there.
 struct Intruder {
@@ -70,4 +70,4 @@ class Touched {
   double first_moment_ = 0, heading_ = 0;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

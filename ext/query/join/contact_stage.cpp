@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee::query {
+namespace foresee {
 
 ContactStage::ContactStage(const JoinQuestion& question, Interrupt& interrupt)
     : question_(question), interrupt_(interrupt), contact_(contact_of(question)) {
@@ -174,4 +174,4 @@ void ContactStage::write_touching(std::span<const Pair> pairs, std::vector<JoinR
     write_rows<true>(pairs, ids, ids, times, rows.data() + before);
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -13,7 +13,7 @@
 #include "index/candidates.h"
 #include "query/join/time_slabs.h"
 
-namespace foresee::query {
+namespace foresee {
 
 /// Pairs that touch, in the question's columns, and when.
 struct Hits {
@@ -74,4 +74,4 @@ class ContactStage {
   std::vector<ClosestApproach> approaches_;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

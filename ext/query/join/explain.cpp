@@ -13,7 +13,7 @@
 #include "query/join/tile_scenes.h"
 #include "query/tile/ownership.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr const char* test_names[paper_stage_count] = {"projection overlap", "centre point", "time interval",
@@ -207,4 +207,4 @@ std::vector<ExplainRow> explain_join(const JoinQuestion& asked, Interrupt& inter
   return explanation.rows();
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -26,7 +26,7 @@
 #include "base/error.h"
 #include "query/join/question.h"
 
-namespace foresee::query {
+namespace foresee {
 
 struct ExplainRow {
   const char* stage;
@@ -44,4 +44,4 @@ struct ExplainRow {
 /// Throws Error as Join does. Of the question's wishes (only_a, asked_t, order, wants) none is regarded.
 std::vector<ExplainRow> explain_join(const JoinQuestion& question, Interrupt& interrupt);
 
-}  // namespace foresee::query
+}  // namespace foresee

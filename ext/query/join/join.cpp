@@ -10,7 +10,7 @@
 #include "query/join/sorted_hits.h"
 #include "query/join/tile_scenes.h"
 
-namespace foresee::query {
+namespace foresee {
 
 /// A question and how far it is answered.
 struct Join::Progress {
@@ -121,4 +121,4 @@ std::span<const JoinRow> Join::next() {
   return p.given;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -21,7 +21,7 @@
 #include "base/error.h"
 #include "query/join/question.h"
 
-namespace foresee::query {
+namespace foresee {
 
 class Join {
  public:
@@ -41,4 +41,4 @@ class Join {
   std::unique_ptr<Progress> progress_;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

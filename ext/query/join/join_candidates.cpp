@@ -11,7 +11,7 @@
 #include "index/tpr_tree/tree_join.h"
 #include "query/tile/ownership.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 /// A question about one id: that row with all rows of the other side; an unknown id has no pairs.
@@ -96,4 +96,4 @@ std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMe
   return question.own ? owned_candidates(std::move(all), question.own) : std::move(all);
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -4,7 +4,7 @@
 #include "index/candidates.h"
 #include "query/join/question.h"
 
-namespace foresee::query {
+namespace foresee {
 
 /// Every pair of `question` that can touch during `horizon`, once, and others (candidates.h), by `method`
 /// (not automatic): which others and in what order is all that depends on it. Only such as `own` owns.
@@ -18,4 +18,4 @@ std::unique_ptr<Candidates> join_candidates(const JoinQuestion& question, JoinMe
 std::unique_ptr<DividedCandidates> divided_candidates(const JoinQuestion& question, const Horizon& horizon,
                                                       const Contact::Reach& reach, Interrupt& interrupt);
 
-}  // namespace foresee::query
+}  // namespace foresee

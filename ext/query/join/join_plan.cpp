@@ -6,7 +6,7 @@
 #include "base/axes.h"
 #include "base/float_environment.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 // Nanoseconds, on the machine of docs/benchmarks.md; only their ratios matter.
@@ -166,4 +166,4 @@ TimeSlabs slabs_of(const JoinPlan& plan, const JoinQuestion& question) {
   return {question, {step, std::min(step, length * first_share), question.asked_dt.least <= 0}};
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -11,7 +11,7 @@
 
 #include "query/join/time_slabs.h"
 
-namespace foresee::query {
+namespace foresee {
 
 struct JoinPlan {
   JoinMethod method;  ///< never automatic
@@ -31,4 +31,4 @@ TimeSlabs slabs_of(const JoinPlan& plan, const JoinQuestion& question);
 /// About how many pairs have swept boxes that meet during `horizon`: from a sample, the same every time.
 double expected_meetings(const JoinQuestion& question, const Contact::Reach& reach, const Horizon& horizon);
 
-}  // namespace foresee::query
+}  // namespace foresee

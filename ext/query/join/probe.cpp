@@ -6,7 +6,7 @@
 #include "query/join/question.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 void take(Scene& near, const Node& leaf, std::uint32_t slot) {
@@ -46,4 +46,4 @@ std::shared_ptr<const Scene> objects_near(const Scene& one, NodeSource& tree, co
   return near;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -17,11 +17,11 @@
 #include "index/pages.h"
 #include "query/scene.h"
 
-namespace foresee::query {
+namespace foresee {
 
 std::shared_ptr<const Scene> objects_near(const Scene& one, NodeSource& tree, const std::string& name,
                                           const Horizon& horizon, const Contact::Reach& reach,
                                           Interrupt& interrupt,
                                           const std::function<bool(std::int64_t)>& keep);
 
-}  // namespace foresee::query
+}  // namespace foresee

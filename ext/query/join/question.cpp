@@ -6,7 +6,7 @@
 #include "base/shown.h"
 #include "query/require.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 std::string axes_of(const Scene& scene) {
@@ -73,4 +73,4 @@ std::unique_ptr<Contact> contact_of(const JoinQuestion& question, bool rectangle
   return make_contact(a.bodies(), b.bodies(), asked, a.name, b.name);
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -18,7 +18,7 @@
 #include "query/scene.h"
 #include "query/tile/tile.h"
 
-namespace foresee::query {
+namespace foresee {
 
 enum class JoinMethod : std::uint8_t { automatic, grid, tree, scan, gpcd };
 
@@ -91,4 +91,4 @@ void require_valid(const JoinQuestion& question);
 /// and meshes.
 std::unique_ptr<Contact> contact_of(const JoinQuestion& question, bool rectangles_for_outlines = false);
 
-}  // namespace foresee::query
+}  // namespace foresee

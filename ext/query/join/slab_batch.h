@@ -14,7 +14,7 @@
 
 #include "query/join/contact_stage.h"
 
-namespace foresee::query {
+namespace foresee {
 
 class SlabBatch {
  public:
@@ -84,4 +84,4 @@ class SlabBatch {
   std::size_t run_ = 0, rows_read_ = 0, touching_read_ = 0;  // what has been read
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

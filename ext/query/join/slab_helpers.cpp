@@ -12,7 +12,7 @@
 #include "base/parallel.h"
 #include "query/join/join_candidates.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr std::size_t parts_ahead_per_thread = 16;
@@ -210,4 +210,4 @@ bool SlabHelpers::next(SlabBatch& batch) {
   return shared_->next(batch);
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

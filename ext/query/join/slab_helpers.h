@@ -13,7 +13,7 @@
 
 #include "query/join/slab_batch.h"
 
-namespace foresee::query {
+namespace foresee {
 
 class SlabHelpers {
  public:
@@ -34,4 +34,4 @@ class SlabHelpers {
   std::unique_ptr<Shared> shared_;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "base/steps.h"
 
-namespace foresee::query {
+namespace foresee {
 
 void SortedHits::add(const Hits& hits, Interrupt& interrupt) {
   for (std::size_t i = 0; i < hits.pairs.size(); ++i) {
@@ -63,4 +63,4 @@ void SortedHits::take(Hits& hits) {
   found_.clear(), sorted_ = given_ = 0;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -19,7 +19,7 @@
 
 #include "query/join/contact_stage.h"
 
-namespace foresee::query {
+namespace foresee {
 
 class SortedHits {
  public:
@@ -62,4 +62,4 @@ class SortedHits {
   std::optional<Found> after_;  ///< the last one that was taken, where a slab is answered again
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

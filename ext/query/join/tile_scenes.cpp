@@ -9,7 +9,7 @@
 #include "query/sweep/sweep.h"
 #include "query/tile/ownership.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr std::size_t objects_per_check = 4096;
@@ -162,4 +162,4 @@ JoinQuestion in_tile(JoinQuestion question, Interrupt& interrupt) {
   return question;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

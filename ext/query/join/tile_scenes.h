@@ -13,7 +13,7 @@
 #include "index/pages.h"
 #include "query/join/question.h"
 
-namespace foresee::query {
+namespace foresee {
 
 /// Every object of the tree that the question's tile needs. Requires: the question is valid and has a tile;
 /// its scenes are not looked at.
@@ -28,4 +28,4 @@ double share_in_tile(NodeSource& tree, const JoinQuestion& question, Interrupt& 
 /// swept box an object.
 JoinQuestion in_tile(JoinQuestion question, Interrupt& interrupt);
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -5,7 +5,7 @@
 
 #include "base/float_environment.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -57,4 +57,4 @@ TimeSlab TimeSlabs::slab(double begin, double end, bool last) const {
   return {begin > begin_ ? begin : -inf, last ? inf : end, {first, std::min(length, horizon_.h)}};
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

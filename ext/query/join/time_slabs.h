@@ -18,7 +18,7 @@
 
 #include "query/join/question.h"
 
-namespace foresee::query {
+namespace foresee {
 
 struct TimeSlab {
   double from, before;  ///< of t; infinite at the ends of the question
@@ -56,4 +56,4 @@ class TimeSlabs {
   bool done_;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -12,7 +12,7 @@
 #include "index/tpr_tree/nearest_walk.h"
 #include "query/require.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -153,4 +153,4 @@ std::vector<NearestRow> nearest(const NearestQuestion& question, Interrupt& inte
                    [&]<int D>(Axes<D>) { return search<D>(question, interrupt); });
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -18,7 +18,7 @@
 #include "contact/contact.h"
 #include "query/searched.h"
 
-namespace foresee::query {
+namespace foresee {
 
 struct NearestQuestion {
   Searched objects;
@@ -39,4 +39,4 @@ struct NearestRow {
 /// finite; k < 1; a coordinate missing, or given for an axis that the objects do not have.
 std::vector<NearestRow> nearest(const NearestQuestion& question, Interrupt& interrupt);
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "motion/position.h"
 #include "query/require.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 template <int D>
@@ -42,4 +42,4 @@ std::optional<PositionRow> Positions::next() {
   return std::nullopt;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -14,7 +14,7 @@
 
 #include "query/scene.h"
 
-namespace foresee::query {
+namespace foresee {
 
 struct PositionRow {
   std::int64_t id;
@@ -41,4 +41,4 @@ class Positions {
   std::size_t next_ = 0;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -9,7 +9,7 @@
 #include "base/steps.h"
 #include "query/require.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr double most_moments = 9007199254740992;  // 2^53: up to there a double counts
@@ -68,4 +68,4 @@ std::optional<TrackRow> Tracks::next() {
   return std::nullopt;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

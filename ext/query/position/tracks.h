@@ -12,7 +12,7 @@
 
 #include "query/position/positions.h"
 
-namespace foresee::query {
+namespace foresee {
 
 struct TrackMoments {
   double t0, t1, step;
@@ -43,4 +43,4 @@ class Tracks {
   std::size_t next_ = 0;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

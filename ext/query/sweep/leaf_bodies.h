@@ -9,7 +9,7 @@
 #include "index/pages.h"
 #include "shape/bodies.h"
 
-namespace foresee::query {
+namespace foresee {
 
 class LeafBodies {
  public:
@@ -34,4 +34,4 @@ class LeafBodies {
   std::vector<double> rows_;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

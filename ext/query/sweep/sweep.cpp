@@ -7,7 +7,7 @@
 #include "index/tpr_tree/sweep_walk.h"
 #include "query/require.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 /// What every box meets that has the corners asked for.
@@ -95,4 +95,4 @@ std::span<const SweepRow> Sweep::next() {
   return rows_;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -23,7 +23,7 @@
 #include "query/margin.h"
 #include "query/sweep/leaf_bodies.h"
 
-namespace foresee::query {
+namespace foresee {
 
 /// By how much a box is grown on each side of every axis.
 template <int D>
@@ -69,4 +69,4 @@ class Sweep {
   std::vector<SweepRow> rows_;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -1,6 +1,6 @@
 #include "query/tile/ownership.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 class OwnedCandidates final : public Candidates {
@@ -61,4 +61,4 @@ std::unique_ptr<DividedCandidates> owned_candidates(std::unique_ptr<DividedCandi
   return std::make_unique<OwnedParts>(std::move(all), std::move(ownership));
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -11,7 +11,7 @@
 #include "index/candidates.h"
 #include "query/tile/tile.h"
 
-namespace foresee::query {
+namespace foresee {
 
 /// How the tile sees the objects of both sides, by row number.
 struct Ownership {
@@ -29,4 +29,4 @@ std::unique_ptr<Candidates> owned_candidates(std::unique_ptr<Candidates> all,
 std::unique_ptr<DividedCandidates> owned_candidates(std::unique_ptr<DividedCandidates> all,
                                                     std::shared_ptr<const Ownership> ownership);
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -18,7 +18,7 @@
 
 #include "motion/box.h"
 
-namespace foresee::query {
+namespace foresee {
 
 /// A bit each of an object seen from a tile.
 using TileMarks = std::uint8_t;
@@ -58,4 +58,4 @@ struct Tile {
   }
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "base/float_environment.h"
 #include "query/join/contact_stage.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr std::size_t batch_size = 1024;
@@ -39,4 +39,4 @@ std::vector<JoinRow> pair_contacts(const JoinQuestion& question, std::span<const
   return rows;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -14,10 +14,10 @@
 #include "base/error.h"
 #include "query/join/question.h"
 
-namespace foresee::query {
+namespace foresee {
 
 /// `pairs`: row numbers of the question's scenes. Throws Error as Join does.
 std::vector<JoinRow> pair_contacts(const JoinQuestion& question, std::span<const Pair> pairs,
                                    Interrupt& interrupt);
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 /// Both are held: the row stays where it says the same.
@@ -21,7 +21,7 @@ PairChange compare_held(const WatchedPair& before, const WatchedPair& after, con
 
 }  // namespace
 
-PairChange compare(const WatchedPair* before, const WatchedPair* after, const WatchClock& clock) {
+PairChange change_between(const WatchedPair* before, const WatchedPair* after, const WatchClock& clock) {
   if (!after) return {.op = before->held ? '-' : '\0', .erases = true, .row = *before};
   if (before && before->held && after->held) return compare_held(*before, *after, clock);
   PairChange change{.row = *after};
@@ -35,4 +35,4 @@ PairChange compare(const WatchedPair* before, const WatchedPair* after, const Wa
   return change;
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

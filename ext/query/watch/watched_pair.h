@@ -1,6 +1,6 @@
 // What does a watch know of a pair, and what does it tell when that changes?
 //
-//   const PairChange change = compare(&before, &after, {.clock = 1260, .tolerance = 0});
+//   const PairChange change = change_between(&before, &after, {.clock = 1260, .tolerance = 0});
 //   if (change.op) log(change.op, change.row.t);       // '+' new, '~' its time moved, '-' gone
 //   if (change.writes) write(change.row);              // else the row that is stored stays true
 //
@@ -16,9 +16,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "base/rooms.h"
-
-namespace foresee::query {
+namespace foresee {
 
 /// A look further finds the end.
 inline constexpr double never_due = std::numeric_limits<double>::infinity();
@@ -47,6 +45,6 @@ struct PairChange {
 
 /// The change from `before` to `after`, each null where the watch does not know the pair; both as of this
 /// clock. At least one is not null.
-PairChange compare(const WatchedPair* before, const WatchedPair* after, const WatchClock& clock);
+PairChange change_between(const WatchedPair* before, const WatchedPair* after, const WatchClock& clock);
 
-}  // namespace foresee::query
+}  // namespace foresee

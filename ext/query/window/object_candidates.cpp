@@ -7,7 +7,7 @@
 #include "base/float_environment.h"
 #include "index/tpr_tree/window_walk.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr std::uint32_t batch_size = 256;
@@ -130,4 +130,4 @@ std::unique_ptr<ObjectCandidates> window_candidates(const Searched& objects, con
   });
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

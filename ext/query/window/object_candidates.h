@@ -9,7 +9,7 @@
 #include "contact/window_contact.h"
 #include "query/searched.h"
 
-namespace foresee::query {
+namespace foresee {
 
 /// Row numbers, some hundreds at most.
 struct CandidateBatch {
@@ -40,4 +40,4 @@ std::unique_ptr<ObjectCandidates> window_candidates(const Searched& objects, con
                                                     bool is_zone, const Horizon& horizon,
                                                     Interrupt& interrupt);
 
-}  // namespace foresee::query
+}  // namespace foresee

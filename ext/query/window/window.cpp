@@ -6,7 +6,7 @@
 #include "base/float_environment.h"
 #include "query/require.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -108,4 +108,4 @@ void Window::take_inside() {
       rows_.push_back({candidates_->id(row), {.t = now, .t_end = nan, .dt = 0, .dt_end = nan}});
 }
 
-}  // namespace foresee::query
+}  // namespace foresee

@@ -18,7 +18,7 @@
 #include "contact/window_contact.h"
 #include "query/window/object_candidates.h"
 
-namespace foresee::query {
+namespace foresee {
 
 struct WindowWants {
   bool begins = true;  ///< t, dt
@@ -64,4 +64,4 @@ class Window {
   std::vector<WindowRow> rows_;
 };
 
-}  // namespace foresee::query
+}  // namespace foresee

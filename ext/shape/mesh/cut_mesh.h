@@ -16,7 +16,7 @@
 #include "shape/mesh/triangle_tree.h"
 #include "shape/mesh/turned_mesh.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 class CutMesh final : public Form {
  public:
@@ -53,4 +53,4 @@ class CutMesh final : public Form {
   mutable TriangleTree pieces_;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

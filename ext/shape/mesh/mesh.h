@@ -17,7 +17,7 @@
 
 #include "motion/box.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// Finite, and never -0.
 struct SpaceCorner {
@@ -70,4 +70,4 @@ class Mesh {
   std::vector<Triangle> triangles_;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -9,7 +9,7 @@
 #include "shape/mesh/mesh_writer.h"
 #include "shape/outline/orientation.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -65,7 +65,7 @@ void check_mesh(const Mesh& mesh) {
 void check_turned(const Mesh& mesh, const Mesh& turned, double heading) {
   if (std::fmod(heading, 90) == 0) return;
   const auto fail = [&](const std::string& what) {
-    throw Error("turned by " + base::shown(heading) + " degrees its " + what +
+    throw Error("turned by " + shown(heading) + " degrees its " + what +
                 ": they are closer than a double tells");
   };
   if (const auto equal = equal_corners_of(turned.corners()))
@@ -74,4 +74,4 @@ void check_turned(const Mesh& mesh, const Mesh& turned, double heading) {
     fail(shown_face(mesh, *flat) + " has no area between its corners");
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

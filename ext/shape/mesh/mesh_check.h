@@ -12,7 +12,7 @@
 
 #include "shape/mesh/weld.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// The first triangle whose corners lie on one line, counted from 0.
 std::optional<std::size_t> flat_triangle_of(const Mesh& mesh);
@@ -27,4 +27,4 @@ void check_mesh(const Mesh& mesh);
 /// area of a triangle, and make two corners one.
 void check_turned(const Mesh& mesh, const Mesh& turned, double heading);
 
-}  // namespace foresee::shape
+}  // namespace foresee

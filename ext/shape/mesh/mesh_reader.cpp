@@ -9,7 +9,7 @@
 #include "shape/mesh/weld.h"
 #include "shape/wkt_lexer.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -130,4 +130,4 @@ Mesh read_mesh(std::string_view text) {
   return MeshReader(text).mesh();
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

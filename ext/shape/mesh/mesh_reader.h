@@ -15,8 +15,8 @@
 
 #include "shape/mesh/mesh.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 Mesh read_mesh(std::string_view text);
 
-}  // namespace foresee::shape
+}  // namespace foresee

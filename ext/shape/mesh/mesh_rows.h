@@ -4,7 +4,7 @@
 #include "shape/mesh/triangle_tree.h"
 #include "shape/own_pieces.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// Who knows the meshes of a table's rows. Asked by several threads at a time.
 class MeshRows {
@@ -15,4 +15,4 @@ class MeshRows {
   virtual const TriangleTree* triangles(std::size_t row, OwnPieces<TriangleTree>& own) const = 0;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

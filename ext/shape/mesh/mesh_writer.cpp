@@ -3,10 +3,10 @@
 #include "base/float_environment.h"
 #include "base/shown.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 std::string shown(const SpaceCorner& corner) {
-  return base::shown(corner.x) + ' ' + base::shown(corner.y) + ' ' + base::shown(corner.z);
+  return shown(corner.x) + ' ' + shown(corner.y) + ' ' + shown(corner.z);
 }
 
 const char* word_of(Mesh::Kind kind) {
@@ -35,4 +35,4 @@ std::string write_mesh(const Mesh& mesh) {
   return text + ')';
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

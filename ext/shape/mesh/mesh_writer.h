@@ -10,7 +10,7 @@
 
 #include "shape/mesh/mesh.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 std::string write_mesh(const Mesh& mesh);
 
@@ -20,4 +20,4 @@ std::string shown(const SpaceCorner& corner);
 /// The word of a text that begins a mesh of this kind.
 const char* word_of(Mesh::Kind kind);
 
-}  // namespace foresee::shape
+}  // namespace foresee

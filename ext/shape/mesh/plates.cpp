@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 using Node = BoxTree<3>::Node;
@@ -115,4 +115,4 @@ Plates::Plates(const Plates& known, std::span<const SpaceCorner> corners, const 
   take_boxes(tree);
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -18,7 +18,7 @@
 #include "shape/mesh/mesh.h"
 #include "shape/outline/box_tree.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// A cache line.
 struct alignas(64) Plate {
@@ -48,4 +48,4 @@ class Plates {
   double slack_ = 0;  ///< more than roundings to floats can take from a length
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 /// Which corners hang together? Each names another of its part, or itself.
@@ -99,4 +99,4 @@ TriangleTree::TriangleTree(const TriangleTree& known, const Mesh& turned)
       plates_(known.plates_, known.corners_, tree_, corners_),
       solid_(known.solid_) {}
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -14,7 +14,7 @@
 
 #include "shape/mesh/plates.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 class TriangleTree {
  public:
@@ -58,4 +58,4 @@ class TriangleTree {
   bool solid_ = false;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include "base/float_environment.h"
 #include "shape/outline/turn.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 Mesh turned(const Mesh& mesh, double heading) {
   const FloatEnvironment environment;
@@ -17,4 +17,4 @@ Mesh turned(const Mesh& mesh, double heading) {
   return mesh.with_corners(std::move(corners));
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

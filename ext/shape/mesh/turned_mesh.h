@@ -7,10 +7,10 @@
 
 #include "shape/mesh/mesh.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// The same triangles between the turned corners. Throws Error where a corner is beyond the largest double.
 /// Whether its triangles are some still, mesh_check.h tells. Requires: -360 <= heading <= 360.
 Mesh turned(const Mesh& mesh, double heading);
 
-}  // namespace foresee::shape
+}  // namespace foresee

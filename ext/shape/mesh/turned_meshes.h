@@ -12,7 +12,7 @@
 #include "shape/mesh/mesh_rows.h"
 #include "shape/turned_forms.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 class TurnedMeshes final : public MeshRows {
  public:
@@ -34,4 +34,4 @@ class TurnedMeshes final : public MeshRows {
   TurnedForms<CutMesh> forms_;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

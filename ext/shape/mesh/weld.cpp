@@ -4,7 +4,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -96,4 +96,4 @@ std::optional<std::array<std::uint32_t, 2>> equal_corners_of(std::span<const Spa
   return std::nullopt;
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

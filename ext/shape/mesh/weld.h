@@ -14,7 +14,7 @@
 
 #include "shape/mesh/mesh.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// Three corners a triangle; -0 becomes 0. Requires: finite numbers, a triangle.
 Mesh welded(Mesh::Kind kind, std::vector<SpaceCorner> corners);
@@ -31,4 +31,4 @@ std::optional<MeshEdge> open_edge_of(std::span<const Triangle> triangles);
 /// Two corners that are equal, the first that are; none in a welded mesh.
 std::optional<std::array<std::uint32_t, 2>> equal_corners_of(std::span<const SpaceCorner> corners);
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace foresee::shape {
+namespace foresee {
 
 template <int D>
 BoxTree<D>::BoxTree(std::span<const Box<D>> boxes)
@@ -81,4 +81,4 @@ template class BoxTree<3>;
 template std::vector<std::uint32_t> tree_order<2>(std::span<const Box<2>>);
 template std::vector<std::uint32_t> tree_order<3>(std::span<const Box<3>>);
 
-}  // namespace foresee::shape
+}  // namespace foresee

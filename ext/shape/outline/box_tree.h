@@ -21,7 +21,7 @@
 
 #include "motion/box.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 template <int D>
 class BoxTree {
@@ -55,4 +55,4 @@ class BoxTree {
 template <int D>
 std::vector<std::uint32_t> tree_order(std::span<const Box<D>> boxes);
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "shape/outline/orientation.h"
 #include "shape/outline/triangulation.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -148,4 +148,4 @@ ConvexPieces turned_pieces(const ConvexPieces& pieces, const Outline& turned) {
   return convex_pieces(turned);
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -26,7 +26,7 @@
 #include "shape/outline/box_tree.h"
 #include "shape/outline/outline.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 class ConvexPieces {
  public:
@@ -76,4 +76,4 @@ ConvexPieces convex_pieces(const Outline& outline);
 /// across an edge, cut anew.
 ConvexPieces turned_pieces(const ConvexPieces& pieces, const Outline& turned);
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include "shape/outline/turn.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 Outline CutOutline::as_it_lies(double heading) const {
   if (heading == 0) return outline_;
@@ -12,4 +12,4 @@ Outline CutOutline::as_it_lies(double heading) const {
   return lies;
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -15,7 +15,7 @@
 #include "shape/outline/validity.h"
 #include "shape/outline/wkt_writer.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 class CutOutline final : public Form {
  public:
@@ -52,4 +52,4 @@ class CutOutline final : public Form {
   mutable std::optional<Flaw> edge_touch_;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include "base/shown.h"
 #include "shape/outline/wkt_writer.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -55,7 +55,7 @@ std::string shown(const Flaw& flaw, const Outline& outline) {
 }
 
 std::string shown_turned(const Flaw& flaw, const Outline& outline, double heading) {
-  const std::string turned = "turned by " + base::shown(heading) + " degrees ";
+  const std::string turned = "turned by " + shown(heading) + " degrees ";
   if (flaw.kind == Flaw::Kind::edge_touch)
     return turned + "its rings part at (" + shown(flaw.place) + "): write it as a corner of both rings";
   if (flaw.kind == Flaw::Kind::few_corners || flaw.kind == Flaw::Kind::no_area)
@@ -64,4 +64,4 @@ std::string shown_turned(const Flaw& flaw, const Outline& outline, double headin
   return turned + "its " + both_edges(flaw, outline) + " touch: they are closer than a double tells";
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

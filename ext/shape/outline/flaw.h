@@ -8,7 +8,7 @@
 
 #include "shape/outline/outline.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// Between which edges something is wrong: each goes by the place of the corner at which it begins.
 struct Flaw {
@@ -34,4 +34,4 @@ std::string shown(const Flaw& flaw, const Outline& outline);
 /// The same where the flaw is that of the outline turned by `heading` degrees.
 std::string shown_turned(const Flaw& flaw, const Outline& outline, double heading);
 
-}  // namespace foresee::shape
+}  // namespace foresee

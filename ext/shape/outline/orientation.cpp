@@ -5,7 +5,7 @@
 #include "numbers/double_double.h"
 #include "numbers/dyadic.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -56,4 +56,4 @@ int convex_direction(std::span<const Corner> ring) {
   return reversals == 2 ? direction : 0;
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

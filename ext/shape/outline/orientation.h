@@ -13,7 +13,7 @@
 
 #include "shape/outline/outline.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// What turn_sign() says where doubles with an error bound do not tell.
 int close_turn_sign(const Corner& a, const Corner& b, const Corner& c, const Corner& d);
@@ -49,4 +49,4 @@ bool is_counterclockwise(std::span<const Corner> ring);
 /// clockwise; 0 if it is no such ring. Corners may lie on the line between their neighbours.
 int convex_direction(std::span<const Corner> ring);
 
-}  // namespace foresee::shape
+}  // namespace foresee

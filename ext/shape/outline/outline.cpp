@@ -1,6 +1,6 @@
 #include "shape/outline/outline.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 void Outline::begin_part() {
   part_begins_.push_back(static_cast<std::uint32_t>(rings()));
@@ -35,4 +35,4 @@ Extents<2> Outline::extents() const {
   return around;
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -22,7 +22,7 @@
 
 #include "motion/box.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// Finite, and never -0.
 struct Corner {
@@ -69,4 +69,4 @@ class Outline {
   std::vector<std::uint32_t> part_begins_;  ///< the first ring of each part
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "shape/outline/convex_pieces.h"
 #include "shape/own_pieces.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// Who knows the outlines of a table's rows. Asked by several threads at a time.
 class OutlineRows {
@@ -17,4 +17,4 @@ class OutlineRows {
   virtual const ConvexPieces* pieces(std::size_t row, OwnPieces<ConvexPieces>& own) const = 0;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

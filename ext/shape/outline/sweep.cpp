@@ -4,7 +4,7 @@
 #include <iterator>
 #include <numeric>
 
-namespace foresee::shape {
+namespace foresee {
 
 SweepEdges::SweepEdges(const Outline& outline) {
   edges_.reserve(outline.corners().size());
@@ -87,4 +87,4 @@ std::vector<std::uint32_t> sweep_order(const SweepEdges& edges) {
   return order;
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

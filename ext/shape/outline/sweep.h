@@ -18,7 +18,7 @@
 
 #include "shape/outline/orientation.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// An edge goes by the place of the corner at which it begins, among the corners of the outline.
 using EdgeNumber = std::uint32_t;
@@ -119,4 +119,4 @@ void sweep(const SweepEdges& edges, Visit&& visit) {
   }
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "shape/outline/sweep.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -159,4 +159,4 @@ std::vector<TriangleSide> triangulation(const Outline& outline) {
   return Triangulator(outline).sides();
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

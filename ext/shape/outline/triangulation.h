@@ -16,7 +16,7 @@
 
 #include "shape/outline/outline.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// From a corner of a triangle to the next.
 struct TriangleSide {
@@ -29,4 +29,4 @@ struct TriangleSide {
 /// Requires: a valid outline (validity.h).
 std::vector<TriangleSide> triangulation(const Outline& outline);
 
-}  // namespace foresee::shape
+}  // namespace foresee

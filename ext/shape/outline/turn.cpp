@@ -7,7 +7,7 @@
 #include "base/shown.h"
 #include "shape/outline/wkt_writer.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -54,7 +54,7 @@ double Turn::rounded_sum(double a, double b) {
 double Turn::rounded_sum_of_more_bits(double a, double b) {
   const double angle = std::abs(degrees_), b_side = degrees_ < 0 ? -b : b;
   if (a == 0 && b == 0) return 0;
-  if (a == 0 && angle == 30) return numbers::rounded(Dyadic(b_side).scaled(-1)) + 0.0;
+  if (a == 0 && angle == 30) return rounded(Dyadic(b_side).scaled(-1)) + 0.0;
   const Dyadic diagonal = Dyadic(a) + Dyadic(b_side);
   if (angle == 45 && diagonal.sign() == 0) return 0;
   for (int bits = first_length;; bits *= 2) {
@@ -62,7 +62,7 @@ double Turn::rounded_sum_of_more_bits(double a, double b) {
     const Midrad whole =
         angle == 45 ? Midrad(diagonal, bits) * closer_->cosine
                     : Midrad(Dyadic(a), bits) * closer_->cosine + Midrad(Dyadic(b), bits) * closer_->sine;
-    const double low = numbers::rounded(whole.low()), high = numbers::rounded(whole.high());
+    const double low = rounded(whole.low()), high = rounded(whole.high());
     if (low == high) return low + 0.0;  // -0 becomes 0
   }
 }
@@ -70,7 +70,7 @@ double Turn::rounded_sum_of_more_bits(double a, double b) {
 Corner finite_turn(Turn& turn, const Corner& corner, double heading) {
   const Corner there = turn(corner);
   if (!std::isfinite(there.x) || !std::isfinite(there.y))
-    throw Error("turned by " + base::shown(heading) + " degrees the corner (" + shown(corner) +
+    throw Error("turned by " + shown(heading) + " degrees the corner (" + shown(corner) +
                 ") is beyond the largest double");
   return there;
 }
@@ -88,4 +88,4 @@ Outline turned(const Outline& outline, double heading) {
   return lies;
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

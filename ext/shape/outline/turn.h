@@ -20,7 +20,7 @@
 #include "numbers/sine_cosine.h"
 #include "shape/outline/outline.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// One heading, for many corners.
 class Turn {
@@ -51,4 +51,4 @@ Corner finite_turn(Turn& turn, const Corner& corner, double heading);
 /// heading <= 360.
 Outline turned(const Outline& outline, double heading);
 
-}  // namespace foresee::shape
+}  // namespace foresee

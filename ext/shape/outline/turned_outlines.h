@@ -12,7 +12,7 @@
 #include "shape/outline/outline_rows.h"
 #include "shape/turned_forms.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 class TurnedOutlines final : public OutlineRows {
  public:
@@ -34,4 +34,4 @@ class TurnedOutlines final : public OutlineRows {
   TurnedForms<CutOutline> forms_;
 };
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -10,7 +10,7 @@
 #include "base/float_environment.h"
 #include "shape/outline/sweep.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -215,4 +215,4 @@ void check_turned(const Outline& outline, const std::optional<Flaw>& edge_touch,
   throw Error(shown_turned(*flaw, same_places ? outline : turned, heading));
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

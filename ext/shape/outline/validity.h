@@ -15,7 +15,7 @@
 
 #include "shape/outline/flaw.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 /// The first flaw from the left, or none.
 std::optional<Flaw> flaw_of(const Outline& outline);
@@ -37,4 +37,4 @@ std::optional<Flaw> edge_touch_of(const Outline& outline);
 void check_turned(const Outline& outline, const std::optional<Flaw>& edge_touch, const Outline& turned,
                   double heading);
 
-}  // namespace foresee::shape
+}  // namespace foresee

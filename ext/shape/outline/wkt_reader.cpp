@@ -7,7 +7,7 @@
 #include "shape/outline/wkt_writer.h"
 #include "shape/wkt_lexer.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -116,4 +116,4 @@ Outline read_outline(std::string_view text) {
   return OutlineReader(text).outline();
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -17,8 +17,8 @@
 
 #include "shape/outline/outline.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 Outline read_outline(std::string_view text);
 
-}  // namespace foresee::shape
+}  // namespace foresee

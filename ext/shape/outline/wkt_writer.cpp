@@ -3,7 +3,7 @@
 #include "base/float_environment.h"
 #include "base/shown.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -26,7 +26,7 @@ void write_part(const Outline& outline, std::size_t part, std::string& text) {
 }  // namespace
 
 std::string shown(const Corner& corner) {
-  return base::shown(corner.x) + ' ' + base::shown(corner.y);
+  return shown(corner.x) + ' ' + shown(corner.y);
 }
 
 std::string name_of_ring(const Outline& outline, std::size_t ring) {
@@ -46,4 +46,4 @@ std::string write_outline(const Outline& outline) {
   return outline.parts() == 1 ? text : text + ')';
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -10,7 +10,7 @@
 
 #include "shape/outline/outline.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 std::string write_outline(const Outline& outline);
 
@@ -20,4 +20,4 @@ std::string shown(const Corner& corner);
 /// "ring 2", or "ring 2 of part 3" where there are several parts: counted from 1.
 std::string name_of_ring(const Outline& outline, std::size_t ring);
 
-}  // namespace foresee::shape
+}  // namespace foresee

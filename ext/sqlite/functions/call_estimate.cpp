@@ -7,7 +7,7 @@
 #include "sqlite/functions/table_function.h"
 #include "storage/rows/text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 // In the planner's unit.
@@ -115,4 +115,4 @@ CallSizes call_sizes(const TableFunction& function, const Connection& connection
   return sizes;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

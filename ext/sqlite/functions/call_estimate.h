@@ -14,7 +14,7 @@
 
 #include "sqlite/connection.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 struct TableFunction;
 
@@ -52,4 +52,4 @@ CallEstimate estimate_pairs_of_one(const CallSizes& sizes, bool by_a);
 CallSizes call_sizes(const TableFunction& function, const Connection& connection,
                      std::span<sqlite3_value* const> written, std::uint32_t given);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

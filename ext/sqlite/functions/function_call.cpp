@@ -9,7 +9,7 @@
 #include "sqlite/functions/table_function.h"
 #include "storage/rows/text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 void FunctionCall::reject(int input, const char* kind) const {
   const auto place = static_cast<std::size_t>(input);
@@ -85,4 +85,4 @@ FunctionCall::Bounds FunctionCall::bounds(int output) const {
   return bounds;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

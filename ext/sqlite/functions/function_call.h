@@ -19,7 +19,7 @@
 #include "sqlite/functions/used_inputs.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 struct TableFunction;
 
@@ -94,4 +94,4 @@ class FunctionCall {
   UsedInputs& used_;
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -5,7 +5,7 @@
 
 #include "sqlite/host.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 int output_count(const TableFunction& function) {
@@ -193,4 +193,4 @@ std::span<const int> planned_order(const TableFunction& function, int plan) {
       .first(static_cast<std::size_t>(length));
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -16,7 +16,7 @@
 
 #include "sqlite/functions/table_function.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 /// What SQLite was told before, in planning the same statement.
 struct PlansBefore {
@@ -43,4 +43,4 @@ std::uint32_t planned_outputs(const TableFunction& function, int plan);
 /// The outputs by which rows must come, rising; none: in any order.
 std::span<const int> planned_order(const TableFunction& function, int plan);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

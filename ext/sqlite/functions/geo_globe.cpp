@@ -7,15 +7,15 @@
 #include "sqlite/functions/one_row.h"
 #include "sqlite/functions/table_functions.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 std::unique_ptr<FunctionRows> start_to_globe(const FunctionCall& call) {
   const FloatEnvironment environment;
   enum Input { in_lat, in_lon, in_height, in_speed, in_course, in_climb };
-  const auto place = place_of(call, in_lat);
+  const auto place = place_input(call, in_lat);
   if (!place) return std::make_unique<OneRow>(std::vector<std::optional<double>>{});
-  const OnGlobe point = to_globe({{*place, course_of(call, in_speed)},
+  const OnGlobe point = to_globe({{*place, course_input(call, in_speed)},
                                   finite_number(call, in_height).value_or(0),
                                   finite_number(call, in_climb).value_or(0)});
   std::vector<std::optional<double>> row(point.x.begin(), point.x.end());
@@ -78,4 +78,4 @@ const TableFunction& globe_to_geo() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "base/shown.h"
 #include "sqlite/functions/table_function.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 std::optional<double> finite_number(const FunctionCall& call, int input) {
   const auto given = call.number(input);
@@ -16,12 +16,12 @@ std::optional<double> finite_number(const FunctionCall& call, int input) {
 
 void require_latitude(double lat, const char* name) {
   if (std::abs(lat) <= 90) return;
-  throw Error(std::string(name) + " is " + base::shown(lat) +
+  throw Error(std::string(name) + " is " + shown(lat) +
               ": latitudes lie between -90 and 90; write NULL where there is none, as nullif(" + name +
               ", 91) does for AIS");
 }
 
-std::optional<LatLon> place_of(const FunctionCall& call, int lat) {
+std::optional<LatLon> place_input(const FunctionCall& call, int lat) {
   const auto north = finite_number(call, lat), east = finite_number(call, lat + 1);
   if (!north || !east) return std::nullopt;
   require_latitude(*north, call.name_of(lat));
@@ -31,10 +31,10 @@ std::optional<LatLon> place_of(const FunctionCall& call, int lat) {
 LatLon origin_of(const FunctionCall& call, int lat0) {
   call.required_number(lat0);
   call.required_number(lat0 + 1);
-  return *place_of(call, lat0);
+  return *place_input(call, lat0);
 }
 
-std::optional<Course> course_of(const FunctionCall& call, int speed) {
+std::optional<Course> course_input(const FunctionCall& call, int speed) {
   const auto fast = finite_number(call, speed), degrees = finite_number(call, speed + 1);
   if (!fast || !degrees) return std::nullopt;
   return Course{*fast, *degrees};
@@ -44,4 +44,4 @@ CallEstimate estimate_one_row(const CallSizes&) {
   return {1, 1};
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -11,16 +11,16 @@
 #include "sqlite/functions/call_estimate.h"
 #include "sqlite/functions/function_call.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 /// Nothing where one of the two is NULL. `lat`: the input; its longitude follows it.
-std::optional<LatLon> place_of(const FunctionCall& call, int lat);
+std::optional<LatLon> place_input(const FunctionCall& call, int lat);
 
 /// Where a plane touches the Earth: both must be there.
 LatLon origin_of(const FunctionCall& call, int lat0);
 
 /// Nothing where one of the two is NULL. `speed`: the input; the course follows it.
-std::optional<Course> course_of(const FunctionCall& call, int speed);
+std::optional<Course> course_input(const FunctionCall& call, int speed);
 
 /// A number that is not infinite.
 std::optional<double> finite_number(const FunctionCall& call, int input);
@@ -31,4 +31,4 @@ void require_latitude(double lat, const char* name);
 /// One row of numbers from numbers.
 CallEstimate estimate_one_row(const CallSizes& sizes);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

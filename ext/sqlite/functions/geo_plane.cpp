@@ -7,16 +7,16 @@
 #include "sqlite/functions/one_row.h"
 #include "sqlite/functions/table_functions.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 std::unique_ptr<FunctionRows> start_to_plane(const FunctionCall& call) {
   const FloatEnvironment environment;
   enum Input { in_lat, in_lon, in_speed, in_course, in_lat0 };
   const LatLon origin = origin_of(call, in_lat0);
-  const auto place = place_of(call, in_lat);
+  const auto place = place_input(call, in_lat);
   if (!place) return std::make_unique<OneRow>(std::vector<std::optional<double>>{});
-  const OnPlane point = to_plane({*place, course_of(call, in_speed)}, origin);
+  const OnPlane point = to_plane({*place, course_input(call, in_speed)}, origin);
   std::vector<std::optional<double>> row{point.x, point.y};
   if (point.v) row.insert(row.end(), point.v->begin(), point.v->end());
   return std::make_unique<OneRow>(std::move(row));
@@ -62,4 +62,4 @@ const TableFunction& plane_to_geo() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "sqlite/names/open_table.h"
 #include "storage/rows/text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 /// In the order of join_input_names().
@@ -182,4 +182,4 @@ JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, c
   return question;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

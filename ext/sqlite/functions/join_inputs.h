@@ -15,7 +15,7 @@
 #include "query/join/question.h"
 #include "sqlite/functions/function_call.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 struct JoinInputs {
   double h = 0;
@@ -46,4 +46,4 @@ struct AskedIds {
 /// < ?).
 JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const AskedIds& ids = {});
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

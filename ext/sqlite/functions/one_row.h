@@ -7,7 +7,7 @@
 
 #include "sqlite/functions/table_function.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 class OneRow final : public FunctionRows {
  public:
@@ -25,4 +25,4 @@ class OneRow final : public FunctionRows {
   bool left_ = true;
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "sqlite/names/open_table.h"
 #include "storage/rows/text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum AvoidOutput {
@@ -190,4 +190,4 @@ const TableFunction& predictive_avoid() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include "sqlite/functions/join_inputs.h"
 #include "sqlite/functions/table_functions.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum Output { out_a, out_b, out_t, out_t_end, out_dt, out_dt_end, out_t_cpa, out_dt_cpa, out_d_cpa };
@@ -94,4 +94,4 @@ const TableFunction& predictive_join() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include "sqlite/functions/searched_table.h"
 #include "sqlite/functions/table_functions.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum NearestOutput { out_id, out_rank, out_distance, out_t, out_dt };
@@ -66,4 +66,4 @@ const TableFunction& predictive_nearest() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum Output { out_id, out_x, out_vx = out_x + 3 };
@@ -65,4 +65,4 @@ const TableFunction& predictive_position() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -4,7 +4,7 @@
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum SweepOutput { out_id, out_x0 };
@@ -73,4 +73,4 @@ const TableFunction& predictive_sweep() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum TrackOutput { out_id, out_t, out_x };
@@ -63,4 +63,4 @@ const TableFunction& predictive_track() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

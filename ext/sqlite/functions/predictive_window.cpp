@@ -5,7 +5,7 @@
 #include "sqlite/functions/searched_table.h"
 #include "sqlite/functions/table_functions.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum WindowOutput { out_id, out_t, out_t_end, out_dt, out_dt_end };
@@ -103,4 +103,4 @@ const TableFunction& predictive_window() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include "sqlite/functions/table_function.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 constexpr char no_column = 'A' - 1;
@@ -41,4 +41,4 @@ bool read_row_limit(const char* letters, sqlite3_value* value, RowLimit& limit) 
   return true;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

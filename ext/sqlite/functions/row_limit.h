@@ -10,10 +10,9 @@
 #include <optional>
 #include <string>
 
-#include "base/rooms.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 struct TableFunction;
 
@@ -35,4 +34,4 @@ void take_row_limit(const TableFunction& function, sqlite3_index_info& info, std
 /// Takes an argument by its letters into `limit`. False, and nothing is taken, if it is neither of the two.
 bool read_row_limit(const char* letters, sqlite3_value* value, RowLimit& limit);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -4,7 +4,7 @@
 #include "query/searched.h"
 #include "sqlite/functions/function_call.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 /// The inputs that both functions have, by their places.
 struct SearchInputs {
@@ -19,4 +19,4 @@ struct SearchedTable {
 /// Throws Error where no such table is to be found, and for an unknown method.
 SearchedTable searched_table(const FunctionCall& call, const SearchInputs& inputs);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

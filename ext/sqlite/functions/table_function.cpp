@@ -4,7 +4,7 @@
 #include "sqlite/callback.h"
 #include "sqlite/functions/function_plan.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 struct Registration {
@@ -205,4 +205,4 @@ int register_table_function(sqlite3* db, const TableFunction& function,
                                   [](void* aux) { delete static_cast<Registration*>(aux); });
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

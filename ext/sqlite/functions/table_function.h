@@ -24,7 +24,7 @@
 #include "sqlite/functions/call_estimate.h"
 #include "sqlite/functions/function_call.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 /// The rows of one call, and the tables as they were when it started.
 class FunctionRows {
@@ -58,4 +58,4 @@ std::string usage(const TableFunction& function);
 int register_table_function(sqlite3* db, const TableFunction& function,
                             std::shared_ptr<Connection> connection);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -15,7 +15,7 @@
 
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 class UsedInputs {
  public:
@@ -39,4 +39,4 @@ class UsedInputs {
   std::vector<std::pair<int, Value>> values_;
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -7,7 +7,7 @@
 #include "sqlite/sql_tokens.h"
 #include "storage/rows/text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 bool in_schema(const VisibleTable& table, const std::optional<std::string>& schema) {
@@ -118,4 +118,4 @@ Connection::OpenTable open_table(Connection& connection, const AskedTable& asked
   throw Error(*name.table + " does not answer as a moving_objects table does");
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

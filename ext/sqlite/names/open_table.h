@@ -12,7 +12,7 @@
 
 #include "sqlite/connection.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 /// Equal tables have equal stores. A copy, because to look up another table may make SQLite connect this one
 /// anew. Throws Error where no such table is to be found or where the choice is not
@@ -25,4 +25,4 @@ std::string quoted(const std::string& name);
 /// By the text of its declaration alone: nothing is connected or asked. Throws Error as open_table does.
 void require_moving_objects(sqlite3* db, const std::string& table, const std::optional<std::string>& schema);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "storage/table/store.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 // Takes the witness off the list: while it runs SQLite may disconnect tables, and finalize() be called.
 std::optional<std::int64_t> TableLookups::kept_number(const AskedTable& name) {
   const auto found =
@@ -61,4 +61,4 @@ void TableLookups::finalize() noexcept {
   kept_.clear();
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

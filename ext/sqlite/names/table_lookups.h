@@ -22,7 +22,7 @@
 
 #include "storage/rows/statement.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 struct AskedTable {
   std::optional<std::string> table;
@@ -65,4 +65,4 @@ class TableLookups {
   std::vector<Kept> kept_;  ///< the latest last
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -8,10 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "base/rooms.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 struct VisibleTable {
   std::string schema, name;
@@ -28,4 +27,4 @@ inline bool uses_moving_objects(const std::string& sql) {
   return uses_module(sql, "moving_objects");
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

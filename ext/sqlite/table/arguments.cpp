@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "sqlite/sql_tokens.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 [[noreturn]] void refuse(std::string_view text, const std::string& why) {
@@ -69,4 +69,4 @@ Argument parse_argument(std::string_view text) {
   return argument;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -11,9 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/rooms.h"
-
-namespace foresee::sqlite {
+namespace foresee {
 
 struct Argument {
   enum class Kind : std::uint8_t { column, auxiliary, option };
@@ -26,4 +24,4 @@ struct Argument {
 
 Argument parse_argument(std::string_view text);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

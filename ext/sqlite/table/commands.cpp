@@ -5,7 +5,7 @@
 #include "sqlite/callback.h"
 #include "storage/rows/text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 void require_integrity(MovingObjectsTable& table) {
   constexpr std::size_t most = 5;
@@ -31,4 +31,4 @@ void run_command(MovingObjectsTable& table, sqlite3_value* command) {
   }
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

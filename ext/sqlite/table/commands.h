@@ -7,7 +7,7 @@
 
 #include "sqlite/table/moving_objects_table.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 /// Throws Error for an unknown command, listing the known.
 void run_command(MovingObjectsTable& table, sqlite3_value* command);
@@ -15,4 +15,4 @@ void run_command(MovingObjectsTable& table, sqlite3_value* command);
 /// Throws StoreError with the first findings of the integrity check, if there are any.
 void require_integrity(MovingObjectsTable& table);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -5,7 +5,7 @@
 
 #include "storage/rows/text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 TableCursor::TableCursor(MovingObjectsTable& table) : sqlite3_vtab_cursor{}, table_(table) {
   table_.scan_opened(*this);
@@ -145,4 +145,4 @@ void TableCursor::column(sqlite3_context* context, int column) const {
   }
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

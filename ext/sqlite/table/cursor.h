@@ -11,7 +11,7 @@
 #include "sqlite/table/rising_ids.h"
 #include "sqlite/table/table_plan.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 class TableCursor : public sqlite3_vtab_cursor {
  public:
@@ -57,4 +57,4 @@ inline TableCursor& cursor_of(sqlite3_vtab_cursor* base) {
   return *static_cast<TableCursor*>(base);
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

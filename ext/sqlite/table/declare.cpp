@@ -10,7 +10,7 @@
 #include "sqlite/table/vocabulary.h"
 #include "storage/rows/statement.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 [[noreturn]] void refuse(const Argument& argument, const std::string& why) {
@@ -75,7 +75,7 @@ class Declarer {
     declaration_.layout = layout_of(words_);
     const Offsets at = record_offsets(declaration_.layout);
     for (const DeclaredWord& declared : words_)
-      declaration_.columns.push_back({std::string(declared.word.name), place_of(at, declared.word),
+      declaration_.columns.push_back({std::string(declared.word.name), offset_of(at, declared.word),
                                       declared.word.quantity == Quantity::form});
     return std::move(declaration_);
   }
@@ -159,4 +159,4 @@ std::string declared_schema(const Declaration& declaration, std::string_view tab
   return sql + ", " + quoted_name(std::string(table)) + " HIDDEN)";
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

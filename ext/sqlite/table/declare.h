@@ -13,7 +13,7 @@
 
 #include "storage/format/declaration.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 Declaration parse_declaration(std::string_view table, const std::vector<std::string_view>& arguments);
 
@@ -24,4 +24,4 @@ void require_table_name(const Declaration& declaration, std::string_view table);
 /// column named like the table.
 std::string declared_schema(const Declaration& declaration, std::string_view table);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "storage/rows/text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 StoredForms::Known form_of(Shape kind, sqlite3_value* shape, Store& store) {
@@ -46,4 +46,4 @@ void FormValues::fill(std::span<double> record, sqlite3_value* shape, std::span<
   std::copy_n(around.upper.data(), axes, bounds + axes);
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

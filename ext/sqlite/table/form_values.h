@@ -14,7 +14,7 @@
 #include "storage/rows/sqlite_api.h"
 #include "storage/table/store.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 class FormValues {
  public:
@@ -31,4 +31,4 @@ class FormValues {
   Offsets at_;
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

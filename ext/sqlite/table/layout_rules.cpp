@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 /// The words by quantity and axis.
@@ -164,7 +164,7 @@ Layout layout_of(const std::vector<DeclaredWord>& words) {
   return Mixture(words).layout();
 }
 
-int place_of(const Offsets& at, const Word& word) {
+int offset_of(const Offsets& at, const Word& word) {
   switch (word.quantity) {
     case Quantity::reference_time:
       return at.t;
@@ -194,4 +194,4 @@ int place_of(const Offsets& at, const Word& word) {
   return Offsets::absent;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

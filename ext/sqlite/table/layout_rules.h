@@ -10,7 +10,7 @@
 #include "shape/layout.h"
 #include "sqlite/table/vocabulary.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 struct DeclaredWord {
   Word word;
@@ -21,6 +21,6 @@ struct DeclaredWord {
 Layout layout_of(const std::vector<DeclaredWord>& words);
 
 /// Where the quantity of `word` stands among a record's doubles.
-int place_of(const Offsets& at, const Word& word);
+int offset_of(const Offsets& at, const Word& word);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

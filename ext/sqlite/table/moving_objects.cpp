@@ -12,7 +12,7 @@
 #include "sqlite/table/write.h"
 #include "storage/rows/shadow_schema.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using OpenStore = StoreOrFault (*)(sqlite3* db, const std::string& schema, const std::string& table,
@@ -230,4 +230,4 @@ int register_moving_objects(sqlite3* db, const std::shared_ptr<Connection>& conn
                                   [](void* aux) { delete static_cast<Holder*>(aux); });
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

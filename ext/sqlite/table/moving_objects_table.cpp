@@ -3,7 +3,7 @@
 #include "sqlite/table/declare.h"
 #include "storage/rows/shadow_schema.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 MovingObjectsTable::MovingObjectsTable(std::shared_ptr<Connection> connection_, Declaration declaration,
                                        StoreOrFault store, const std::string& schema_,
@@ -39,4 +39,4 @@ void MovingObjectsTable::drop() {
     shadow_tables(connection->db(), {schema, name}, declaration()).drop();
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -14,7 +14,7 @@
 #include "sqlite/table/values.h"
 #include "storage/table/store.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 class TableCursor;
 
@@ -74,4 +74,4 @@ inline MovingObjectsTable& table_of(sqlite3_vtab* base) {
   return *static_cast<MovingObjectsTable*>(base);
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

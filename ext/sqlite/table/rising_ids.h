@@ -12,7 +12,7 @@
 #include <limits>
 #include <optional>
 
-namespace foresee::sqlite {
+namespace foresee {
 
 class RisingIds {
  public:
@@ -43,4 +43,4 @@ class RisingIds {
   std::int64_t named_until_ = 0;  ///< of a rising order: ids below have been named
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

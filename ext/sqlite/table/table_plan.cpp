@@ -5,7 +5,7 @@
 
 #include "sqlite/host.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using Constraint = sqlite3_index_info::sqlite3_index_constraint;
@@ -88,4 +88,4 @@ int plan_table(const MovingObjectsTable& table, sqlite3_index_info* info) {
   return SQLITE_OK;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -10,7 +10,7 @@
 
 #include "sqlite/table/moving_objects_table.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 enum class TablePlan : int { scan = 0, one_object = 1, handle = 2 };
 
@@ -21,4 +21,4 @@ constexpr const char* handle_word = "foresee-handle";
 /// to MATCH is not there yet.
 int plan_table(const MovingObjectsTable& table, sqlite3_index_info* info);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

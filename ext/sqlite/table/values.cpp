@@ -10,7 +10,7 @@
 #include "sqlite/date_text.h"
 #include "storage/rows/text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 /// SQLITE_INTEGER or SQLITE_FLOAT for numbers and wholly numeric text, SQLITE_NULL for NULL and '',
@@ -151,4 +151,4 @@ std::optional<std::int64_t> Values::id(sqlite3_value* value) const {
                                      ": not an integer; write an INTEGER, or NULL to have one assigned");
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

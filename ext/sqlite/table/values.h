@@ -20,7 +20,7 @@
 #include "storage/format/declaration.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 class Values {
  public:
@@ -59,4 +59,4 @@ class Values {
   std::vector<double> record_;
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -7,7 +7,7 @@
 
 #include "sqlite/sql_tokens.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 constexpr std::array words = {
@@ -116,4 +116,4 @@ std::string_view nearest_word(std::string_view name) {
   return nearest;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -8,9 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "base/rooms.h"
-
-namespace foresee::sqlite {
+namespace foresee {
 
 enum class Quantity : std::uint8_t {
   reference_time,
@@ -50,4 +48,4 @@ std::string_view advice_for(std::string_view name);
 /// The known word (or "id") that differs from `name` by one letter or two, or "" if none is that near.
 std::string_view nearest_word(std::string_view name);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

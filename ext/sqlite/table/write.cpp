@@ -7,7 +7,7 @@
 #include "sqlite/table/commands.h"
 #include "sqlite/table/cursor.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 /// One call of xUpdate that brings a row: its parts by name.
@@ -84,4 +84,4 @@ void write_table(MovingObjectsTable& table, int count, sqlite3_value** arguments
   }
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

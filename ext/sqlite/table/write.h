@@ -8,9 +8,9 @@
 
 #include "sqlite/table/moving_objects_table.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 /// `arguments` as xUpdate gets them; the new row's id goes to `*rowid`.
 void write_table(MovingObjectsTable& table, int count, sqlite3_value** arguments, sqlite3_int64* rowid);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

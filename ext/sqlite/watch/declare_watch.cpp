@@ -12,7 +12,7 @@
 #include "sqlite/table/arguments.h"
 #include "storage/rows/statement.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 constexpr std::array<const char*, 11> columns{"a",     "b",      "t",     "t_end", "dt",  "dt_end",
@@ -151,4 +151,4 @@ std::string declared_watch(std::string_view watch) {
          quoted_name(std::string(watch)) + " HIDDEN, pair BLOB HIDDEN NOT NULL PRIMARY KEY) WITHOUT ROWID";
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -7,7 +7,7 @@
 
 #include "storage/watch/watch_state.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 /// Throws Error that names the watch, quotes the argument and says what would be right.
 WatchDeclaration parse_watch(std::string_view watch, const std::vector<std::string_view>& arguments);
@@ -16,4 +16,4 @@ WatchDeclaration parse_watch(std::string_view watch, const std::vector<std::stri
 /// commands only where the key is one column.
 std::string declared_watch(std::string_view watch);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -4,7 +4,7 @@
 #include "query/join/probe.h"
 #include "query/watch/pair_contacts.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 // A probe costs some ten microseconds, the join of few objects with all some hundred nanoseconds for each of
@@ -86,4 +86,4 @@ void PairSearch::join(Side side, std::span<const std::int64_t> ids, const Take& 
   }
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

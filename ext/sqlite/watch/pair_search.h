@@ -18,7 +18,7 @@
 #include "index/one_with_all.h"
 #include "sqlite/watch/watched_tables.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 /// The objects of one table that this transaction has changed.
 struct ChangedObjects {
@@ -62,4 +62,4 @@ class PairSearch {
   Contact::Reach reach_;
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -7,7 +7,7 @@
 #include "sqlite/watch/watch_functions.h"
 #include "sqlite/watch/watches.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum Output { out_seq, out_op, out_a, out_b, out_t, out_now };
@@ -132,4 +132,4 @@ const TableFunction& predictive_changes() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -12,7 +12,7 @@
 #include "sqlite/watch/watch_table.h"
 #include "storage/rows/text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using Holder = std::shared_ptr<Connection>;  // what pAux points to
@@ -257,4 +257,4 @@ int register_predictive_watch(sqlite3* db, const std::shared_ptr<Connection>& co
   return rc;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

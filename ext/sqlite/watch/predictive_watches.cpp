@@ -8,7 +8,7 @@
 #include "sqlite/watch/watch_table.h"
 #include "sqlite/watch/watches.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 enum Output {
@@ -175,4 +175,4 @@ const TableFunction& predictive_watches() {
   return function;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -7,7 +7,7 @@
 #include "query/join/join.h"
 #include "query/watch/pair_contacts.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 bool by_ids(const WatchedPair& x, const WatchedPair& y) {
@@ -212,7 +212,7 @@ void Settlement::write_differences(bool all_are_known) {
 bool Settlement::differ_mostly() {
   std::size_t kept = 0;
   for_each_difference([&](const WatchedPair* before, const WatchedPair* after) {
-    const PairChange change = compare(before, after, {clock_, state_.tolerance});
+    const PairChange change = change_between(before, after, {clock_, state_.tolerance});
     kept += !change.writes && !change.erases;
   });
   return old_.size() + new_.size() > 4 * kept;
@@ -220,7 +220,7 @@ bool Settlement::differ_mostly() {
 
 void Settlement::write_difference(const WatchedPair* before, const WatchedPair* after) {
   const WatchClock clock{clock_, state_.tolerance};
-  const PairChange change = compare(before, after, clock);
+  const PairChange change = change_between(before, after, clock);
   const WatchedPair& row = change.row;
   const auto waits = [](const WatchedPair* pair) { return pair && !pair->held; };
   state_.waited += waits(after) && !waits(before);
@@ -241,4 +241,4 @@ void Settlement::write_difference(const WatchedPair* before, const WatchedPair* 
   if (change.op && tells_) rows_.append({++state_.seq, change.op, row.a, row.b, clock.shown(row.t), clock_});
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -28,7 +28,7 @@
 #include "sqlite/watch/pair_search.h"
 #include "storage/watch/watch_rows.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 inline double next_above(double x) {
   return std::nextafter(x, std::numeric_limits<double>::infinity());
@@ -91,4 +91,4 @@ class Settlement {
   bool replaces_ = false;  ///< every row is written, into a table without any
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -5,7 +5,7 @@
 
 #include "sqlite/watch/settlement.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 /// Of a table without t all are 0.
@@ -107,4 +107,4 @@ void Settlement::look_further() {
   state_.known_to = std::nextafter(clock_ + reach_, -std::numeric_limits<double>::infinity());
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

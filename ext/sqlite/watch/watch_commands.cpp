@@ -7,7 +7,7 @@
 #include "sqlite/watch/watch_table.h"
 #include "storage/rows/text.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 double moment_of(const WatchTable& table, sqlite3_value* now) {
@@ -78,4 +78,4 @@ void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value*
   }
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

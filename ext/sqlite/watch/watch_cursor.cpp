@@ -3,7 +3,7 @@
 #include "base/integer_of.h"
 #include "sqlite/watch/watch_table.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 /// Nothing where no id is equal to the value: then SQLite takes no row, whatever is read.
@@ -157,4 +157,4 @@ void WatchCursor::column(sqlite3_context* context, int column) const {
   sqlite3_result_double(context, values[column - watch_t]);
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -9,7 +9,7 @@
 #include "sqlite/watch/pair_search.h"
 #include "sqlite/watch/watches.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 // Columns as SQL numbers them.
 enum WatchColumn {
@@ -98,4 +98,4 @@ bool is_settled(const WatchState& state, const WatchedTables& tables);
 /// Whether there are objects and no clock: it is lost, unless the transaction under way has brought them.
 bool lacks_clock(const WatchState& state, const WatchedTables& tables);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

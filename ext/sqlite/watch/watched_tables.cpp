@@ -6,7 +6,7 @@
 #include "query/watch/pair_contacts.h"
 #include "sqlite/names/open_table.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 constexpr std::size_t pairs_at_once = 8192;
@@ -111,4 +111,4 @@ std::vector<JoinRow> contacts_of(Connection& connection, const WatchedTables& ta
   return rows;
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -12,7 +12,7 @@
 #include "sqlite/connection.h"
 #include "storage/watch/watch_state.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 struct WatchedTables {
   Connection::OpenTable a;
@@ -48,4 +48,4 @@ struct PairIds {
 std::vector<JoinRow> contacts_of(Connection& connection, const WatchedTables& tables,
                                  const JoinQuestion& question, std::span<const PairIds> pairs);
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

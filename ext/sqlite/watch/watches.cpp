@@ -4,7 +4,7 @@
 #include "sqlite/watch/settlement.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 /// Whether an error is about the watch itself, and not one that will pass or that all of SQLite has.
@@ -152,4 +152,4 @@ void Watches::require_unwatched(Connection& connection, std::int64_t number) {
   }
 }
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -18,7 +18,7 @@
 #include "sqlite/watch_upkeep.h"
 #include "storage/watch/watch_rows.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 
 class Watches final : public WatchUpkeep {
  public:
@@ -64,4 +64,4 @@ class KeptInsertRowid {
   sqlite3_int64 rowid_;
 };
 
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -9,7 +9,7 @@
 #include <arm_acle.h>
 #endif
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr std::uint32_t polynomial = 0x82F63B78;  // reflected
@@ -121,4 +121,4 @@ std::uint32_t crc32c_portable(const void* bytes, std::size_t size, std::uint32_t
   return ~one_after_another<PortableSteps>(~before, static_cast<const unsigned char*>(bytes), size);
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

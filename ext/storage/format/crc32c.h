@@ -10,13 +10,11 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "base/rooms.h"
-
-namespace foresee::storage {
+namespace foresee {
 
 std::uint32_t crc32c(const void* bytes, std::size_t size, std::uint32_t before = 0);
 
 /// The same without the CPU's instruction: what other machines use, and what tests compare with.
 std::uint32_t crc32c_portable(const void* bytes, std::size_t size, std::uint32_t before = 0);
 
-}  // namespace foresee::storage
+}  // namespace foresee

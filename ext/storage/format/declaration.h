@@ -7,7 +7,7 @@
 
 #include "shape/layout.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// One declared column of the motion vocabulary (the id is not among them) and its place in the stored
 /// record.
@@ -30,4 +30,4 @@ struct Declaration {
   double horizon = 60;  ///< the look-ahead for which the tree is tuned
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

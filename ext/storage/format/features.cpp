@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 /// The first of the names, which loses it.
@@ -49,4 +49,4 @@ std::string unknown_feature(std::string_view names, std::span<const Feature> kno
   return "";
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -13,7 +13,7 @@
 
 #include "storage/format/declaration.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 struct Feature {
   std::string_view name;  ///< one word
@@ -48,4 +48,4 @@ bool has_feature(std::string_view names, std::string_view name);
 /// The first name that is not known; "" if all are.
 std::string unknown_feature(std::string_view names, std::span<const Feature> known = known_features());
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "storage/format/mesh_blob.h"
 #include "storage/format/outline_blob.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 std::vector<std::byte> encode_form(const Form& form) {
   if (form.shape() == Shape::mesh) return encode_mesh(static_cast<const CutMesh&>(form).mesh());
@@ -26,4 +26,4 @@ const char* decode_form(std::span<const std::byte> blob, Shape shape, std::share
   return nullptr;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

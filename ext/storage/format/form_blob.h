@@ -11,7 +11,7 @@
 #include "shape/form.h"
 #include "storage/format/form_frame.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// Forms are numbered from 1 to this: a record holds the number in a double.
 constexpr std::int64_t largest_form_number = std::int64_t{1} << 53;
@@ -21,4 +21,4 @@ std::vector<std::byte> encode_form(const Form& form);
 /// What is wrong with a blob of a table whose rows have forms of this shape; null: nothing, and `form` is it.
 const char* decode_form(std::span<const std::byte> blob, Shape shape, std::shared_ptr<const Form>& form);
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include "storage/format/crc32c.h"
 #include "storage/format/node_format.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 namespace {
 
@@ -38,4 +38,4 @@ FormKind form_kind_of(std::span<const std::byte> blob) {
   return load_number<FormKind>(blob.data() + 1);
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace foresee::storage {
+namespace foresee {
 
 enum class FormKind : std::uint8_t { outline = 1, surface = 2, solid = 3, parts = 4 };
 
@@ -35,4 +35,4 @@ const char* form_frame_fault(std::span<const std::byte> blob);
 /// Requires: no fault.
 FormKind form_kind_of(std::span<const std::byte> blob);
 
-}  // namespace foresee::storage
+}  // namespace foresee

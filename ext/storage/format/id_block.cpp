@@ -3,7 +3,7 @@
 #include <bit>
 #include <cstring>
 
-namespace foresee::storage {
+namespace foresee {
 
 std::vector<std::byte> IdBlock::encode() const {
   std::uint64_t any = 1;
@@ -42,4 +42,4 @@ const char* IdBlock::decode(std::span<const std::byte> bytes) {
   return nullptr;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

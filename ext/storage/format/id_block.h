@@ -16,9 +16,7 @@
 #include <span>
 #include <vector>
 
-#include "base/rooms.h"
-
-namespace foresee::storage {
+namespace foresee {
 
 class IdBlock {
  public:
@@ -61,4 +59,4 @@ class IdBlock {
   std::array<std::int64_t, ids> leaves_{};
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 enum EntryNumber { t_least, t_greatest, until_greatest, first_bound };
@@ -112,4 +112,4 @@ Node decode_inner(const NodeFormat& format, std::span<const std::byte> blob) {
   return node;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -17,7 +17,7 @@
 #include "index/pages.h"
 #include "storage/format/node_format.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// Velocity bounds of what is at rest, as a tree has them: not quite 0, because every computed bound is
 /// padded outward. Accelerations are bounded exactly, so where there are none their bounds are 0.
@@ -35,4 +35,4 @@ bool is_inner(const NodeFormat& format, std::span<const std::byte> blob, std::in
 /// Requires: `inner_fault` found nothing.
 Node decode_inner(const NodeFormat& format, std::span<const std::byte> blob);
 
-}  // namespace foresee::storage
+}  // namespace foresee

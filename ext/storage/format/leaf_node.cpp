@@ -7,7 +7,7 @@
 #include "shape/shapes.h"
 #include "storage/format/form_blob.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 // Records are judged where they lie: SQLite's blobs are not aligned.
@@ -171,4 +171,4 @@ Node decode_leaf(const NodeFormat& format, std::span<const std::byte> blob) {
   return leaf;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -13,7 +13,7 @@
 #include "index/pages.h"
 #include "storage/format/node_format.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// What is wrong with a blob that claims to be leaf `number`; null: nothing. Every record in a leaf without
 /// fault is one that the table would accept.
@@ -58,4 +58,4 @@ std::vector<std::byte> encode_leaf(const NodeFormat& format, std::int64_t number
 /// Requires: `leaf_fault` found nothing.
 Node decode_leaf(const NodeFormat& format, std::span<const std::byte> blob);
 
-}  // namespace foresee::storage
+}  // namespace foresee

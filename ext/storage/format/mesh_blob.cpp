@@ -8,7 +8,7 @@
 #include "storage/format/form_frame.h"
 #include "storage/format/node_format.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 /// How many of each a blob has, and so where everything stands.
@@ -80,7 +80,7 @@ std::vector<std::byte> encode_mesh(const Mesh& mesh) {
 const char* decode_mesh(std::span<const std::byte> blob, Mesh& mesh) {
   mesh = {};
   if (const char* fault = form_frame_fault(blob)) return fault;
-  const auto kind = mesh_kind_of(storage::form_kind_of(blob));
+  const auto kind = mesh_kind_of(form_kind_of(blob));
   if (!kind) return "its format or kind is not known";
   const MeshCounts counts = mesh_counts_of(blob.data());
   if (counts.triangles == 0 || counts.triangles > most_triangles || counts.corners > 3 * counts.triangles)
@@ -96,4 +96,4 @@ const char* decode_mesh(std::span<const std::byte> blob, Mesh& mesh) {
   return is_sound(mesh) ? nullptr : "a triangle has no area, or its surface is not closed";
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -17,7 +17,7 @@
 
 #include "shape/mesh/mesh.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// Requires: a sound mesh.
 std::vector<std::byte> encode_mesh(const Mesh& mesh);
@@ -25,4 +25,4 @@ std::vector<std::byte> encode_mesh(const Mesh& mesh);
 /// What is wrong with a blob; null: nothing, and `mesh` is a sound mesh.
 const char* decode_mesh(std::span<const std::byte> blob, Mesh& mesh);
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "storage/format/crc32c.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr std::size_t number_size = 8;
@@ -58,4 +58,4 @@ const char* node_fault(const NodeFormat& format, std::span<const std::byte> node
   return nullptr;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

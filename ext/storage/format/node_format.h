@@ -21,7 +21,7 @@
 
 #include "shape/layout.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 static_assert(std::endian::native == std::endian::little,
               "nodes are stored as a little-endian CPU sees them");
@@ -76,4 +76,4 @@ void seal_node(std::span<std::byte> node, std::int64_t number);
 /// level, count and contents are for the caller.
 const char* node_fault(const NodeFormat& format, std::span<const std::byte> node, std::int64_t number);
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "storage/format/form_frame.h"
 #include "storage/format/node_format.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 /// How many of each a blob has, and so where everything stands.
@@ -83,4 +83,4 @@ const char* decode_outline(std::span<const std::byte> blob, Outline& outline) {
   return flaw_of(outline) ? "its rings cross, touch or lie wrongly" : nullptr;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -16,7 +16,7 @@
 
 #include "shape/outline/outline.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// Requires: a valid outline.
 std::vector<std::byte> encode_outline(const Outline& outline);
@@ -24,4 +24,4 @@ std::vector<std::byte> encode_outline(const Outline& outline);
 /// What is wrong with a blob; null: nothing, and `outline` is a valid outline.
 const char* decode_outline(std::span<const std::byte> blob, Outline& outline);
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -15,9 +15,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "base/rooms.h"
-
-namespace foresee::storage {
+namespace foresee {
 
 class IdFilter {
  public:
@@ -59,4 +57,4 @@ class IdFilter {
   std::vector<Block> blocks_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

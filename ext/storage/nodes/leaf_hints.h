@@ -23,9 +23,7 @@
 #include <span>
 #include <vector>
 
-#include "base/rooms.h"
-
-namespace foresee::storage {
+namespace foresee {
 
 class LeafHints {
  public:
@@ -117,4 +115,4 @@ class LeafHints {
   std::size_t next_ = 0;  ///< the part that doubles next; those before it have
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

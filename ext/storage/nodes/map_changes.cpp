@@ -1,6 +1,6 @@
 #include "storage/nodes/map_changes.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 // Log entries that are about stored_is_void_, not about an id: its value before.
@@ -61,4 +61,4 @@ void MapChanges::clear() noexcept {
   began_with_nothing_ = true;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

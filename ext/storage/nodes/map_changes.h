@@ -14,7 +14,7 @@
 
 #include "storage/rows/id_hash_map.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class MapChanges {
  public:
@@ -61,4 +61,4 @@ class MapChanges {
   std::size_t held_after_writing_ = 0;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

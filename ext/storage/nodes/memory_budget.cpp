@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee::storage {
+namespace foresee {
 
 void MemoryBudget::write_out() {
   // A trigger on a shadow table may open more tables meanwhile.
@@ -29,4 +29,4 @@ MemoryShare::~MemoryShare() {
   std::erase(budget_.holders_, &holder_);
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -13,9 +13,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "base/rooms.h"
-
-namespace foresee::storage {
+namespace foresee {
 
 struct MemoryLimits {
   std::size_t pending = 128 << 20;  ///< bytes of objects that wait for the tree
@@ -94,4 +92,4 @@ class MemoryShare {
   std::size_t pending_ = 0, waiting_ = 0, map_ = 0, kept_ = 0;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

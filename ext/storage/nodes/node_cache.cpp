@@ -8,7 +8,7 @@
 #include "storage/format/leaf_node.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 void NodeCache::damaged(const std::string& what) const {
   throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + what);
@@ -268,4 +268,4 @@ void NodeCache::erase_everything() {
   filter_.reset();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -25,7 +25,7 @@
 #include "storage/nodes/undo_log.h"
 #include "storage/rows/shadow_rows.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class NodeCache final : public Pages {
  public:
@@ -211,4 +211,4 @@ class NodeCache final : public Pages {
   std::shared_ptr<Node> spare_;  ///< room for the next copy of a node
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

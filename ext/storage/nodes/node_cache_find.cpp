@@ -4,7 +4,7 @@
 
 #include "storage/nodes/node_cache.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 void NodeCache::learn(NodeNumber number, Slot& slot) {
   if (slot.learned || !slot.state.node->is_leaf()) return;
@@ -96,4 +96,4 @@ const double* NodeCache::find_record(std::int64_t id) {
   return record_at(place);
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "storage/format/leaf_node.h"
 #include "storage/nodes/node_cache.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 // --- memory
 
@@ -89,4 +89,4 @@ void NodeCache::write_nodes(Gone gone) {
   }
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "storage/nodes/node_cache.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 // Requires: slots to be restored exist, or rows say what they were.
 void NodeCache::back_to(NodeNumber number, const NodeState& state) noexcept {
@@ -168,4 +168,4 @@ void NodeCache::roll_back() noexcept {
   commit();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -1,6 +1,6 @@
 #include "storage/nodes/object_changes.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 void ObjectChanges::add(std::int64_t id, std::span<const double> before) {
   known_.prepare(id);
@@ -28,4 +28,4 @@ void ObjectChanges::clear() noexcept {
   if (!firsts_.empty()) *this = ObjectChanges();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

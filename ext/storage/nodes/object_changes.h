@@ -13,7 +13,7 @@
 
 #include "storage/rows/id_hash_map.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class ObjectChanges {
  public:
@@ -48,4 +48,4 @@ class ObjectChanges {
   IdHashMap known_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -6,7 +6,7 @@
 
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr std::size_t largest_row = 256 << 10;  // bytes: more makes no write cheaper
@@ -107,4 +107,4 @@ void ObjectSpill::read(std::size_t part, std::vector<std::int64_t>& ids, std::ve
     throw StoreError(SQLITE_IOERR, table_ + ": a temporary file gave back other bytes than were written");
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

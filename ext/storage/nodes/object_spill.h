@@ -22,7 +22,7 @@
 #include "storage/rows/shadow_tables.h"
 #include "storage/rows/statement.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class ObjectSpill final : public ObjectParts {
  public:
@@ -62,4 +62,4 @@ class ObjectSpill final : public ObjectParts {
   Statement write_, read_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

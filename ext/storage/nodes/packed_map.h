@@ -18,7 +18,7 @@
 #include "storage/format/id_block.h"
 #include "storage/rows/id_hash_map.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class PackedMap {
  public:
@@ -75,4 +75,4 @@ class PackedMap {
   std::vector<std::uint32_t> leaves_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

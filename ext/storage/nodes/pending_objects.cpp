@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <new>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 template <class T>
@@ -89,4 +89,4 @@ void PendingObjects::rewind(std::size_t position) noexcept {
   }
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

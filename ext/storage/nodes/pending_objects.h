@@ -14,7 +14,7 @@
 
 #include "storage/rows/id_hash_map.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class PendingObjects {
  public:
@@ -68,4 +68,4 @@ class PendingObjects {
   std::size_t count_ = 0;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

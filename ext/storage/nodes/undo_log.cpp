@@ -4,7 +4,7 @@
 #include <new>
 #include <utility>
 
-namespace foresee::storage {
+namespace foresee {
 
 UndoLog::Handle UndoLog::set(const TreeHead& head, bool is_snapshot) {
   marks_.push_back({.head = head, .is_snapshot = is_snapshot, .before = {}});
@@ -64,4 +64,4 @@ void UndoLog::drop_stored() noexcept {
       if (!state.dirty) state.node.reset();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -18,7 +18,7 @@
 
 #include "index/pages.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// A node between the tree and its row. No node and not dirty: whatever the row says. No node, but dirty: it
 /// is gone, and its row must go.
@@ -71,4 +71,4 @@ class UndoLog {
   int snapshots_ = 0;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

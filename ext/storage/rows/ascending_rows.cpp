@@ -2,7 +2,7 @@
 
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 std::int64_t number_after(std::optional<std::int64_t> last, Statement::Run& run, const RowsOf& rows) {
   const auto damaged = [&](const std::string& what) {
@@ -16,4 +16,4 @@ std::int64_t number_after(std::optional<std::int64_t> last, Statement::Run& run,
   return number;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -10,7 +10,7 @@
 
 #include "storage/rows/statement.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// For messages: the virtual table, and what stands behind `<table>_`.
 struct RowsOf {
@@ -28,4 +28,4 @@ void read_ascending(Statement& statement, const RowsOf& rows, Read read) {
   for (std::optional<std::int64_t> last; run.step(); read(*last, run)) last = number_after(last, run, rows);
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 IdHashMap::IdHashMap() {
   sqlite3_randomness(sizeof key_, &key_);
@@ -66,4 +66,4 @@ std::vector<IdHashMap::Entry> IdHashMap::known() const {
   return all;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

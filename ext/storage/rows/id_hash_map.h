@@ -13,9 +13,7 @@
 #include <limits>
 #include <vector>
 
-#include "base/rooms.h"
-
-namespace foresee::storage {
+namespace foresee {
 
 class IdHashMap {
  public:
@@ -54,4 +52,4 @@ class IdHashMap {
   std::uint64_t key_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "storage/rows/ascending_rows.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 MapRows::MapRows(const ShadowTables& tables)
     : table_(tables.name().table),
@@ -115,4 +115,4 @@ void MapRows::erase_all() {
   Statement::Run(erase_all_).step();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -21,7 +21,7 @@
 #include "storage/rows/shadow_tables.h"
 #include "storage/rows/statement.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class MapRows {
  public:
@@ -63,4 +63,4 @@ class MapRows {
   Statement between_, largest_, all_, write_, erase_between_, erase_all_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -13,7 +13,7 @@
 
 #include "storage/rows/shadow_tables.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class MetaRows {
  public:
@@ -50,4 +50,4 @@ class MetaRows {
   Statement read_, write_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include "storage/format/features.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 std::string insert_auxiliaries_sql(int columns) {
@@ -162,4 +162,4 @@ void ShadowRows::match_auxiliaries_to_map() {
   }
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

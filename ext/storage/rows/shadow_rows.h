@@ -15,7 +15,7 @@
 #include "storage/rows/shadow_schema.h"
 #include "storage/rows/statement.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class ShadowRows {
  public:
@@ -104,4 +104,4 @@ class ShadowRows {
   MetaRows meta_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -9,7 +9,7 @@
 #include "storage/rows/store_error.h"
 #include "storage/rows/text.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr std::array<const char*, 5> suffixes{"node", "map", "meta", "aux", "shape"};
@@ -129,4 +129,4 @@ NodeFormat read_node_format(const ShadowTables& tables, MetaRows& meta, const De
   refuse(SQLITE_CORRUPT_VTAB, name, "the stored node size '" + stored + "' belongs to no page size");
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

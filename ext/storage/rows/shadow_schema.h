@@ -22,7 +22,7 @@
 #include "storage/rows/meta_rows.h"
 #include "storage/rows/shadow_tables.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// True for node, map, aux, meta and shape: what stands behind `<name>_` in a shadow table's name.
 bool is_shadow_suffix(std::string_view suffix);
@@ -49,4 +49,4 @@ std::optional<std::int64_t> read_object_count(MetaRows& meta);
 /// declaration that cannot be read: the feature says why.
 void refuse_unknown_features(sqlite3* db, const QualifiedName& name);
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -6,7 +6,7 @@
 
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 bool is_one_of(std::string_view suffix, std::span<const char* const> suffixes) {
   for (const char* known : suffixes)
@@ -92,4 +92,4 @@ Statement ShadowTables::statement(const std::string& sql) const {
   return {db_, result.append(sql, done)};
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -19,7 +19,7 @@
 #include "storage/rows/sqlite_api.h"
 #include "storage/rows/statement.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// A table as SQL names it.
 struct QualifiedName {
@@ -68,4 +68,4 @@ class ShadowTables {
   std::string prefix_;  ///< of their names in SQL: "main"."alerts_
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

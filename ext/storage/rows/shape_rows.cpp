@@ -5,7 +5,7 @@
 #include "storage/format/form_blob.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 ShapeRows::ShapeRows(const ShadowTables& tables, Shape shape)
     : table_(tables.name().table),
@@ -79,4 +79,4 @@ const char* ShapeRows::row_fault(Statement::Run& run, std::shared_ptr<const Form
   return agrees ? nullptr : "its hash is not that of its content";
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

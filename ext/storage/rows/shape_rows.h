@@ -18,7 +18,7 @@
 #include "storage/rows/ascending_rows.h"
 #include "storage/rows/shadow_tables.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class ShapeRows {
  public:
@@ -64,4 +64,4 @@ class ShapeRows {
   Statement by_hash_, largest_, add_, read_, erase_, all_, numbers_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

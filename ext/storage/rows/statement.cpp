@@ -8,7 +8,7 @@
 #include "storage/rows/store_error.h"
 #include "storage/rows/text.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 struct FreeSqlite {
@@ -121,4 +121,4 @@ std::span<const std::byte> Statement::Run::blob(int column) {
   return {bytes, size};
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

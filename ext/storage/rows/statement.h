@@ -17,10 +17,9 @@
 #include <string>
 #include <string_view>
 
-#include "base/rooms.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// SQL text by the rules of sqlite3_mprintf: "%w" for a name, %Q for a string.
 std::string format_sql(const char* format, ...);
@@ -101,4 +100,4 @@ class Statement::Run {
   sqlite3_stmt* statement_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -6,7 +6,7 @@
 
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 void StatementInterrupt::finalize() noexcept {
   sqlite3_finalize(statement_);
@@ -32,4 +32,4 @@ void StatementInterrupt::ask() {
   throw StoreError(rc, sqlite3_errmsg(db_));
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -13,7 +13,7 @@
 #include "base/error.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class StatementInterrupt final : public Interrupt {
  public:
@@ -41,4 +41,4 @@ class StatementInterrupt final : public Interrupt {
   std::chrono::steady_clock::time_point next_{};
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// A failure of SQLite or of the stored bytes; `code` is what the callback returns.
 struct StoreError : Error {
@@ -14,4 +14,4 @@ struct StoreError : Error {
   int code;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

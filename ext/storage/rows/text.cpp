@@ -6,7 +6,7 @@
 
 #include "base/shown.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 /// Its first bytes, not more than `most` and no part of a character.
@@ -58,7 +58,7 @@ std::string shown(sqlite3_value* value) {
     case SQLITE_INTEGER:
       return std::to_string(sqlite3_value_int64(value));
     case SQLITE_FLOAT:
-      return base::shown(sqlite3_value_double(value));
+      return shown(sqlite3_value_double(value));
     case SQLITE_BLOB:
       return "a blob of " + std::to_string(sqlite3_value_bytes(value)) + " bytes";
     default: {
@@ -69,4 +69,4 @@ std::string shown(sqlite3_value* value) {
   }
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

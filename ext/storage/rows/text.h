@@ -8,10 +8,9 @@
 #include <cstddef>
 #include <string>
 
-#include "base/rooms.h"
 #include "storage/rows/sqlite_api.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// A value as text, "" for NULL. Throws std::bad_alloc out of memory.
 std::string text_of(sqlite3_value* value);
@@ -27,4 +26,4 @@ std::string without_nul(std::string text);
 /// A value as a message shows it: 1.5, 'text' (its beginning, if it is long), a blob of 2 bytes, NULL.
 std::string shown(sqlite3_value* value);
 
-}  // namespace foresee::storage
+}  // namespace foresee

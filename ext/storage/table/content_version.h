@@ -3,9 +3,7 @@
 
 #include <cstdint>
 
-#include "base/rooms.h"
-
-namespace foresee::storage {
+namespace foresee {
 
 /// The state of a table's contents: equal versions of one table on one connection mean equal contents.
 struct ContentVersion {
@@ -22,4 +20,4 @@ struct StatementBelief {
   std::uint64_t transaction = 0;  ///< 0: not yet
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "base/error.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 std::string FormCheck::object_fault(const double* record) {
   const auto number = static_cast<std::int64_t>(record[format_.at.outline]);
@@ -26,4 +26,4 @@ std::string FormCheck::object_fault(const double* record) {
   return agree ? "" : "has other bounds than " + named;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

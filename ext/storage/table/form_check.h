@@ -15,7 +15,7 @@
 #include "storage/format/node_format.h"
 #include "storage/rows/shape_rows.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class FormCheck {
  public:
@@ -49,4 +49,4 @@ class FormCheck {
   KnownExtents known_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

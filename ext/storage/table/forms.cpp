@@ -4,7 +4,7 @@
 
 #include "storage/format/form_blob.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 // Beyond these memory begins anew: some 100 bytes a corner, with its pieces.
@@ -71,4 +71,4 @@ void StoredForms::keep_only(const std::unordered_set<std::int64_t>& numbers) {
   }
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -18,7 +18,7 @@
 #include "shape/form.h"
 #include "storage/rows/shape_rows.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class StoredForms {
  public:
@@ -67,4 +67,4 @@ class StoredForms {
   std::size_t text_bytes_ = 0;  ///< of all known texts
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

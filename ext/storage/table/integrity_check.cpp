@@ -10,7 +10,7 @@
 #include "storage/rows/text.h"
 #include "storage/table/form_check.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr std::size_t most_faults = 100;
@@ -173,4 +173,4 @@ std::vector<std::string> check_integrity(ShadowRows& rows, NodeCache& cache, con
   return std::move(check).faults();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -15,7 +15,7 @@
 #include "storage/rows/shadow_rows.h"
 #include "storage/rows/shape_rows.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// What is wrong, a sentence each, at most some hundred; empty: nothing. `shapes`: null in a table without.
 /// Requires: nothing waits in `cache`.
@@ -23,4 +23,4 @@ std::vector<std::string> check_integrity(ShadowRows& rows, NodeCache& cache, con
                                          const QualifiedName& name, bool has_auxiliaries, ShapeRows* shapes,
                                          Interrupt& interrupt);
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace foresee::storage {
+namespace foresee {
 
 struct ObjectCount {
   /// What `_meta` says; none: nothing, since version 0.1 of foresee wrote the table, or nothing that can be.
@@ -33,4 +33,4 @@ struct ObjectCount {
   }
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

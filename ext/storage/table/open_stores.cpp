@@ -6,7 +6,7 @@
 
 #include "storage/table/store.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 // Process-wide, because nothing that SQLite 3.40 offers belongs to a connection and is found from it.
@@ -47,4 +47,4 @@ std::shared_ptr<MemoryBudget> memory_budget_of(sqlite3* db) {
   return budget;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -9,7 +9,7 @@
 
 #include "storage/rows/shadow_schema.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class MemoryBudget;
 class Store;
@@ -22,4 +22,4 @@ void remember_open_store(sqlite3* db, const QualifiedName& name, const std::shar
 /// One for all stores of a connection, as long as one of them lives.
 std::shared_ptr<MemoryBudget> memory_budget_of(sqlite3* db);
 
-}  // namespace foresee::storage
+}  // namespace foresee

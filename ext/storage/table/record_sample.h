@@ -14,9 +14,7 @@
 #include <span>
 #include <vector>
 
-#include "base/rooms.h"
-
-namespace foresee::storage {
+namespace foresee {
 
 class RecordSample {
  public:
@@ -66,4 +64,4 @@ class RecordSample {
   std::vector<double> records_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

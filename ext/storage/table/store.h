@@ -39,7 +39,7 @@
 #include "storage/table/object_count.h"
 #include "storage/table/store_savepoint.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class LeafView;
 
@@ -317,4 +317,4 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   std::uint64_t undo_position_ = 0;    ///< moves with everything that a savepoint would have to take back
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

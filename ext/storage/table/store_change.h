@@ -8,7 +8,7 @@
 #include "base/float_environment.h"
 #include "storage/table/store.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// Our own statements inside a callback. SQLite may call the table back about them: while this lives their
 /// savepoints are passed over, and a rollback of everything (after a disk error) waits until it ends. Nobody
@@ -89,4 +89,4 @@ auto Store::with_sound_tree(Body body) {
   }
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 // Bulk loading everything anew costs a twentieth of so many inserts, and leaves a better tree.
@@ -122,4 +122,4 @@ void Store::write_out() {
   note_memory();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "storage/table/store_change.h"
 #include "storage/table/tree_snapshot.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 bool same_columns(const Declaration& a, const Declaration& b) {
@@ -324,4 +324,4 @@ void Store::drop() {
   close();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -15,7 +15,7 @@
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 template <class Each>
@@ -209,4 +209,4 @@ void Store::keep_only_forms(const std::unordered_set<std::int64_t>& used) {
   if (!cache_.has_snapshots()) forms_->keep_only(used);
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr std::int64_t no_number = std::numeric_limits<std::int64_t>::max();
@@ -180,7 +180,7 @@ void Store::result_auxiliary(sqlite3_context* context, std::int64_t id, int colu
 double Store::read_newest_t() {
   believe_only_this_stamp();
   merge_pending();
-  return with_sound_tree([&] { return index::read_newest_t(nodes()); });
+  return with_sound_tree([&] { return foresee::read_newest_t(nodes()); });
 }
 
 std::shared_ptr<const Form> Store::form(std::int64_t number) {
@@ -203,4 +203,4 @@ std::vector<std::string> Store::integrity_check(Interrupt& interrupt) {
   });
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -10,7 +10,7 @@
 #include "storage/nodes/undo_log.h"
 #include "storage/table/object_count.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 /// The largest id, known within a write transaction only.
 struct LargestId {
@@ -34,4 +34,4 @@ struct StoreSavepoint {
   bool waits;  ///< something that only memory knows
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -2,7 +2,7 @@
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 void Store::know_watches() {
   if (watches_known_) return;
@@ -51,4 +51,4 @@ std::optional<std::int64_t> Store::stamp_before_changes() {
   return writing_ ? stamp_before_ : shadow_rows().read_stamp();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

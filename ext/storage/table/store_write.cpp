@@ -6,7 +6,7 @@
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
 
-namespace foresee::storage {
+namespace foresee {
 // Writing early here, not after the change, keeps the change all or nothing.
 void Store::start_change(std::span<const double> record) {
   if (!record.empty())
@@ -154,4 +154,4 @@ void Store::erase(std::int64_t id) {
   atomic_change.done();
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -6,7 +6,7 @@
 
 #include "storage/table/store.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 class TreeSnapshot final : public NodeSource, private FormSource {
  public:
@@ -39,4 +39,4 @@ class TreeSnapshot final : public NodeSource, private FormSource {
   UndoLog::Handle mark_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

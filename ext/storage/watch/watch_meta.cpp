@@ -10,7 +10,7 @@
 #include "storage/rows/text.h"
 #include "storage/watch/watch_rows.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -89,7 +89,7 @@ class MetaValues {
     if (!has(key)) return "missing";
     const MetaValue& value = found(key);
     if (value.type == SQLITE_INTEGER) return std::to_string(value.integer);
-    if (value.type == SQLITE_FLOAT) return base::shown(value.number);
+    if (value.type == SQLITE_FLOAT) return shown(value.number);
     if (value.type == SQLITE_TEXT) return std::string("'").append(without_nul(value.text)).append("'");
     return value.type == SQLITE_BLOB ? "a blob" : "NULL";
   }
@@ -238,4 +238,4 @@ void WatchRows::write_damaged() {
   write_meta("damaged", std::optional(std::int64_t{1}));
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

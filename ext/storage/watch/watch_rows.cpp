@@ -6,7 +6,7 @@
 
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr std::array<const char*, 3> suffixes{"pair", "log", "meta"};
@@ -229,4 +229,4 @@ std::vector<StoredChange> WatchRows::changes(std::int64_t after, std::int64_t la
   return found;
 }
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -17,7 +17,7 @@
 #include "storage/rows/shadow_tables.h"
 #include "storage/watch/watch_state.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 struct StoredPair {
   std::int64_t a, b;
@@ -103,4 +103,4 @@ class WatchRows {
   Statement append_, trim_, oldest_, changes_;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -6,9 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "base/rooms.h"
-
-namespace foresee::storage {
+namespace foresee {
 
 struct WatchDeclaration {
   std::string tbl;
@@ -39,4 +37,4 @@ struct WatchState : WatchDeclaration {
   double now() const { return asked ? *asked : clock.value_or(0); }
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

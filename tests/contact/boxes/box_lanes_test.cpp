@@ -9,7 +9,7 @@
 #include "contact/hard_pairs.h"
 #include "every_simd.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -291,4 +291,4 @@ TEST(BoxLanes, PairsAnswerAloneAsInABatch) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "scenes.h"
 #include "shape/outline/turn.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using testing::Random;
@@ -105,4 +105,4 @@ TEST(PieceSum, TellsWhichWayItGrowsRightBesideIt) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "contact/growing/straight_approach.h"
 #include "scenes.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 Judgement judged(const Encounter<2>& met, const ChangedWays<2>& ways) {
@@ -107,4 +107,4 @@ TEST(Parting, NeedsADistanceThatNeverShrinks) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -5,7 +5,7 @@
 
 #include "contact/mesh/mesh_scenes.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
 class DrawMesh {
  public:
@@ -46,4 +46,4 @@ class DrawMesh {
   std::mt19937_64 random_;
 };
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

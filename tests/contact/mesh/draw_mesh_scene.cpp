@@ -5,7 +5,7 @@
 #include "contact/mesh/draw_mesh.h"
 #include "shape/mesh/turned_mesh.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 namespace {
 
 using Motion = MeshFamily::Motion;
@@ -108,7 +108,7 @@ class DrawScene {
     if (family_.motion <= Motion::along_axes) return any;
     const auto corners = scene.a.mesh.corners();
     const auto triangles = scene.a.mesh.triangles();
-    const shape::Triangle& t = triangles[draw_.below(triangles.size())];
+    const Triangle& t = triangles[draw_.below(triangles.size())];
     const Vec<3> p = place_of(corners[t[0]]), q = place_of(corner_of(scene.b));
     const auto way_to = [&](const SpaceCorner& corner) -> Vec<3> {
       const double pace = std::ldexp(1.0, static_cast<int>(draw_.below(4)) - 2) * (draw_.below(2) ? 1 : -1);
@@ -169,4 +169,4 @@ MeshScene draw_scene(const MeshFamily& family, MeshPairing pairing, std::uint64_
   return DrawScene(family, pairing, seed).scene();
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

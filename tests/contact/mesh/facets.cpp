@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 namespace {
 
 /// A number that changes steadily: value + s slope.
@@ -197,4 +197,4 @@ std::optional<int> crossings(const Arrow& corner, const Arrow& ray, const Facet&
   return 1;
 }
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

@@ -9,7 +9,7 @@
 
 #include "contact/sturm.h"
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 
 struct Arrow {
   Whole x, y, z;
@@ -73,4 +73,4 @@ bool are_near(const Facet& a, const Facet& b, const Whole& squared);
 /// so that another ray must tell. Requires: the corner is not on the triangle.
 std::optional<int> crossings(const Arrow& corner, const Arrow& ray, const Facet& facet);
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

@@ -5,7 +5,7 @@
 #include "contact/mesh/mesh_oracle.h"
 #include "contact/mesh/mesh_scenes.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -113,4 +113,4 @@ TEST(MeshContact, EndsThoughTheNextBeginsWithinAnUlp) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -3,7 +3,7 @@
 
 #include "contact/mesh/meshes_by_hand.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -107,4 +107,4 @@ TEST(MeshInside, ASolidOfTwoSidesOfOneTriangleIsThatTriangle) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

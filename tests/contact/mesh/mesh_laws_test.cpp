@@ -6,7 +6,7 @@
 
 #include "contact/form_laws.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -24,9 +24,9 @@ TEST(MeshLaws, AQuarterTurnChangesNothing) {
   });
 }
 
-Mesh surface_of_some(const Mesh& mesh, std::span<const shape::Triangle> triangles) {
+Mesh surface_of_some(const Mesh& mesh, std::span<const Triangle> triangles) {
   Triangles some;
-  for (const shape::Triangle& t : triangles)
+  for (const Triangle& t : triangles)
     some.push_back({mesh.corners()[t[0]], mesh.corners()[t[1]], mesh.corners()[t[2]]});
   return surface_of(some);
 }
@@ -34,7 +34,7 @@ Mesh surface_of_some(const Mesh& mesh, std::span<const shape::Triangle> triangle
 TEST(MeshLaws, ASurfaceIsTouchedWhenTheFirstOfItsTrianglesIs) {
   for_each_scene<MeshForms>([](MeshScene scene, const std::optional<ContactTimes>& /*of a solid*/) {
     const Mesh mesh = scene.a.mesh;
-    const auto as_surface = [&](std::span<const shape::Triangle> triangles) {
+    const auto as_surface = [&](std::span<const Triangle> triangles) {
       scene.a.mesh = surface_of_some(mesh, triangles);
       return mesh_contact(scene);
     };
@@ -108,4 +108,4 @@ TEST(MeshLaws, WhatHasNoMeshIsABall) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

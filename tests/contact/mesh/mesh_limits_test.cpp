@@ -5,7 +5,7 @@
 
 #include "contact/mesh/meshes_by_hand.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -122,4 +122,4 @@ TEST(MeshLimits, FarFromTheOriginNothingIsLost) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -5,7 +5,7 @@
 
 #include "contact/mesh/facets.h"
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 namespace {
 
 using BigInteger = boost::multiprecision::cpp_int;
@@ -173,9 +173,9 @@ class Scene {
 
 }  // namespace
 
-Body body_of(const shape::Mesh& mesh) {
+Body body_of(const Mesh& mesh) {
   Body body{{}, mesh.is_solid()};
-  for (const shape::Triangle& t : mesh.triangles())
+  for (const Triangle& t : mesh.triangles())
     body.triangles.push_back({mesh.corners()[t[0]], mesh.corners()[t[1]], mesh.corners()[t[2]]});
   return body;
 }
@@ -216,4 +216,4 @@ bool touch_at(const Body& a, const Body& b, const SpacePlace& place, const Ratio
   return (a.is_solid && holds_one(still.a, still.b)) || (b.is_solid && holds_one(still.b, still.a));
 }
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

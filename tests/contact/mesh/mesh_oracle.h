@@ -15,7 +15,7 @@
 #include "contact/rational_judge.h"
 #include "shape/mesh/mesh.h"
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 
 /// A place in space, exactly.
 using SpacePlace = std::array<Rational, 3>;
@@ -26,7 +26,7 @@ struct Body {
   bool is_solid = false;
 };
 
-Body body_of(const shape::Mesh& mesh);
+Body body_of(const Mesh& mesh);
 /// Where halves are 0 a rectangle, an edge or a point.
 Body box_body(double half_x, double half_y, double half_z);
 
@@ -37,4 +37,4 @@ std::optional<Stretch> first_contact(const Body& a, const Body& b, const SpacePl
 /// Does b, moved by `place`, come within `radius` of a, or lie in it? At one moment, whatever the motion.
 bool touch_at(const Body& a, const Body& b, const SpacePlace& place, const Rational& radius);
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

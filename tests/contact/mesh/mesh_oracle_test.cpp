@@ -6,7 +6,7 @@
 #include "contact/mesh/facets.h"
 #include "contact/mesh/mesh_shapes.h"
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 namespace {
 
 using namespace testing_by_hand;
@@ -124,4 +124,4 @@ TEST(MeshOracle, RaysAreToldFromEdges) {
 }
 
 }  // namespace
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

@@ -12,7 +12,7 @@
 #include "contact/pair_by_hand.h"
 #include "contact/window_contact.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
 /// One object: its row, and its mesh as it lies; what has none of Shape::mesh is a point or a ball.
 struct MeshObject {
@@ -96,4 +96,4 @@ MeshScene draw_scene(const MeshFamily& family, MeshPairing pairing, std::uint64_
 /// In words, for messages.
 std::string described(const MeshScene& scene);
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

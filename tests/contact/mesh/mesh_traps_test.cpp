@@ -3,7 +3,7 @@
 
 #include "contact/mesh/meshes_by_hand.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -127,4 +127,4 @@ TEST(MeshTraps, FacesOfNearlyTheSameTiltAreToldApart) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

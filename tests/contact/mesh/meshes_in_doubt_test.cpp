@@ -10,7 +10,7 @@
 #include "contact/mesh/meshes_by_hand.h"
 #include "sanitized.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -91,4 +91,4 @@ TEST(MeshesInDoubt, AreToldOfSomeTimeAfterAnother) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

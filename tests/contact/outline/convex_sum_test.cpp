@@ -8,7 +8,7 @@
 #include "contact/outline/outline_scenes.h"
 #include "numbers/dyadic.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -65,4 +65,4 @@ TEST(ConvexSum, TakesBoxesOfAnySizeAndPoints) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "contact/outline/staged_pair.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -94,4 +94,4 @@ TEST(ManyPieces, ArePassedOneAfterAnotherInFewSteps) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "contact/outline/rational_oracle.h"
 #include "contact/outline/staged_pair.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -116,4 +116,4 @@ TEST(OutlineContact, OfRandomPairsIsToldByDoubles) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

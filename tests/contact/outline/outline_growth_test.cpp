@@ -8,7 +8,7 @@
 #include "contact/case_count.h"
 #include "contact/outline/outline_scenes.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -117,4 +117,4 @@ TEST(OutlineGrowth, HasNoDistanceToABoxThatGrowsOrAMesh) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "contact/form_laws.h"
 #include "contact/outline_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -103,4 +103,4 @@ TEST(OutlineLaws, AnUprightPrismWithoutEndIsItsOutline) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

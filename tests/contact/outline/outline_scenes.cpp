@@ -7,7 +7,7 @@
 #include "shape/outline/turn.h"
 #include "shape/outline/validity.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 namespace {
 
 /// The outlines of a table of one row.
@@ -16,7 +16,7 @@ class OneOutline final : public OutlineRows {
   explicit OneOutline(const Outline& outline) {
     if (outline.rings() > 0) pieces_ = convex_pieces(outline);
   }
-  const ConvexPieces* pieces(std::size_t /*row*/, shape::OwnPieces<ConvexPieces>& /*own*/) const override {
+  const ConvexPieces* pieces(std::size_t /*row*/, OwnPieces<ConvexPieces>& /*own*/) const override {
     return pieces_.count() > 0 ? &pieces_ : nullptr;
   }
 
@@ -280,4 +280,4 @@ std::string described(const OutlineScene& scene) {
   return out.str();
 }
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

@@ -12,7 +12,7 @@
 #include "contact/pair_by_hand.h"
 #include "shape/outline/convex_pieces.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
 /// One object: its row, and its outline; a point or a box has none.
 struct OutlinedObject {
@@ -69,4 +69,4 @@ OutlineScene draw_scene(const OutlineFamily& family, OutlinePairing pairing, std
 /// In words, for messages.
 std::string described(const OutlineScene& scene);
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

@@ -3,7 +3,7 @@
 
 #include "contact/outline/outline_scenes.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -163,4 +163,4 @@ TEST(OutlineTraps, NothingAndADiscMeetAnOutlineAlike) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

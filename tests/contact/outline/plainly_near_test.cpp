@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -81,4 +81,4 @@ TEST(PlainlyNear, TellsNothingOfNumbersThatDoublesDoNotHold) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 namespace {
 
 Rational cross(const Place& a, const Place& b) {
@@ -152,4 +152,4 @@ bool touch_at(const Region& a, const Region& b, const Place& place, const Ration
   return near;
 }
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

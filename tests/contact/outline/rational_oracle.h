@@ -12,7 +12,7 @@
 #include "contact/rational_judge.h"
 #include "shape/outline/outline.h"
 
-namespace foresee::contact::oracle {
+namespace foresee::oracle {
 
 /// A place in the plane, exactly.
 struct Place {
@@ -29,4 +29,4 @@ std::optional<Stretch> first_contact(const Region& a, const Region& b, const Pla
 /// Does b, moved by `place`, come within `radius` of a, or lie in it? At one moment, whatever the motion.
 bool touch_at(const Region& a, const Region& b, const Place& place, const Rational& radius);
 
-}  // namespace foresee::contact::oracle
+}  // namespace foresee::oracle

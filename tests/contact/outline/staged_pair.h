@@ -7,7 +7,7 @@
 #include "contact/outline/outline_scenes.h"
 #include "contact/pieces/union_pair.h"
 
-namespace foresee::contact::testing_by_hand {
+namespace foresee::testing_by_hand {
 
 struct StagedScene {
   explicit StagedScene(const OutlineScene& scene)
@@ -29,7 +29,7 @@ struct StagedScene {
   }
 
   const std::vector<double> row_a, row_b;
-  const contact::Setup setup;
+  const Setup setup;
   const Moments moments;
   const ConvexPieces cut_a, cut_b;
   ObjectPieces a, b;
@@ -39,4 +39,4 @@ struct StagedScene {
   std::optional<PairWay<FlatKit<2, 1>>> way;  ///< of the pair asked for last
 };
 
-}  // namespace foresee::contact::testing_by_hand
+}  // namespace foresee::testing_by_hand

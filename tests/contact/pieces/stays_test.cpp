@@ -8,7 +8,7 @@
 
 #include "numbers/dyadic.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 constexpr double length = 8, lost = 0x1p-988;
@@ -54,18 +54,17 @@ void for_each_polynomial(Check&& check) {
 
 TEST(Stays, OfALineHoldWhereItsSignSays) {
   for_each_polynomial<2>(
-      [](const auto& p, const auto& bounded) { expect_right(p, inside(bounded, lost, length)); });
+      [](const auto& p, const auto& bounded) { expect_right(p, times_inside(bounded, lost, length)); });
 }
 
 TEST(Stays, OfAParabolaHoldWhereItsSignSays) {
   for_each_polynomial<3>(
-      [](const auto& p, const auto& bounded) { expect_right(p, inside(bounded, lost, length)); });
+      [](const auto& p, const auto& bounded) { expect_right(p, times_inside(bounded, lost, length)); });
 }
 
 TEST(Stays, OfAParabolaInDoubtReachAsFarAsItBends) {
   // 2^-301 - 2^900 s^2 is below 0 at 2^-600, whose square is no double.
-  const Inside inside =
-      contact::inside(Powers<Bounded, 2>{{{0x1p-301, 0}, {}, {0, 0x1p900}}}, lost, 0x1p-600);
+  const Inside inside = times_inside(Powers<Bounded, 2>{{{0x1p-301, 0}, {}, {0, 0x1p900}}}, lost, 0x1p-600);
   ASSERT_EQ(inside.count, 1);
   EXPECT_TRUE(inside.list[0].is_possible());
   EXPECT_FALSE(inside.list[0].is_certain());
@@ -101,4 +100,4 @@ TEST(Stays, WhatIsKeptIsInBoth) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "contact/outline/condition.h"
 #include "contact/outline/object_pieces.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// How many pairs of pieces there are for two squares over one another, `height` apart along z, that move
@@ -35,4 +35,4 @@ TEST(TreeWalk, LeavesOutPrismsAboveEachOther) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

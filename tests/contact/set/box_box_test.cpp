@@ -4,7 +4,7 @@
 
 #include "contact/pair_by_hand.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -119,4 +119,4 @@ TEST(BoxBox, DifferentLawsMeet) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

@@ -12,7 +12,7 @@
 #include "contact/pair_by_hand.h"
 #include "contact/typed_contact.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 using namespace testing_by_hand;
@@ -237,4 +237,4 @@ TEST(ContactSet, BoundsAndCentresMoveToo) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

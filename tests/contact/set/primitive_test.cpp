@@ -9,7 +9,7 @@
 #include "numbers/midrad_128.h"
 #include "numbers/polynomial.h"
 
-namespace foresee::contact {
+namespace foresee {
 namespace {
 
 /// A primitive with random lengths and a random relative motion, all halves of whole numbers or any doubles.
@@ -177,4 +177,4 @@ TEST(Primitive, OfUniformMotionHasTheSameCoefficients) {
 }
 
 }  // namespace
-}  // namespace foresee::contact
+}  // namespace foresee

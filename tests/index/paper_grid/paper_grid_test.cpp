@@ -7,7 +7,7 @@
 #include "sanitized.h"
 #include "stop_at.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 using testing::all_scene_kinds;
@@ -178,4 +178,4 @@ TEST(PaperGrid, CanBeInterruptedWhileItIsBuiltAndWhileItIsRead) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "index/paper_grid/time_interval.h"
 #include "index/paper_grid/trajectory_intersection.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 using testing::all_layouts;
@@ -35,11 +35,11 @@ struct TwoBoxes {
   }
   bool times_may_overlap(double h) const {
     const auto t = of(h);
-    return index::times_may_overlap<2>(t[0], t[1]);
+    return times_may_overlap<2>(t[0], t[1]);
   }
   bool regions_may_meet(double h) const {
     const auto t = of(h);
-    return index::regions_may_meet<2>(t[0], t[1]);
+    return regions_may_meet<2>(t[0], t[1]);
   }
   PaperStages& staged(double h) {
     stages = make_paper_stages<2>(bodies(), bodies(), false, {0, h}, Vec<2>::Zero(), never);
@@ -203,4 +203,4 @@ TEST(PaperStages, LoseNoPairHoweverLargeOrSmallTheNumbersAre) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

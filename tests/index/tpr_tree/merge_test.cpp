@@ -4,7 +4,7 @@
 
 #include "tests/index/tpr_tree/tree_model.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 using testing::all_scene_kinds;
@@ -79,4 +79,4 @@ TEST(Merge, LeavesStayThreeQuartersFullWhileTheyGrow) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "index/tpr_tree/nearest_walk.h"
 #include "tests/scenes.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 using Exact = boost::multiprecision::cpp_rational;
@@ -156,4 +156,4 @@ TEST(TreeBounds, SpansOfTheHorizonAreNeverTooShort) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "stop_at.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 using testing::all_scene_kinds;
@@ -139,4 +139,4 @@ TEST(TreeJoin, StopsWhenInterrupted) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

@@ -10,7 +10,7 @@
 #include "index/tpr_tree/window_walk.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 using testing::all_scene_kinds;
@@ -189,4 +189,4 @@ TEST(TprTree, NodesAreSplitWhateverTheirBoundsSay) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "index/tpr_tree/window_walk.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 using testing::boats;
@@ -149,4 +149,4 @@ TEST(TprTreeUpdates, StaysTightAndFullWhileObjectsDrift) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "index/tpr_tree/window_walk.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
-namespace foresee::index {
+namespace foresee {
 namespace {
 
 using testing::all_scene_kinds;
@@ -230,4 +230,4 @@ TEST(LeastDistance, OfPointsHoldsAtEverySizeOfNumbers) {
 }
 
 }  // namespace
-}  // namespace foresee::index
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "query/avoid/avoid_cases.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::avoid_question;
@@ -140,4 +140,4 @@ TEST(AvoidLaws, AShorterHorizonAndSmallerShapesBlockNoMore) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

@@ -7,7 +7,7 @@
 #include "query/avoid/avoid_cases.h"
 #include "stop_at.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::as_scene;
@@ -215,4 +215,4 @@ TEST(Avoid, StopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "query/join_cases.h"
 #include "sanitized.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::all_scene_kinds;
@@ -238,4 +238,4 @@ TEST(Explain, RefusesWhatTheJoinRefuses) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

@@ -6,7 +6,7 @@
 #include "sanitized.h"
 #include "stop_at.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::discs;
@@ -151,4 +151,4 @@ TEST(JoinHelpers, AreStoppedByAnInterrupt) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

@@ -4,7 +4,7 @@
 #include "query/join_cases.h"
 #include "sanitized.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::after_now;
@@ -180,4 +180,4 @@ TEST(JoinOfManyObjects, ChoosesAMethodWithoutChangingTheRows) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

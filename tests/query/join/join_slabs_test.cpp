@@ -7,7 +7,7 @@
 #include "query/join/join_plan.h"
 #include "query/join_cases.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::after_now;
@@ -208,4 +208,4 @@ TEST(TimeSlabs, OfOneLengthAreTheWholeHorizon) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include "query/join_cases.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::after_now;
@@ -126,4 +126,4 @@ TEST(Join, SaysWhatIsWrongWithAQuestion) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

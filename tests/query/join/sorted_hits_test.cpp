@@ -6,7 +6,7 @@
 #include "query/join_cases.h"
 #include "sanitized.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::numbers_of;
@@ -88,4 +88,4 @@ TEST(SortedHits, OfAJoinAreTheSameRowsInTheSameOrderHoweverFewAreLikely) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

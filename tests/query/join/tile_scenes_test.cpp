@@ -11,7 +11,7 @@
 #include "query/join/tilings.h"
 #include "query/join_cases.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::discs;
@@ -31,7 +31,7 @@ constexpr JoinMethod methods[] = {JoinMethod::automatic, JoinMethod::grid, JoinM
                                   JoinMethod::gpcd};
 
 std::vector<FlatBox> boxes_of(const Scene& scene, const JoinQuestion& question) {
-  return base::with_axes(scene.layout.axes, [&]<int D>(base::Axes<D>) {
+  return with_axes(scene.layout.axes, [&]<int D>(Axes<D>) {
     return flat_boxes<D>(scene.bodies(), {question.now, question.h}, question.within);
   });
 }
@@ -198,4 +198,4 @@ TEST(Tiles, LeaveNoTraceWhereTheyOwnAll) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

@@ -8,7 +8,7 @@
 
 #include "query/search_cases.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::all_scene_kinds;
@@ -194,4 +194,4 @@ TEST(Nearest, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

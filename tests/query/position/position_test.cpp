@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "query/position/positions.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 std::shared_ptr<Scene> scene_of(const Layout& layout, std::vector<std::int64_t> ids,
@@ -53,4 +53,4 @@ TEST(Positions, RefuseAMomentThatIsNoNumber) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

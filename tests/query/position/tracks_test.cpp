@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 std::shared_ptr<const Scene> moved(std::vector<std::int64_t> ids, std::vector<double> rows) {
@@ -96,4 +96,4 @@ TEST(Tracks, HeedInterruptsWhereNothingExists) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

@@ -7,7 +7,7 @@
 
 #include "query/search_cases.h"
 
-namespace foresee::query {
+namespace foresee {
 namespace {
 
 using testing::all_scene_kinds;
@@ -201,4 +201,4 @@ TEST(Window, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace foresee::query
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "shape/mesh/meshes.h"
 #include "shape/mesh/turned_mesh.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 std::string flaw(const std::string& text) {
@@ -98,4 +98,4 @@ TEST(TurnedMesh, TurnsAroundTheUprightAxis) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

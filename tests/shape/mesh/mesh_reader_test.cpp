@@ -9,7 +9,7 @@
 #include "shape/mesh/mesh_writer.h"
 #include "shape/mesh/meshes.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 /// What the reader says of the text; "" if it reads it.
@@ -134,4 +134,4 @@ TEST(MeshWriter, WritesWhatReadsBackTheSame) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

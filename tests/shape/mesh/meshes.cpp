@@ -1,6 +1,6 @@
 #include "shape/mesh/meshes.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 std::string fan(const std::string& word, std::size_t triangles) {
   std::string text = word;
@@ -11,4 +11,4 @@ std::string fan(const std::string& word, std::size_t triangles) {
   return text + ")";
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

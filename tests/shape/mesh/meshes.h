@@ -3,7 +3,9 @@
 
 #include <string>
 
-namespace foresee::shape {
+#include "shape/mesh/mesh.h"
+
+namespace foresee {
 
 /// A corner at the origin, one along each axis: four triangles.
 constexpr const char* tetrahedron =
@@ -13,4 +15,4 @@ constexpr const char* tetrahedron =
 /// A surface of so many triangles that hang together like a fan, as a text that begins with `word`.
 std::string fan(const std::string& word, std::size_t triangles);
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "shape/mesh/triangle_tree.h"
 #include "shape/mesh/turned_mesh.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 using Node = BoxTree<3>::Node;
@@ -108,4 +108,4 @@ TEST(Plates, AreNotThereWhereFloatsDoNotHoldThem) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -8,7 +8,7 @@
 #include "shape/mesh/meshes.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 struct Rack final : FormSource {
@@ -97,4 +97,4 @@ TEST(MeshBounds, ReachToThePositionAndGrowOnAllSides) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

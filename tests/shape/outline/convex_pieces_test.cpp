@@ -15,10 +15,10 @@
 #include "shape/outline/wkt_reader.h"
 #include "shape/outline/wkt_writer.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
-using contact::testing_by_hand::scaled_count;
+using testing_by_hand::scaled_count;
 
 using Edge = std::pair<Corner, Corner>;
 
@@ -291,4 +291,4 @@ TEST(ConvexPieces, OfTheMostCornersTakeNoLongerThanOthers) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

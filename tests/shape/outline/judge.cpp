@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -183,4 +183,4 @@ bool is_sound(const Outline& outline) {
   return true;
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -7,7 +7,7 @@
 
 #include "shape/outline/outline.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 using Rational = boost::multiprecision::cpp_rational;
 
@@ -34,4 +34,4 @@ Where where(const RationalPoint& point, const Outline& outline);
 /// Whether it is an outline by the rules of validity.h.
 bool is_sound(const Outline& outline);
 
-}  // namespace foresee::shape
+}  // namespace foresee

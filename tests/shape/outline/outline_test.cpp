@@ -16,7 +16,7 @@
 #include <xmmintrin.h>
 #endif
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 TEST(Outline, KnowsItsRingsAndParts) {
@@ -87,4 +87,4 @@ TEST(Outline, IsTheSameInAnyFloatingPointEnvironment) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

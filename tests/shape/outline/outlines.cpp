@@ -5,7 +5,7 @@
 #include <map>
 #include <numbers>
 
-namespace foresee::shape {
+namespace foresee {
 
 namespace {
 
@@ -226,4 +226,4 @@ Outline shaken(const Outline& outline, std::mt19937_64& random) {
   return moved(outline, [&](const Corner& c) { return Corner{neighbour(c.x), neighbour(c.y)}; });
 }
 
-}  // namespace foresee::shape
+}  // namespace foresee

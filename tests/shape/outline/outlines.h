@@ -8,7 +8,7 @@
 
 #include "shape/outline/outline.h"
 
-namespace foresee::shape {
+namespace foresee {
 
 using Rings = std::vector<std::vector<Corner>>;
 
@@ -56,4 +56,4 @@ Outline scaled(const Outline& outline, int exponent);
 /// Some corners moved to neighbouring doubles.
 Outline shaken(const Outline& outline, std::mt19937_64& random);
 
-}  // namespace foresee::shape
+}  // namespace foresee

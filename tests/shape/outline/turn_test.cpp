@@ -13,10 +13,10 @@
 #include "shape/outline/wkt_reader.h"
 #include "shape/outline/wkt_writer.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
-using contact::testing_by_hand::scaled_count;
+using testing_by_hand::scaled_count;
 
 using Wide = boost::multiprecision::number<
     boost::multiprecision::cpp_bin_float<300, boost::multiprecision::digit_base_2>,
@@ -154,4 +154,4 @@ TEST(Turn, DropsCornersThatBecomeOne) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

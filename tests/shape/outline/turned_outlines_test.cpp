@@ -8,7 +8,7 @@
 #include "shape/outline/wkt_reader.h"
 #include "shape/swept_boxes.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 struct Shelf final : FormSource {
@@ -151,4 +151,4 @@ TEST(OutlineShape, ItsExtentsAreThoseOfTheOutlineGrownAndOfThePosition) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

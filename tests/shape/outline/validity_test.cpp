@@ -15,10 +15,10 @@
 #include "shape/outline/wkt_reader.h"
 #include "shape/outline/wkt_writer.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
-using contact::testing_by_hand::scaled_count;
+using testing_by_hand::scaled_count;
 
 /// What is said of it; "" if nothing.
 std::string flaw_in(const char* text) {
@@ -228,4 +228,4 @@ TEST(Validity, TheMostCornersTakeNoLongerThanOthers) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 /// What the reader says of the text; "" if it reads it.
@@ -169,4 +169,4 @@ TEST(WktReader, HostileTextTakesNoLongerThanItIs) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -9,7 +9,7 @@
 #include "shape/outline/outlines.h"
 #include "shape/outline/wkt_reader.h"
 
-namespace foresee::shape {
+namespace foresee {
 namespace {
 
 TEST(WktWriter, WritesWhatTheReferenceShows) {
@@ -44,4 +44,4 @@ TEST(WktWriter, WhatIsWrittenReadsBackTheSame) {
 }
 
 }  // namespace
-}  // namespace foresee::shape
+}  // namespace foresee

@@ -4,7 +4,7 @@
 #include "sqlite/callback.h"
 #include "sqlite/database.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using testing::Database;
@@ -174,4 +174,4 @@ TEST_F(TableFunctionTest, IsReadOnlyAndNeedsNoCreate) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 TEST(UsesMovingObjects, ReadsTheModuleHoweverItIsWritten) {
@@ -27,4 +27,4 @@ TEST(UsesMovingObjects, IsNotFooledByNamesAndComments) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

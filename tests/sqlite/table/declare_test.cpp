@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using Arguments = std::vector<std::string_view>;
@@ -286,4 +286,4 @@ TEST(DeclareErrors, ATableIsNotNamedLikeOneOfItsColumns) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -7,7 +7,7 @@
 #include <set>
 #include <vector>
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 /// The ids that are named while these are asked for; none of them twice.
@@ -58,4 +58,4 @@ TEST(RisingIds, TheEndsOfAllIdsAreNoRise) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

@@ -2,7 +2,7 @@
 // arguments, and says what to write.
 #include "sqlite/database.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 struct WatchErrors : ::testing::Test {
@@ -58,4 +58,4 @@ TEST_F(WatchErrors, StatementsThatCannotBeMeantSayWhatToWrite) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

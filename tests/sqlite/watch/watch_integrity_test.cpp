@@ -1,7 +1,7 @@
 // 'integrity-check' of a watch reads each index of its pairs.
 #include "sqlite/database.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using testing::Database;
@@ -35,4 +35,4 @@ TEST_P(WatchIndex, ThatLacksRowsIsFound) {
 INSTANTIATE_TEST_SUITE_P(OfPairs, WatchIndex, ::testing::Values(2, 3));
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

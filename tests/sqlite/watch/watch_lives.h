@@ -10,8 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "all_rooms.h"
-
 namespace foresee::testing {
 
 struct WatchLife {

@@ -2,7 +2,7 @@
 // no reader misses a change without being told.
 #include "sqlite/database.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using testing::Database;
@@ -79,4 +79,4 @@ TEST_F(WatchStamps, AReaderFromWhomChangesAreTrimmedIsTold) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

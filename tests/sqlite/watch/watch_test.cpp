@@ -1,7 +1,7 @@
 // Watches in SQL: rows, changes, clock, transactions, names, errors.
 #include "sqlite/database.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using testing::Database;
@@ -257,4 +257,4 @@ TEST(WatchFile, TwoTablesOfOneWatchAreSettledTogether) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

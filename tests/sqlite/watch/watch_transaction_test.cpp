@@ -4,7 +4,7 @@
 
 #include "sqlite/database.h"
 
-namespace foresee::sqlite {
+namespace foresee {
 namespace {
 
 using testing::Database;
@@ -96,4 +96,4 @@ TEST(WatchTransaction, ReadsWhatAnAdvanceWillShow) {
 }
 
 }  // namespace
-}  // namespace foresee::sqlite
+}  // namespace foresee

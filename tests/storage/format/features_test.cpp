@@ -7,7 +7,7 @@
 #include "storage/database.h"
 #include "storage/rows/shadow_schema.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr std::array<Feature, 2> two{
@@ -132,4 +132,4 @@ TEST_F(UnknownFeature, IsTheReasonAlsoWhereTheColumnsCannotBeRead) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

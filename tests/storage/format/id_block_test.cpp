@@ -7,7 +7,7 @@
 #include <map>
 #include <random>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr std::int64_t least = std::numeric_limits<std::int64_t>::min(),
@@ -82,4 +82,4 @@ TEST(IdBlock, BytesThatAreNoBlockAreTold) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

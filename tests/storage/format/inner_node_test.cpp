@@ -7,7 +7,7 @@
 
 #include "storage/format/node_cases.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 using namespace node_cases;
@@ -118,4 +118,4 @@ TEST(InnerNode, ACountBeyondTheCapacityIsAFault) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

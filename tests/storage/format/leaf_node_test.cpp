@@ -9,7 +9,7 @@
 
 #include "storage/format/node_cases.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 using namespace node_cases;
@@ -166,4 +166,4 @@ TEST(LeafNode, CylindersHaveNeitherNegativeRadiusNorHeight) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -9,7 +9,7 @@
 #include "storage/format/crc32c.h"
 #include "storage/format/form_blob.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 /// Four corners, four triangles.
@@ -102,4 +102,4 @@ TEST(FormBlob, IsOfTheShapeThatTheTableHas) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

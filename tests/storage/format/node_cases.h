@@ -5,7 +5,7 @@
 
 #include "storage/format/node_format.h"
 
-namespace foresee::storage::node_cases {
+namespace foresee::node_cases {
 
 inline constexpr double inf = std::numeric_limits<double>::infinity();
 inline constexpr std::int64_t number = 3;  ///< of the node in question
@@ -14,4 +14,4 @@ inline NodeFormat format_of(const Layout& layout) {
   return NodeFormat(layout, NodeFormat::node_size_for(layout, 4096));
 }
 
-}  // namespace foresee::storage::node_cases
+}  // namespace foresee::node_cases

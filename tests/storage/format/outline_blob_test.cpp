@@ -8,7 +8,7 @@
 #include "shape/outline/wkt_reader.h"
 #include "storage/format/crc32c.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 constexpr const char* harbour =
@@ -76,4 +76,4 @@ TEST(OutlineBlob, HostileBytesAreTold) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -7,7 +7,7 @@
 #include "storage/database.h"
 #include "storage/format/node_format.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 std::string page() {
@@ -76,4 +76,4 @@ TEST(StorageFormatDoc, ListsTheRowsOfMeta) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 TEST(IdFilter, HasAllThatWereAddedAndFewOthers) {
@@ -35,4 +35,4 @@ TEST(IdFilter, TakesAnyIdAndMoreThanWereForeseen) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

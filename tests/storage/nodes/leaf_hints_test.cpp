@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 std::vector<std::int64_t> count_from(std::int64_t first, std::size_t many) {
@@ -71,4 +71,4 @@ TEST(LeafHints, LeavesWithLargeNumbersHaveNone) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -7,7 +7,7 @@
 #include "storage/table/open_stores.h"
 #include "storage/table/store.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class TwoTables : public ::testing::Test {
@@ -156,4 +156,4 @@ TEST_F(TwoTables, OfOneConnectionShareABudgetAndOfTwoDoNot) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

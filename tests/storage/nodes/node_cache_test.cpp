@@ -4,7 +4,7 @@
 #include "storage/database.h"
 #include "storage/rows/shadow_schema.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class NodeCacheTest : public ::testing::Test, MemoryHolder {
@@ -109,4 +109,4 @@ TEST_F(NodeCacheTest, NamesWhatWaitsInOrder) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

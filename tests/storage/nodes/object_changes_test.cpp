@@ -9,7 +9,7 @@
 #include "storage/table/open_stores.h"
 #include "storage/table/store.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 using Record = std::vector<double>;
@@ -193,4 +193,4 @@ TEST_F(StoreChanges, OfATableDroppedAndBackAreNotLost) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

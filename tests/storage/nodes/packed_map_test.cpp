@@ -7,7 +7,7 @@
 #include <map>
 #include <random>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 /// Each id in a leaf of its own, placed in any order.
@@ -52,4 +52,4 @@ TEST(PackedMap, AnObjectThatNobodyAnnouncedIsPlacedNowhere) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

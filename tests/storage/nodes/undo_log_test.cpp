@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 /// States are told apart by their nodes' addresses.
@@ -51,4 +51,4 @@ TEST(UndoLog, TellsWhatEveryNodeWasLikeWhicheverMarksAreGivenUp) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

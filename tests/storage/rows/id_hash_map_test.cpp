@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 TEST(IdHashMap, FindsWhatWasSetUntilItIsCleared) {
@@ -31,4 +31,4 @@ TEST(IdHashMap, HoldsNoMemoryOnceItIsCleared) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

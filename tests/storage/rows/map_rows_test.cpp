@@ -6,7 +6,7 @@
 
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 using Leaves = std::map<std::int64_t, std::int64_t>;
@@ -111,4 +111,4 @@ TEST_F(StoredMap, DamageIsTold) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

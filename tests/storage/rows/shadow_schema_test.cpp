@@ -6,7 +6,7 @@
 
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 TEST(ShadowSchema, DescribesTheColumnsOfEveryLayout) {
@@ -139,4 +139,4 @@ TEST(ShadowSchema, NoStatementStaysOpenAfterAnyCall) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

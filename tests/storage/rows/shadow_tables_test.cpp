@@ -8,7 +8,7 @@
 #include "storage/rows/ascending_rows.h"
 #include "storage/rows/meta_rows.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 ShadowTables alerts(Database& db, const std::string& table = "alerts", const std::string& schema = "main") {
@@ -133,4 +133,4 @@ TEST(ShadowTables, ASuffixIsKnownInUpperAndLowerCase) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -5,7 +5,7 @@
 #include "storage/database.h"
 #include "storage/rows/store_error.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 TEST(Statement, FindsATableByItsQuotedNameWhateverIsInIt) {
@@ -38,4 +38,4 @@ TEST(Statement, KnowsWhetherItWasCompiledAnew) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

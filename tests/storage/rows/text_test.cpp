@@ -6,7 +6,7 @@
 
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 /// What text_of() says of an SQL function's argument; `starved`: while SQLite gets no memory.
@@ -74,4 +74,4 @@ TEST(Text, IsNotEmptyWhereMemoryIsOut) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -3,7 +3,7 @@
 #include "storage/database.h"
 #include "storage/format/leaf_node.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class Damage : public ::testing::Test {
@@ -177,4 +177,4 @@ TEST_F(Damage, NoNodeNumberIsLeftAfterTheLargest) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

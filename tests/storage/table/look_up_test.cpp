@@ -6,7 +6,7 @@
 #include "storage/database.h"
 #include "storage/rows/shadow_schema.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 /// The first coordinate of an object, or nothing.
@@ -227,4 +227,4 @@ TEST_F(LookUp, RandomLivesAgreeWithAMapAtEveryMoment) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

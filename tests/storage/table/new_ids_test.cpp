@@ -1,7 +1,7 @@
 // After a large load: which ids are there, and which are surely not (nodes/id_filter.h)?
 #include "storage/table/parts.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class NewIds : public Parts {
@@ -90,4 +90,4 @@ TEST_F(NewIds, AreNotThoseThatSomebodyElseWrote) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

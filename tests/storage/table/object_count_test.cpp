@@ -5,7 +5,7 @@
 
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 const std::string stored_count = "SELECT value FROM ships_meta WHERE key = 'objects'";
@@ -202,4 +202,4 @@ TEST_F(Counted, AWrongOneThatWouldFallBelowNoneIsCountedAnew) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

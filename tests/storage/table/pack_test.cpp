@@ -6,7 +6,7 @@
 #include "stop_at.h"
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 class Pack : public ::testing::Test {
@@ -107,4 +107,4 @@ TEST(PackEmpty, AnEmptyTableStaysEmpty) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -9,7 +9,7 @@
 #include "storage/rows/shadow_schema.h"
 #include "storage/table/store.h"
 
-namespace foresee::storage {
+namespace foresee {
 
 using Model = std::map<std::int64_t, double>;
 
@@ -71,4 +71,4 @@ class Parts : public ::testing::Test {
   NeverInterrupt never;
 };
 
-}  // namespace foresee::storage
+}  // namespace foresee

@@ -5,7 +5,7 @@
 
 #include <map>
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 TEST(RecordSample, KeepsAllOfFew) {
@@ -36,4 +36,4 @@ TEST(RecordSample, SeesEveryColumnOfAGrid) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

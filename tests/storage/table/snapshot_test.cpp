@@ -5,7 +5,7 @@
 #include "sanitized.h"
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 using Model = std::map<std::int64_t, double>;
@@ -200,4 +200,4 @@ TEST_F(Snapshot, AgreesWithAModelThroughRandomProgramsOfSavepoints) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

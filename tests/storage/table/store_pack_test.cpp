@@ -4,7 +4,7 @@
 #include "storage/format/leaf_node.h"
 #include "storage/table/parts.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 TEST_F(Parts, RebuildKeepsEveryObjectInFullLeaves) {
@@ -248,4 +248,4 @@ TEST(PartsOfOutlines, KeepTheFormsThatAreUsed) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

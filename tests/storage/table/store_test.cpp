@@ -7,7 +7,7 @@
 
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 using Contents = std::vector<std::pair<std::int64_t, double>>;
@@ -211,4 +211,4 @@ TEST(Store, ABulkLoadCanBeInterruptedAndDoneAgain) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee

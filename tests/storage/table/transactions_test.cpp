@@ -4,7 +4,7 @@
 
 #include "storage/database.h"
 
-namespace foresee::storage {
+namespace foresee {
 namespace {
 
 using Contents = std::vector<std::pair<std::int64_t, double>>;
@@ -173,4 +173,4 @@ TEST_F(TwoConnections, SeeEachOthersCommitsAndBelieveNothingOld) {
 }
 
 }  // namespace
-}  // namespace foresee::storage
+}  // namespace foresee
