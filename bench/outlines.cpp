@@ -19,8 +19,7 @@
 #include "shape/outline/convex_pieces.h"
 #include "shape/outline/turn.h"
 #include "shape/outline/validity.h"
-#include "shape/outline/wkt_reader.h"
-#include "shape/outline/wkt_writer.h"
+#include "shape/outline/wkt.h"
 
 namespace foresee::bench {
 namespace {

@@ -2,7 +2,7 @@
 #include "hulls/answers.h"
 #include "hulls/modes.h"
 #include "hulls/ships.h"
-#include "shape/outline/wkt_reader.h"
+#include "shape/outline/wkt.h"
 #include "sql_ours.h"
 
 namespace foresee::bench {

@@ -2,8 +2,24 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
+
+#include "geography/geodesic.h"
 
 namespace foresee {
+
+// How something moves over the ground.
+
+struct Course {
+  double speed;    ///< metres per second
+  double degrees;  ///< clockwise from north
+};
+
+/// A report of a ship: where, and how it moves if that is known.
+struct Fix {
+  LatLon place;
+  std::optional<Course> course;
+};
 
 // WGS84 (NIMA TR8350.2, table 3.1).
 inline constexpr double semi_major = 6378137;

@@ -15,7 +15,7 @@
 #include <array>
 #include <optional>
 
-#include "geography/course.h"
+#include "geography/ellipsoid.h"
 
 namespace foresee {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "motion/vec.h"
+#include "motion/motion.h"
 
 namespace foresee {
 

@@ -4,9 +4,15 @@
 // exists during the closed span [t, until].
 #pragma once
 
-#include "motion/vec.h"
+#include <Eigen/Core>
 
 namespace foresee {
+
+// Vectors of one to three axes, in the scene's own unit of length.
+
+/// An array, not a vector in Eigen's sense: `*`, `<` and `max` go axis by axis, as boxes need.
+template <int D>
+using Vec = Eigen::Array<double, D, 1>;
 
 /// The moments that a question asks about: the closed interval [now, now + h], its end being the exact real
 /// sum. Requires: now finite; h finite and >= 0.
@@ -21,6 +27,14 @@ struct Motion {
   double t;
   Vec<D> x, v, a;
   double until;
+};
+
+// Motion on one axis.
+
+/// As of a reference time. Real: double, or several objects at once (base/doubles.h).
+template <class Real>
+struct AxisMotion {
+  Real x, v, a;
 };
 
 }  // namespace foresee

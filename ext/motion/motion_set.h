@@ -14,7 +14,7 @@
 #include <cmath>
 
 #include "motion/manoeuvre.h"
-#include "motion/vec.h"
+#include "motion/motion.h"
 #include "numbers/turned_vector.h"
 
 namespace foresee {

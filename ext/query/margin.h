@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "contact/contact.h"
-#include "motion/vec.h"
+#include "motion/motion.h"
 
 namespace foresee {
 

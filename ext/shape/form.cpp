@@ -1,9 +1,9 @@
 #include "shape/form.h"
 
 #include "shape/mesh/cut_mesh.h"
-#include "shape/mesh/mesh_reader.h"
+#include "shape/mesh/mesh_text.h"
 #include "shape/outline/cut_outline.h"
-#include "shape/outline/wkt_reader.h"
+#include "shape/outline/wkt.h"
 
 namespace foresee {
 

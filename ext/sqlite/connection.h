@@ -19,7 +19,7 @@
 #include "query/scene.h"
 #include "sqlite/names/table_lookups.h"
 #include "sqlite/watch_upkeep.h"
-#include "storage/rows/statement_interrupt.h"
+#include "storage/rows/statement.h"
 #include "storage/table/store.h"
 
 namespace foresee {

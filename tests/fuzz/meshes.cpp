@@ -7,8 +7,7 @@
 
 #include "base/error.h"
 #include "shape/mesh/mesh_check.h"
-#include "shape/mesh/mesh_reader.h"
-#include "shape/mesh/mesh_writer.h"
+#include "shape/mesh/mesh_text.h"
 #include "shape/mesh/triangle_tree.h"
 #include "shape/mesh/turned_mesh.h"
 #include "storage/format/mesh_blob.h"

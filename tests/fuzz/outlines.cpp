@@ -11,8 +11,7 @@
 #include "shape/outline/orientation.h"
 #include "shape/outline/turn.h"
 #include "shape/outline/validity.h"
-#include "shape/outline/wkt_reader.h"
-#include "shape/outline/wkt_writer.h"
+#include "shape/outline/wkt.h"
 #include "wkt.h"
 
 namespace foresee::testing {

@@ -1,6 +1,6 @@
 // An interrupt and a progress handler stop a long computation, on every version of SQLite.
 #include "database.h"
-#include "storage/rows/statement_interrupt.h"
+#include "storage/rows/statement.h"
 
 namespace foresee::testing {
 namespace {

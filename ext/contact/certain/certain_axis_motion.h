@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "base/lane_math.h"
-#include "motion/axis_motion.h"
+#include "motion/motion.h"
 #include "numbers/double_double.h"
 
 namespace foresee {

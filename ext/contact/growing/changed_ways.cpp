@@ -1,8 +1,65 @@
 #include "contact/growing/changed_ways.h"
 
+#include "contact/set/relative_motion.h"
 #include "numbers/turned_vector.h"
 
 namespace foresee {
+
+namespace {
+
+DoubleDouble number(double value) {
+  return {value, 0};
+}
+
+/// The last moment of the horizon after `s`, rounded up.
+double horizon_end(const Horizon& horizon, double s) {
+  if (s == horizon.now) return horizon.h;
+  const double passed = s - horizon.now;
+  return (horizon.h - passed) + 0x1p-50 * (horizon.h + std::abs(passed));
+}
+
+}  // namespace
+
+template <int D>
+Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const Bodies& others,
+                          const double* row, const GrowingExtents<D>& extents) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  const double t = value_or(row, others.at.t, 0), until = value_or(row, others.at.until, inf);
+  const DoubleDouble age = difference(base.t, t);
+  Encounter<D> met;
+  for (int axis = 0; axis < D; ++axis) {
+    const AxisMotion<double> other = axis_motion(others, row, axis);
+    const double own = base.x[static_cast<std::size_t>(axis)];
+    const DoubleDouble gap = difference(other.x, own);
+    met.a[axis] = other.a;
+    if (age.high == 0) {
+      met.x[axis] = gap.high, met.v[axis] = other.v;
+      met.ex[axis] = std::abs(gap.low), met.ev[axis] = 0;
+      continue;
+    }
+    const DoubleDouble gained = age * number(other.a);
+    const DoubleDouble v = number(other.v) + gained, x = gap + age * (number(other.v) + half_of(gained));
+    const double way = std::abs(age.high) * (std::abs(other.v) + std::abs(gained.high));
+    met.x[axis] = x.high, met.v[axis] = v.high;
+    met.ex[axis] =
+        std::abs(x.low) + 0x1p-95 * (std::abs(other.x) + std::abs(own) + way) + (way == 0 ? 0 : 0x1p-1000);
+    met.ev[axis] = std::abs(v.low) + 0x1p-95 * (std::abs(other.v) + std::abs(gained.high)) +
+                   (gained.high == 0 ? 0 : 0x1p-1000);
+  }
+  met.extents = extents;
+  const double begin = t - base.t, end = until - base.t;
+  met.begin = std::max(0.0, begin * (1 - 0x1p-50));
+  met.end = std::min(horizon_end(horizon, base.t), end > 0 ? end * (1 + 0x1p-50) : end * (1 - 0x1p-50));
+  return met;
+}
+
+template Encounter<1> encounter_of<1>(const OwnMotion&, const Horizon&, const Bodies&, const double*,
+                                      const GrowingExtents<1>&);
+template Encounter<2> encounter_of<2>(const OwnMotion&, const Horizon&, const Bodies&, const double*,
+                                      const GrowingExtents<2>&);
+template Encounter<3> encounter_of<3>(const OwnMotion&, const Horizon&, const Bodies&, const double*,
+                                      const GrowingExtents<3>&);
+
 namespace {
 
 template <int D>

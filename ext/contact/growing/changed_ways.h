@@ -6,10 +6,40 @@
 // proof. Cost: some hundred ns.
 #pragma once
 
-#include "contact/growing/encounter.h"
+#include "contact/growing/pair_extents.h"
+#include "motion/manoeuvre.h"
 #include "motion/motion_set.h"
+#include "shape/bodies.h"
 
 namespace foresee {
+
+// One other object, as an object sees it that is about to change its motion: from the moment and the place of
+// the change.
+//
+//   const Encounter<2> met = encounter_of<2>(base, {now, h}, others, row,
+//                                           rule.pair<2>(own_row, row, base.t));
+//   if (met.begin > met.end) …                             // never there together
+//
+// At tau seconds after the change the other is at x + v tau + a tau^2 / 2, each number within its error.
+// Positions are differenced in double-double before anything is rounded, so that neither old reports nor
+// places far from the origin cost digits. Cost: some tens of nanoseconds.
+
+template <int D>
+struct Encounter {
+  Vec<D> x, v, a;
+  Vec<D> ex, ev;              ///< errors; a is exact
+  GrowingExtents<D> extents;  ///< as of the change
+  double begin, end;          ///< both exist within the horizon, in seconds after the change, rounded outward
+  double play = 0;            ///< of some changes the set reaches so much farther, or less far …
+  double chord = 0;           ///< … as it is turned by this, in lengths of what turns
+
+  bool bends() const { return (a != 0).any(); }
+};
+
+/// `base`: the motion that is changed, as of the change. Of what doubles do not hold, numbers are not finite.
+template <int D>
+Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const Bodies& others,
+                          const double* row, const GrowingExtents<D>& extents);
 
 /// Of a bent path, in looking for a moment: none is proven by that.
 inline constexpr int moments_looked_at = 32;

@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "contact/growing/piece_sum.h"
-#include "motion/vec.h"
+#include "motion/motion.h"
 #include "shape/layout.h"
 
 namespace foresee {

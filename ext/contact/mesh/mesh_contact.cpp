@@ -1,10 +1,144 @@
 #include "contact/mesh_contact.h"
 
-#include "contact/mesh/space_kit.h"
+#include <algorithm>
+
+#include "contact/exact/pair_polynomials.h"
+#include "contact/mesh/plate_tests.h"
+#include "contact/mesh/round_parts.h"
+#include "contact/mesh/space_condition.h"
+#include "contact/mesh/space_tests.h"
+#include "contact/mesh/within.h"
+#include "contact/pieces/pair_way.h"
+#include "contact/pieces/plain_answer.h"
+#include "contact/pieces/tested_pairs.h"
 #include "contact/pieces/union_contact.h"
 #include "contact/pieces/window_near.h"
 
 namespace foresee {
+
+// The exact polynomials of some pairs of pieces in space: what doubles leave open hangs on these alone.
+//
+// Their pieces are the parts of each pair (round_parts.h, round_parts.h), and their primitives the conditions
+// of these, one after the other.
+
+class SpacePolynomials final : public PiecePolynomials {
+ public:
+  /// `grown`: how near counts as touching is more than 0, for these objects.
+  SpacePolynomials(const Setup& setup, const double* row_a, const double* row_b, const SpacePieces& a,
+                   const SpacePieces& b, std::span<const PiecePair> pairs, bool grown);
+
+  PiecePolynomials& all() { return *this; }
+  /// Of each pair: how many pieces it and those before it have in the set.
+  std::span<const std::uint32_t> ends() const { return ends_; }
+  const ContactSet& set() const override { return set_; }
+  std::size_t number_of(int primitive) override;
+  Polynomial exact_polynomial(int primitive) const override;
+
+ private:
+  void add(const SpacePiece& a, const SpacePiece& b, bool grown);
+  int add(const SpaceCondition& condition);
+  template <class T>
+  Powers<T, 4> polynomial_of(int primitive, const std::array<Powers<T, 2>, 3>& x) const;
+
+  const Setup& setup_;
+  const double *row_a_, *row_b_;
+  std::vector<SpaceCondition> conditions_;
+  ContactSet set_;
+  std::vector<std::uint32_t> ends_;
+  std::vector<int> number_of_;  ///< of each condition's polynomial; -1: not made
+  const std::array<Powers<Midrad128, 2>, 3> rough_motion_;
+  mutable std::optional<std::array<Powers<Dyadic, 2>, 3>> exact_motion_;  ///< once it is needed
+};
+
+SpacePolynomials::SpacePolynomials(const Setup& setup, const double* row_a, const double* row_b,
+                                   const SpacePieces& a, const SpacePieces& b,
+                                   std::span<const PiecePair> pairs, bool grown)
+    : setup_(setup),
+      row_a_(row_a),
+      row_b_(row_b),
+      rough_motion_(motion_powers<Midrad128>(setup, row_a, row_b)) {
+  for (const PiecePair& pair : pairs) {
+    add(a.piece(pair.a), b.piece(pair.b), grown);
+    ends_.push_back(static_cast<std::uint32_t>(set_.pieces().size()));
+  }
+  number_of_.assign(conditions_.size(), -1);
+}
+
+int SpacePolynomials::add(const SpaceCondition& condition) {
+  conditions_.push_back(condition);
+  return static_cast<int>(conditions_.size()) - 1;
+}
+
+void SpacePolynomials::add(const SpacePiece& a, const SpacePiece& b, bool grown) {
+  Conditions core;
+  SpaceHull(a, b).for_each([&](const SpacePlanes& planes) {
+    core.all.push_back(add(planes.before)), core.all.push_back(add(planes.beyond));
+    return true;
+  });
+  set_.add_piece(core);
+  if (!grown) return;
+  RoundParts(a, b).for_each([this](const RoundPart& part) {
+    Conditions conditions;
+    for (int i = 0; i < part.count; ++i)
+      conditions.all.push_back(add(part.beside[static_cast<std::size_t>(i)]));
+    conditions.ball = add(part.round);
+    conditions.all.push_back(conditions.ball);
+    set_.add_piece(conditions);
+    return true;
+  });
+}
+
+template <class T>
+Powers<T, 4> SpacePolynomials::polynomial_of(int primitive, const std::array<Powers<T, 2>, 3>& x) const {
+  Powers<T, 4> all{};
+  const SpaceSizes<T> sizes{.radius = radius_of<T>(setup_, row_a_, row_b_)};
+  with_polynomial<2>(conditions_[static_cast<std::size_t>(primitive)], x, sizes,
+                     [&all](const auto& p) { std::copy(p.begin(), p.end(), all.begin()); });
+  return all;
+}
+
+std::size_t SpacePolynomials::number_of(int primitive) {
+  int& number = number_of_[static_cast<std::size_t>(primitive)];
+  if (number < 0) {
+    number = static_cast<int>(polynomials_.size());
+    polynomials_.emplace_back(polynomial_of(primitive, rough_motion_), *this, primitive);
+  }
+  return static_cast<std::size_t>(number);
+}
+
+Polynomial SpacePolynomials::exact_polynomial(int primitive) const {
+  if (!exact_motion_) exact_motion_ = motion_powers<Dyadic>(setup_, row_a_, row_b_);
+  return Polynomial(polynomial_of(primitive, *exact_motion_));
+}
+
+// What contact of meshes is made of (pieces/union_pair.h): triangles, boxes and points in space.
+
+template <int Degree>
+struct SpaceKit {
+  static constexpr int axes = 3, degree = Degree;
+  static constexpr bool has_solids = true;
+  using Tables = MeshTables;
+  using Pieces = SpacePieces;
+  using Condition = SpaceCondition;
+  template <class T>
+  using Sizes = SpaceSizes<T>;
+  using Space = PieceSpace<SpaceCondition>;
+  using Tests = SpaceTests<Degree>;
+  using NodeTests = PlateTests;
+  using Within = foresee::Within;
+  using Polynomials = SpacePolynomials;
+
+  template <class T>
+  static SpaceSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
+    return {radius_of<T>(setup, row_a, row_b), steady_axes_of(setup, row_a, row_b)};
+  }
+  /// None: triangles are many, and asked one by one (space_tests.h).
+  static PlainAnswer plain_answer(const PairWay<SpaceKit>&, bool) { return {}; }
+  static constexpr bool is_cut(const SpaceCondition&) { return false; }
+  /// What the rows of a pair look like.
+  static void take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables, const Pair& pair);
+};
+
 namespace {
 
 Vec<3> place_at(const double* numbers) {

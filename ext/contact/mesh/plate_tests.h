@@ -6,7 +6,7 @@
 //
 // Across each of the two normals d lies within as much as both plates reach that way while they touch. Along
 // the normal of the other a plate reaches as far as its thickness and its disc do. The slack is that of
-// plain_passing.h, and far less than what the plates have of their own. Where one has no plates boxes alone
+// space_tests.h, and far less than what the plates have of their own. Where one has no plates boxes alone
 // are asked. Cost: some ten nanoseconds, and a cache line a node.
 #pragma once
 
@@ -40,7 +40,7 @@ class PlateTests {
 
   const BoxTests<3, SpacePieces> boxes_;
   const Plates *a_ = nullptr, *b_ = nullptr;  ///< if both have some
-  Triple place_, speed_, swing_;              ///< as plain_passing.cpp has them
+  Triple place_, speed_, swing_;              ///< as space_tests.cpp has them
   double radius_, end_, slack_;
 };
 

@@ -1,6 +1,131 @@
 #include "contact/mesh/round_parts.h"
 
+#include "numbers/dyadic.h"
+#include "shape/outline/orientation.h"
+
 namespace foresee {
+
+namespace {
+
+/// 2: unknown.
+int told_sign(const Bounded& c) {
+  const double error = c.error * (1 + 0x1p-40);
+  if (c.value > error) return 1;
+  if (c.value < -error) return -1;
+  return c.value == 0 && c.error == 0 ? 0 : 2;
+}
+
+double coordinate(const SpaceCorner& corner, int axis) {
+  return axis == 0 ? corner.x : axis == 1 ? corner.y : corner.z;
+}
+
+/// Of component j of u x v, exactly.
+int minor_sign(const Run& u, const Run& v, int j) {
+  const auto seen = [j](const SpaceCorner& corner) {
+    return Corner{coordinate(corner, (j + 1) % 3), coordinate(corner, (j + 2) % 3)};
+  };
+  return turn_sign(seen(*u.from), seen(*u.to), seen(*v.from), seen(*v.to));
+}
+
+/// Which corners of a piece are the farthest along an axis, and against it.
+class Extremes {
+ public:
+  Extremes(const SpacePiece& piece, const SpaceAxis& axis, const Components<Bounded>& direction)
+      : piece_(piece), axis_(axis), direction_(direction) {
+    if (piece.is_box())
+      take_of_box();
+    else if (!is_own_normal())
+      take_of_triangle();
+  }
+
+  const SpaceCorner& farthest() const { return piece_.corner(farthest_); }
+  const SpaceCorner& nearest() const { return piece_.corner(nearest_); }
+
+ private:
+  void take_of_box() {
+    for (int j = 0; j < 3; ++j) {
+      const int bit = 1 << j;
+      if ((piece_.flat() & bit) != 0) continue;
+      const int sign = component_sign(j);
+      if (sign > 0) farthest_ |= bit;
+      if (sign < 0) nearest_ |= bit;
+    }
+  }
+  void take_of_triangle() {
+    for (const int i : {1, 2}) {
+      if (sign_from(farthest_, i) > 0) farthest_ = i;
+      if (sign_from(nearest_, i) < 0) nearest_ = i;
+    }
+  }
+
+  /// Nothing of a triangle is farther than the rest along its normal.
+  bool is_own_normal() const {
+    const auto is_run = [this](const Run& run, std::size_t i) {
+      return run.from == piece_.runs()[i].from && run.to == piece_.runs()[i].to;
+    };
+    return axis_.factors == 2 && is_run(axis_.u, 0) && is_run(axis_.v, 1);
+  }
+
+  /// Requires: the axis is a run, or square to two.
+  int component_sign(int j) const {
+    const int sign = told_sign(direction_[static_cast<std::size_t>(j)]);
+    return sign != 2 ? sign : minor_sign(axis_.u, axis_.v, j);
+  }
+
+  /// Whether corner i is farther along the axis than another.
+  int sign_from(int other, int i) const {
+    const SpaceCorner &from = piece_.corner(other), &to = piece_.corner(i);
+    if (is_square_to(from, to)) return 0;
+    const Components<Bounded> gap = gap_between<Bounded>(to, from);
+    const Bounded sum = safe_product(direction_[0], gap[0]) + safe_product(direction_[1], gap[1]) +
+                        safe_product(direction_[2], gap[2]);
+    const int sign = told_sign(sum);
+    return sign != 2 ? sign : exact_sign_from(from, to);
+  }
+
+  /// As it is one of the runs that the axis was made of.
+  bool is_square_to(const SpaceCorner& from, const SpaceCorner& to) const {
+    const auto is_along = [&](const Run& run) {
+      return (run.from == &from && run.to == &to) || (run.from == &to && run.to == &from);
+    };
+    if (axis_.factors == 2) return is_along(axis_.u) || is_along(axis_.v);
+    return axis_.factors == 3 && is_along(axis_.w);
+  }
+
+  [[gnu::noinline]] int exact_sign_from(const SpaceCorner& from, const SpaceCorner& to) const {
+    const Components<Dyadic> direction = direction_of<Dyadic>(axis_), gap = gap_between<Dyadic>(to, from);
+    return (direction[0] * gap[0] + direction[1] * gap[1] + direction[2] * gap[2]).sign();
+  }
+
+  const SpacePiece& piece_;
+  const SpaceAxis& axis_;
+  const Components<Bounded>& direction_;
+  int farthest_ = 0, nearest_ = 0;
+};
+
+bool are_surely_not_parallel(const Components<Bounded>& cross) {
+  const auto is_there = [](const Bounded& c) { return (told_sign(c) & 1) != 0; };
+  return is_there(cross[0]) || is_there(cross[1]) || is_there(cross[2]);
+}
+
+}  // namespace
+
+bool are_parallel(const Run& u, const Run& v) {
+  return minor_sign(u, v, 0) == 0 && minor_sign(u, v, 1) == 0 && minor_sign(u, v, 2) == 0;
+}
+
+bool SpaceHull::make(const SpaceAxis& axis, SpacePlanes& planes) const {
+  planes.direction = close_direction_of(axis);
+  if (axis.factors == 2 && !are_surely_not_parallel(planes.direction) && are_parallel(axis.u, axis.v))
+    return false;
+  const Extremes a(a_, axis, planes.direction), b(b_, axis, planes.direction);
+  planes.before =
+      planes.beyond = {.kind = SpaceCondition::Kind::plane, .axis = axis, .p = nullptr, .q = nullptr};
+  planes.before.sign = -1, planes.before.p = &a.nearest(), planes.before.q = &b.farthest();
+  planes.beyond.sign = 1, planes.beyond.p = &a.farthest(), planes.beyond.q = &b.nearest();
+  planes.is_flat = planes.before.p == planes.beyond.p && planes.before.q == planes.beyond.q;
+  return true;
+}
 
 RoundPart RoundParts::face_of_triangle(bool of_a, const SpaceCorner& seen_from) const {
   const SpacePiece& triangle = one(of_a);

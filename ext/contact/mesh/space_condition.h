@@ -7,13 +7,105 @@
 // that is what is nearest: the sum grown by R is the union of these (round_parts.h).
 #pragma once
 
+#include <array>
 #include <optional>
 
-#include "contact/mesh/space_pieces.h"
 #include "contact/set/primitive.h"
 #include "contact/set/relative_motion.h"
+#include "shape/mesh/triangle_tree.h"
+#include "shape/own_pieces.h"
 
 namespace foresee {
+
+// What does an object look like to contact in space? Convex pieces under a tree of boxes: the triangles of
+// its mesh, or the one box that its half extents make; a point is a box of no size.
+//
+//   SpacePieces pieces;
+//   pieces.take(meshes.triangles(row, pieces.own()));  // or take_box(box), take_point()
+//   if (pieces.is_leaf(node)) test(pieces.piece(pieces.item(node)));
+
+/// From one corner to another: never of no length.
+struct Run {
+  const SpaceCorner *from, *to;
+};
+
+/// A triangle, or a box along the axes.
+class SpacePiece {
+ public:
+  SpacePiece(const TriangleTree& triangles, std::size_t triangle);
+  /// `corners`: all eight; number i has the upper coordinate on the axes of the bits in i.
+  explicit SpacePiece(const SpaceCorner* corners);
+
+  bool is_box() const { return !triangles_; }
+  int corner_count() const { return is_box() ? 8 : 3; }
+  int edge_count() const { return is_box() ? 12 : 3; }
+  const SpaceCorner& corner(int i) const { return is_box() ? box_[i] : triangles_->corner(triangle_, i); }
+  /// The corners at both ends of an edge.
+  std::array<int, 2> edge(int i) const;
+  /// Which way edge i runs, also where a box has no width.
+  const Run& run_of_edge(int i) const { return runs_[is_box() ? i / 4 : i]; }
+  /// All ways that edges run.
+  const std::array<Run, 3>& runs() const { return runs_; }
+  /// Corners and edges that several triangles share belong to one of them; of those that coincide in a box
+  /// without width, one counts.
+  bool owns_corner(int i) const {
+    return is_box() ? (i & flat_) == 0 : triangles_->owns_corner(triangle_, i);
+  }
+  bool owns_edge(int i) const {
+    return is_box() ? ((edge(i)[0] | 1 << i / 4) & flat_) == 0 : triangles_->owns_edge(triangle_, i);
+  }
+  /// Of a box, a bit for each axis along which it has no width.
+  int flat() const { return flat_; }
+  bool is_point() const { return flat_ == 7; }
+
+ private:
+  const TriangleTree* triangles_ = nullptr;
+  std::size_t triangle_ = 0;
+  const SpaceCorner* box_ = nullptr;
+  int flat_ = 0;
+  std::array<Run, 3> runs_;
+};
+
+/// Of one object at a time; what was taken must outlive its use.
+class SpacePieces {
+ public:
+  static constexpr int axes = 3;
+  using Node = BoxTree<3>::Node;
+  static constexpr Node root = BoxTree<3>::root;
+
+  void take(const TriangleTree& triangles) { triangles_ = &triangles; }
+  /// For triangles that nobody else keeps.
+  OwnPieces<TriangleTree>& own() { return own_; }
+  void take_box(const Box<3>& box);
+  void take_point() { take_box({Vec<3>::Zero(), Vec<3>::Zero()}); }
+
+  std::size_t count() const { return triangles_ ? triangles_->count() : 1; }
+  SpacePiece piece(std::size_t i) const {
+    return triangles_ ? SpacePiece(*triangles_, i) : SpacePiece(corners_.data());
+  }
+  const Box<3>& box(Node node) const { return triangles_ ? triangles_->tree().box(node) : box_; }
+  bool is_leaf(Node node) const { return !triangles_ || triangles_->tree().is_leaf(node); }
+  std::size_t item(Node leaf) const { return triangles_ ? triangles_->tree().item(leaf) : 0; }
+  static Node left(Node node) { return 2 * node + 1; }
+  static Node right(Node node) { return 2 * node + 2; }
+
+  /// None: it is a box.
+  const TriangleTree* triangles() const { return triangles_; }
+  bool is_mesh() const { return triangles_ != nullptr; }
+  /// Its triangles, if they enclose it: what its pieces leave out is the inside of these.
+  const TriangleTree* solid() const { return triangles_ && triangles_->is_solid() ? triangles_ : nullptr; }
+  /// A corner of each part that hangs together.
+  std::size_t parts() const { return triangles_ ? triangles_->parts() : 1; }
+  const SpaceCorner& part_corner(std::size_t part) const {
+    return triangles_ ? triangles_->part_corner(part) : corners_[0];
+  }
+
+ private:
+  const TriangleTree* triangles_ = nullptr;  ///< none: the box
+  std::array<SpaceCorner, 8> corners_;
+  Box<3> box_;
+  OwnPieces<TriangleTree> own_;
+};
 
 /// A direction in space, not 0: that of a run, square to two runs, or square to such a one and a third run.
 struct SpaceAxis {

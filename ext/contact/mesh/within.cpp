@@ -1,8 +1,136 @@
 #include "contact/mesh/within.h"
 
 #include "contact/exact/exact_contact.h"
+#include "contact/exact/pair_polynomials.h"
+#include "contact/pieces/stays.h"
 
 namespace foresee {
+
+Displacement::Displacement(const Setup& setup, const double* row_a, const double* row_b,
+                           const CertainMotion<3>& relative, const Dyadic& moment)
+    : setup_(setup), row_a_(row_a), row_b_(row_b), moment_(moment) {
+  const double tau = rounded(moment);
+  const Bounded time{tau, unit_roundoff * std::abs(tau) + 0x1p-1070};
+  for (std::size_t j = 0; j < 3; ++j) {
+    const auto& axis = relative.axis[j];
+    near_[j] = Bounded{axis.x, axis.ex} + time * (Bounded{axis.v, axis.ev} + time * Bounded{axis.a, axis.ea});
+    near_[j].error = near_[j].error_bound(relative.underflow);
+  }
+}
+
+const Components<Dyadic>& Displacement::exact() {
+  if (exact_) return *exact_;
+  const auto x = motion_powers<Dyadic>(setup_, row_a_, row_b_);
+  exact_.emplace();
+  for (std::size_t j = 0; j < 3; ++j) (*exact_)[j] = x[j][0] + moment_ * (x[j][1] + moment_ * x[j][2]);
+  return *exact_;
+}
+
+SeenCorner::SeenCorner(const SpaceCorner& corner, int sign, Displacement& d)
+    : corner_(corner), sign_(sign), d_(d) {
+  const Components<Bounded> place{Bounded{corner.x}, Bounded{corner.y}, Bounded{corner.z}};
+  for (std::size_t j = 0; j < 3; ++j) {
+    near_[j] = sign < 0 ? place[j] - d.near()[j] : place[j] + d.near()[j];
+    near_[j].error = near_[j].error_bound(0x1p-1060);
+  }
+}
+
+const Components<Dyadic>& SeenCorner::exact() {
+  if (exact_) return *exact_;
+  const Components<Dyadic> place{Dyadic(corner_.x), Dyadic(corner_.y), Dyadic(corner_.z)};
+  exact_.emplace();
+  for (std::size_t j = 0; j < 3; ++j)
+    (*exact_)[j] = sign_ < 0 ? place[j] - d_.exact()[j] : place[j] + d_.exact()[j];
+  return *exact_;
+}
+
+namespace {
+
+template <class T>
+T coordinate(const SpaceCorner& corner, int axis) {
+  return Exactly<T>::number(axis == 0 ? corner.x : axis == 1 ? corner.y : corner.z);
+}
+
+class Ray {
+ public:
+  Ray(const TriangleTree& solid, SeenCorner& corner, Steps& steps)
+      : solid_(solid), corner_(corner), steps_(steps) {}
+
+  /// How often it crosses the triangles below a node.
+  int crossings(BoxTree<3>::Node node) {
+    steps_();
+    if (!may_cross(solid_.tree().box(node))) return 0;
+    if (solid_.tree().is_leaf(node)) return crosses(solid_.tree().item(node)) ? 1 : 0;
+    return crossings(solid_.tree().left(node)) + crossings(solid_.tree().right(node));
+  }
+
+ private:
+  bool may_cross(const Box<3>& box) const {
+    const auto& near = corner_.near();
+    const auto is_beyond = [&](int axis) {
+      const Bounded& c = near[static_cast<std::size_t>(axis)];
+      return c.value - c.error > box.upper[axis];
+    };
+    const auto is_before = [&](int axis) {
+      const Bounded& c = near[static_cast<std::size_t>(axis)];
+      return c.value + c.error < box.lower[axis];
+    };
+    return !is_beyond(0) && !is_beyond(1) && !is_before(1) && !is_beyond(2) && !is_before(2);
+  }
+
+  bool crosses(std::size_t triangle) {
+    const SpaceCorner* const corners[] = {&solid_.corner(triangle, 0), &solid_.corner(triangle, 1),
+                                          &solid_.corner(triangle, 2)};
+    const int way = side_of(*corners[0], *corners[1]);
+    if (way == 0 || side_of(*corners[1], *corners[2]) != way || side_of(*corners[2], *corners[0]) != way)
+      return false;
+    // Seen along x the triangle runs round `way`, and so its normal points.
+    return plane_sign(corners) * way < 0;
+  }
+
+  /// On which side of an edge the ray passes, seen along x; 0 of an edge that runs along it.
+  int side_of(const SpaceCorner& from, const SpaceCorner& to) {
+    const int told = certain_sign(with_lost(turn<Bounded>(from, to, corner_.near()), 0x1p-1060));
+    if (told != 0) return told;
+    const int exactly = turn<Dyadic>(from, to, corner_.exact()).sign();
+    if (exactly != 0) return exactly;
+    if (to.z != from.z) return to.z > from.z ? -1 : 1;
+    return to.y > from.y ? 1 : to.y < from.y ? -1 : 0;
+  }
+  template <class T>
+  static T turn(const SpaceCorner& from, const SpaceCorner& to, const Components<T>& place) {
+    const Components<T> run = gap_between<T>(to, from);
+    return run[1] * (place[2] - coordinate<T>(from, 2)) - run[2] * (place[1] - coordinate<T>(from, 1));
+  }
+
+  /// On which side of the triangle's plane the place is: 1 where the normal points.
+  int plane_sign(const SpaceCorner* const corners[3]) {
+    const Run u{corners[0], corners[1]}, v{corners[1], corners[2]};
+    const Components<Bounded> normal = direction_of<Bounded>({.factors = 2, .u = u, .v = v});
+    Bounded sum{};
+    for (std::size_t j = 0; j < 3; ++j)
+      sum = sum + safe_product(normal[j],
+                               corner_.near()[j] - coordinate<Bounded>(*corners[0], static_cast<int>(j)));
+    const int told = certain_sign(with_lost(sum, 0x1p-1060));
+    if (told != 0) return told;
+    const Components<Dyadic> direction = direction_of<Dyadic>({.factors = 2, .u = u, .v = v});
+    Dyadic exactly;
+    for (std::size_t j = 0; j < 3; ++j)
+      exactly = exactly +
+                direction[j] * (corner_.exact()[j] - coordinate<Dyadic>(*corners[0], static_cast<int>(j)));
+    return exactly.sign();
+  }
+
+  const TriangleTree& solid_;
+  SeenCorner& corner_;
+  Steps& steps_;
+};
+
+}  // namespace
+
+bool is_enclosed(const TriangleTree& solid, SeenCorner& corner, Steps& steps) {
+  return Ray(solid, corner, steps).crossings(BoxTree<3>::root) % 2 != 0;
+}
 
 bool Within::at_begin() {
   return may_be() && at(exact_moments_of(setup_, row_a_, row_b_).begin);

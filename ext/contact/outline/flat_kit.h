@@ -2,14 +2,174 @@
 #pragma once
 
 #include "base/steps.h"
+#include "contact/certain/certain_motion.h"
+#include "contact/certain/chord.h"
 #include "contact/exact/pair_polynomials.h"
+#include "contact/outline/condition.h"
 #include "contact/outline/critical_pieces.h"
-#include "contact/outline/piece_tests.h"
+#include "contact/outline/object_pieces.h"
 #include "contact/outline/plainly_near.h"
 #include "contact/outline_contact.h"
+#include "contact/pieces/pair_tests.h"
 #include "contact/pieces/pair_way.h"
+#include "contact/pieces/seen_from.h"
 
 namespace foresee {
+
+// When do two convex pieces touch, certainly and possibly? All conditions of their sum (convex_sum.h), in
+// doubles with error bounds.
+//
+//   PieceTests<2, 1> tests(a, b, relative, asked, sizes, true, space);
+//   for (const PieceStay& stay : tests.of(piece_a, piece_b)) best = std::min(best, stay.begin.high);
+//
+// Corners are differenced before the motion comes in, and the motion's positions before that, so that far
+// coordinates cost nothing. Two that are prisms also overlap along z: a condition of every pair of pieces.
+// Cost: some ten nanoseconds an edge.
+
+/// Space for the tests of one pair of objects after another.
+struct FlatSpace : PieceSpace<Condition> {
+  std::vector<SumEdge> edges;  ///< of the part at hand
+};
+
+template <int D, int Degree>
+class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
+  using Base = PairTests<PieceTests, Condition>;
+
+ public:
+  /// `asked`: the moments asked about, enclosed. What is given must outlive this.
+  PieceTests(const ObjectPieces& a, const ObjectPieces& b, const CertainMotion<D>& relative,
+             const Stay& asked, const PairSizes<Bounded>& sizes, bool times_wanted, FlatSpace& space)
+      : Base(asked, times_wanted, space),
+        a_(a),
+        b_(b),
+        relative_(relative),
+        sizes_(sizes),
+        lost_(relative.underflow + 0x1p-1060),
+        edges_(space.edges),
+        x_(seen_from<Degree>(relative, 0)),
+        chord_(relative, asked.end.high) {}
+
+ private:
+  friend Base;
+  using Kind = Condition::Kind;
+  using Base::asked_, Base::space_;
+  using Base::begin_part, Base::end_part, Base::is_decided, Base::keep, Base::share;
+
+  bool test(const PiecePair& pair, double /*by*/) {
+    Base::begin_test();
+    if constexpr (D == 3)
+      for (const int side : {-1, 1})
+        if (sizes_.has_face(side)) keep({.kind = Kind::height, .sign = side});
+    const ConvexPiece a = a_.piece(pair.a), b = b_.piece(pair.b);
+    if (is_of_size(sizes_.radius))
+      test_grown(a, b);
+    else
+      test_as_they_are(a, b);
+    return true;
+  }
+
+  void test_as_they_are(const ConvexPiece& a, const ConvexPiece& b) {
+    Condition condition;
+    for (ConvexSum sum(a, b); !space_.clipped.empty() && sum.next(condition.edge);) keep(condition);
+    end_part();
+  }
+
+  /// First the polygon that R moves the edges out to, which is more; then all parts of the grown sum. Each
+  /// lies in that polygon, so it begins and ends with conditions of its own: the polygon's edges are no ends.
+  void test_grown(const ConvexPiece& a, const ConvexPiece& b) {
+    edges_.clear();
+    SumEdge edge;
+    for (ConvexSum sum(a, b); !space_.clipped.empty() && sum.next(edge);) {
+      edges_.push_back(edge);
+      space_.clipped.keep(beside(edge, 1));
+    }
+    if (space_.clipped.empty()) return;
+    share();
+    const Period<double> all = reached(space_.outer);
+    for (const SumEdge& one : edges_) keep({.edge = one});
+    const Period<double> inside = surely_held(space_.clipped);
+    end_part();
+    for (const SumEdge& one : edges_) {
+      if (is_decided()) return;
+      const Period<double> near = near_edge(one, all);
+      if (!(near.begin <= near.end) || (inside.begin <= near.begin && near.end <= inside.end)) continue;
+      begin_part();
+      for (const int side : {-1, 1}) keep({.kind = Kind::foot, .sign = side, .edge = one});
+      for (const int side : {-1, 1}) keep({.kind = Kind::side, .edge = one}, beside(one, side));
+      end_part();
+      begin_part();
+      keep({.kind = Kind::corner, .edge = one});
+      end_part();
+    }
+  }
+
+  static Period<double> reached(const Stays& stays) {
+    Period<double> reached{Stay::inf, -Stay::inf};
+    for (const Stay& stay : stays)
+      reached = {std::min(reached.begin, stay.begin.low), std::max(reached.end, stay.end.high)};
+    return reached;
+  }
+  /// During one of the stays.
+  static Period<double> surely_held(const Stays& stays) {
+    Period<double> held{Stay::inf, -Stay::inf};
+    for (const Stay& stay : stays)
+      if (stay.is_certain()) held = {stay.begin.high, stay.end.low};
+    return held;
+  }
+  /// Of the time given, when d may be in the box of an edge that is grown by R: most edges of a sum it passes
+  /// by.
+  Period<double> near_edge(const SumEdge& edge, const Period<double>& when) const {
+    static constexpr Faces faces[] = {{.axis = 0, .below = {0}, .above = {1}},
+                                      {.axis = 1, .below = {2}, .above = {3}}};
+    const Bounded radius = largest(sizes_.radius, asked_.end.high);
+    Bounded reach[4];
+    for (int j = 0; j < 2; ++j) {
+      const Bounded begin = begin_of<Bounded>(edge, j), end = end_of<Bounded>(edge, j);
+      const double error = std::max(begin.error, end.error);
+      reach[2 * j] = radius - Bounded{std::min(begin.value, end.value), error};
+      reach[2 * j + 1] = radius + Bounded{std::max(begin.value, end.value), error};
+    }
+    return chord_.between(faces, 2, reach, when);
+  }
+
+  void keep(const Condition& condition) {
+    if (space_.clipped.empty()) return;
+    if (Degree > 1 && condition.kind == Kind::corner)
+      return keep(condition,
+                  inside_by_leaps([&](double tau) { return around_corner(condition, tau); }, lost_, asked_));
+    // Of more powers are sides alone, which beside() has, and corners.
+    with_polynomial<Degree>(condition, x_, sizes_, [&, last = asked_.end.high](const auto& p) {
+      if constexpr (std::tuple_size_v<std::decay_t<decltype(p)>> < 5)
+        this->keep(condition, times_inside(p, lost_, last));
+    });
+  }
+
+  /// When d is at most R from the line of an edge, on one side: fewer powers than on both.
+  Inside beside(const SumEdge& edge, int side) const {
+    Powers<Bounded, Degree> p = beyond<Degree>(edge, x_.data());
+    if (side < 0)
+      for (Bounded& c : p) c = -c;
+    // R may be large: what underflow loses of the square counts before the product.
+    subtract_times<Degree>(p, sizes_.radius, sqrt(with_lost(squared_length<Bounded>(edge), 0x1p-1060)));
+    return times_inside(p, lost_, asked_.end.high);
+  }
+
+  Powers<Bounded, 4> around_corner(const Condition& condition, double tau) const {
+    const auto x = seen_from<Degree>(relative_, tau);
+    const auto p = round_polynomial<Degree>(condition, x.data(), seen_from(sizes_.radius, tau));
+    Powers<Bounded, 4> all{};
+    std::copy(p.begin(), p.end(), all.begin());
+    return all;
+  }
+
+  const ObjectPieces &a_, &b_;
+  const CertainMotion<D>& relative_;
+  const PairSizes<Bounded> sizes_;
+  const double lost_;
+  std::vector<SumEdge>& edges_;
+  const std::array<Powers<Bounded, Degree>, D> x_;  ///< the motion from now on
+  const Chord<D> chord_;
+};
 
 template <int D, int Degree>
 struct FlatKit {

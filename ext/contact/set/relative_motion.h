@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "motion/axis_motion.h"
+#include "motion/motion.h"
 #include "numbers/exactly.h"
 #include "shape/bodies.h"
 

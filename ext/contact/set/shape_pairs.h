@@ -1,11 +1,16 @@
-// The contact sets behind the door, one file a pair of shapes. Each is made once a statement, from what the
-// two tables declare and what the question asks; the numbers of a pair come later.
+// The contact sets behind the door, one function per pair of shapes. Each is made once a statement, from what
+// the two tables declare and what the question asks; the numbers of a pair come later.
 #pragma once
 
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 
 namespace foresee {
+
+// Discs and balls around the origin of the relative motion.
+
+/// |x| <= radius over the first `axes` axes, as the one piece of a set; also between `along_z`, if given.
+void add_ball(ContactSet& set, int axes, const Size& radius, const Faces* along_z = nullptr);
 
 /// Boxes, points that coincide, and everything in one dimension: on every axis |x| <= H.
 ContactSet box_box_set(const Setup& setup);

@@ -1,7 +1,7 @@
 // The grid as a whole: GPCD steps 1 to 5c from swept boxes to candidates. gpcd_grid.h is the door; this
 // header shows the parts and counters to tests and benchmarks.
 //
-//   step 1  beams: moving_source.h, float_rows.h
+//   step 1  beams: moving_source.h, stripes.h
 //   step 2  cell size: cell_size.h
 //   step 3  enter: stripes.h, giants.h
 //   step 4, 5a, 5c  share a stripe and overlap, in space and in time: lanes.h, scan.h

@@ -33,7 +33,7 @@ class Lanes {
   /// Tells of each box what it covers; null: nothing.
   void take(const Cores<D>* cores);
 
-  /// Leaves to each box only that part along x where it can meet those `inside` (clip.h).
+  /// Leaves to each box only that part along x where it can meet those `inside` (lanes.cpp).
   void clip_to(const LaneView<D>& inside);
 
   /// Valid until the next gather().

@@ -7,7 +7,7 @@
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "index/gpcd_grid/object_rows.h"
 #include "shape/beam.h"
-#include "shape/lives.h"
+#include "shape/swept_boxes.h"
 
 namespace foresee::gpcd {
 

@@ -31,7 +31,7 @@ struct LaneView {
   const float* travel[D] = {};                   ///< null where nothing moves, and so are the next two
   const float *centre[D] = {}, *extent[D] = {};  ///< of what moves, at half the horizon; centre times two
   const float *begin = nullptr, *end = nullptr;  ///< null where all exist throughout
-  const float *from = nullptr, *to = nullptr;    ///< of rows: which lanes count (clip.h); null: lower, upper
+  const float *from = nullptr, *to = nullptr;  ///< of rows: which lanes count (lanes.cpp); null: lower, upper
   const float *core_lower[D] = {}, *core_upper[D] = {};  ///< of rows (giants.h); null where none has a core
   const std::uint32_t *classes = nullptr, *ids = nullptr;
   ObjectRows objects;

@@ -6,7 +6,7 @@
 #include "contact/contact.h"
 #include "index/paper_grid/thread_clock.h"
 #include "index/paper_grid/time_interval.h"
-#include "index/paper_grid/trajectory_intersection.h"
+#include "index/paper_grid/trajectory.h"
 
 namespace foresee {
 namespace {

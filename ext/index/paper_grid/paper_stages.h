@@ -8,7 +8,7 @@
 //   b  centre point             the centres coincide at some moment while both exist: a hit at once, which is
 //                               spared the other tests; decided exactly
 //   c  time interval            time_interval.h
-//   d  trajectory intersection  trajectory_intersection.h
+//   d  trajectory intersection  trajectory.h
 //
 // Guarantee: no pair that touches within the margins of both is lost. Hits of the centre point test count
 // as passing c and d. Times are processor time of the calling thread, taken once a stage and batch; the swept

@@ -1,11 +1,46 @@
 // What the parts of the tree share: its pages, how to read a record, the clock. Nothing about nodes.
 #pragma once
 
-#include "index/tpr_tree/clock.h"
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
 #include "index/tpr_tree/cost.h"
 #include "index/tpr_tree/node.h"
 
 namespace foresee {
+
+// What time is it in this table? Objects are mostly written with the current time as their t, but some are
+// scheduled for later and some come late, so the clock is the median t of the last writes.
+//
+// Only the tree's shape depends on it, never an answer.
+
+class WriteClock {
+ public:
+  /// How many writes it knows of.
+  static constexpr std::size_t memory = 15;
+
+  double now() const { return now_; }
+  /// False until something has been written.
+  bool runs() const { return count_ > 0; }
+
+  /// An object with this t is being written. A fresh clock believes its first write.
+  void saw(double t) {
+    if (count_ == 0) recent_.fill(t);
+    recent_[count_++ % recent_.size()] = t;
+    if (t == now_ && count_ > 1) return;
+    auto sorted = recent_;
+    std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
+    now_ = sorted[sorted.size() / 2];
+  }
+  /// A whole table was written, with `t` as its typical time.
+  void set(double t) { recent_.fill(t), now_ = t, count_ = recent_.size(); }
+
+ private:
+  std::array<double, memory> recent_{};
+  std::size_t count_ = 0;
+  double now_ = 0;
+};
 
 /// The part of `horizon` that the tree's shape looks ahead. Questions about a whole horizon are served best
 /// by 0.3 to 0.5, those about a twentieth by 0.1 or less; at 0.15 neither costs much more than it has to.

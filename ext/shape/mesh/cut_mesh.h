@@ -12,7 +12,7 @@
 
 #include "shape/form.h"
 #include "shape/mesh/mesh_check.h"
-#include "shape/mesh/mesh_writer.h"
+#include "shape/mesh/mesh_text.h"
 #include "shape/mesh/triangle_tree.h"
 #include "shape/mesh/turned_mesh.h"
 

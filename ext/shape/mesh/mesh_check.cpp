@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/float_environment.h"
 #include "base/shown.h"
-#include "shape/mesh/mesh_writer.h"
+#include "shape/mesh/mesh_text.h"
 #include "shape/outline/orientation.h"
 
 namespace foresee {

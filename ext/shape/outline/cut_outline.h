@@ -13,7 +13,7 @@
 #include "shape/form.h"
 #include "shape/outline/convex_pieces.h"
 #include "shape/outline/validity.h"
-#include "shape/outline/wkt_writer.h"
+#include "shape/outline/wkt.h"
 
 namespace foresee {
 

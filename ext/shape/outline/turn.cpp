@@ -5,7 +5,7 @@
 #include "base/error.h"
 #include "base/float_environment.h"
 #include "base/shown.h"
-#include "shape/outline/wkt_writer.h"
+#include "shape/outline/wkt.h"
 
 namespace foresee {
 

@@ -7,19 +7,77 @@
 // A NULL input counts as left out. An input of the wrong kind is an Error that says what to write.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "sqlite/connection.h"
-#include "sqlite/functions/row_limit.h"
-#include "sqlite/functions/used_inputs.h"
 #include "storage/rows/sqlite_api.h"
 
 namespace foresee {
+
+// What does a call use for its inputs that were left out? So that SELECT now, tbl FROM predictive_join(60)
+// tells.
+//
+//   used.keep(in_now, 100.0);       // by the call, once it knows
+//   used.output(in_now, context);   // for who reads the hidden column
+//
+// An input that was given is not asked for here: it reads back as given, since SQLite may compare it once
+// more. Cost: some bytes an input, as many calls as there are.
+
+class UsedInputs {
+ public:
+  using Value = std::variant<std::monostate, double, std::string>;
+
+  void clear() { values_.clear(); }
+
+  void keep(int input, Value value) { values_.emplace_back(input, std::move(value)); }
+
+  /// Leaves `context` alone, which is NULL, where nothing stands for the input.
+  void output(int input, sqlite3_context* context) const {
+    for (const auto& [place, value] : values_) {
+      if (place != input) continue;
+      if (const auto* number = std::get_if<double>(&value)) sqlite3_result_double(context, *number);
+      if (const auto* text = std::get_if<std::string>(&value))
+        sqlite3_result_text(context, text->data(), static_cast<int>(text->size()), SQLITE_TRANSIENT);
+    }
+  }
+
+ private:
+  std::vector<std::pair<int, Value>> values_;
+};
+
+// How many rows of a call will be read? LIMIT and OFFSET on their way from xBestIndex to xFilter.
+//
+// SQLite offers them also where conditions remain that it checks itself. So they are taken only where the
+// call leaves out what does not meet a condition: inputs, `a = 42`, bounds on times. Even then they are no
+// more than a hint, and SQLite applies them: a call that is asked for more rows gives them.
+
+struct TableFunction;
+
+struct RowLimit {
+  std::int64_t rows = -1;  ///< negative: all
+  std::int64_t skipped = 0;
+
+  /// How many rows will be read at most; nothing where that is not known.
+  std::optional<std::uint64_t> in_all() const {
+    if (rows < 0) return {};
+    return static_cast<std::uint64_t>(rows) + static_cast<std::uint64_t>(std::max<std::int64_t>(0, skipped));
+  }
+};
+
+/// Has LIMIT and OFFSET handed over, two letters each behind the plan's arguments; neither where SQLite
+/// checks a condition that the call does not heed itself. Requires: all other constraints have been taken.
+void take_row_limit(const TableFunction& function, sqlite3_index_info& info, std::string& arguments);
+
+/// Takes an argument by its letters into `limit`. False, and nothing is taken, if it is neither of the two.
+bool read_row_limit(const char* letters, sqlite3_value* value, RowLimit& limit);
 
 struct TableFunction;
 

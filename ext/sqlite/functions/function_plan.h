@@ -3,11 +3,11 @@
 //   idxNum   the outputs that the statement reads, one bit each; of a function with orders from bit 16 on
 //            the one that rows must come in: how many of its outputs, and from bit 20 on which of them
 //   idxStr   two letters per argument: 'A' + column, then the comparison ('=' '>' 'G' '<' 'L'), or '!' for an
-//            input that SQLite compares once more, or '@' and 'n' or 'o': row_limit.h
+//            input that SQLite compares once more, or '@' and 'n' or 'o': function_call.h
 //
 // Constraints on inputs are consumed; those on outputs are hints that SQLite checks again. Where it does so
 // with an input, a NULL would lose every row, since no comparison with NULL is true: such a call must be
-// refused. LIMIT and OFFSET are hints too (row_limit.h).
+// refused. LIMIT and OFFSET are hints too (function_call.h).
 #pragma once
 
 #include <cstddef>

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-#include "geography/course.h"
+#include "geography/ellipsoid.h"
 #include "sqlite/functions/call_estimate.h"
 #include "sqlite/functions/function_call.h"
 

@@ -1,7 +1,7 @@
 // predictive_window(h, …) in SQL: reads the inputs, opens the table, and hands rows on.
 #include "query/window/window.h"
 #include "shape/outline/validity.h"
-#include "shape/outline/wkt_reader.h"
+#include "shape/outline/wkt.h"
 #include "sqlite/functions/searched_table.h"
 #include "sqlite/functions/table_functions.h"
 

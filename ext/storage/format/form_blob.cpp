@@ -2,10 +2,45 @@
 
 #include "shape/mesh/cut_mesh.h"
 #include "shape/outline/cut_outline.h"
+#include "storage/format/crc32c.h"
 #include "storage/format/mesh_blob.h"
+#include "storage/format/node_format.h"
 #include "storage/format/outline_blob.h"
 
 namespace foresee {
+
+namespace {
+
+constexpr std::uint8_t format = 1;
+
+}  // namespace
+
+std::vector<std::byte> form_blob_of(FormKind kind, std::size_t size) {
+  std::vector<std::byte> blob(size);
+  store_number(blob.data(), format);
+  store_number(blob.data() + 1, kind);
+  return blob;
+}
+
+void seal_form(std::span<std::byte> blob) {
+  const std::size_t end = blob.size() - form_checksum_size;
+  store_number(blob.data() + end, crc32c(blob.data(), end));
+}
+
+std::uint32_t checksum_of_form(std::span<const std::byte> blob) {
+  return load_number<std::uint32_t>(blob.data() + blob.size() - form_checksum_size);
+}
+
+const char* form_frame_fault(std::span<const std::byte> blob) {
+  if (blob.size() < form_header_size + form_checksum_size) return "it is too short";
+  if (checksum_of_form(blob) != crc32c(blob.data(), blob.size() - form_checksum_size))
+    return "its checksum is wrong";
+  return load_number<std::uint8_t>(blob.data()) == format ? nullptr : "its format or kind is not known";
+}
+
+FormKind form_kind_of(std::span<const std::byte> blob) {
+  return load_number<FormKind>(blob.data() + 1);
+}
 
 std::vector<std::byte> encode_form(const Form& form) {
   if (form.shape() == Shape::mesh) return encode_mesh(static_cast<const CutMesh&>(form).mesh());

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "shape/mesh/mesh_check.h"
-#include "storage/format/form_frame.h"
+#include "storage/format/form_blob.h"
 #include "storage/format/node_format.h"
 
 namespace foresee {

@@ -1,4 +1,4 @@
-// A mesh as it is stored: a row's blob of <name>_shape (form_frame.h).
+// A mesh as it is stored: a row's blob of <name>_shape (form_blob.h).
 //
 //     byte 0   1      2..3   4..7        8..11     12..15
 //   +--------+------+------+-----------+---------+--------+------------------+-----------------+----------+

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "shape/outline/validity.h"
-#include "storage/format/form_frame.h"
+#include "storage/format/form_blob.h"
 #include "storage/format/node_format.h"
 
 namespace foresee {

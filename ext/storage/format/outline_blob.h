@@ -1,4 +1,4 @@
-// An outline as it is stored: a row's blob of <name>_shape (form_frame.h).
+// An outline as it is stored: a row's blob of <name>_shape (form_blob.h).
 //
 //     byte 0   1      2..3   4..7    8..11   12..15
 //   +--------+------+------+-------+-------+---------+-----------------+------------------+----------+

@@ -1,16 +1,83 @@
 #include "storage/table/integrity_check.h"
 
 #include <algorithm>
+#include <map>
+#include <memory>
 
+#include "base/error.h"
 #include "base/steps.h"
 #include "index/tpr_tree/tpr_tree.h"
+#include "shape/known_extents.h"
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
+#include "storage/format/node_format.h"
+#include "storage/rows/shape_rows.h"
 #include "storage/rows/store_error.h"
 #include "storage/rows/text.h"
-#include "storage/table/form_check.h"
 
 namespace foresee {
+
+// Do the outlines or meshes that objects name exist, and are their boxes those of these? A part of the
+// integrity check (integrity_check.h).
+//
+//   FormCheck check(rows, format);
+//   check.read(say);                          // every stored form: a fault of each that is damaged
+//   check.object(42, record, say);            // what is wrong with one object
+//
+// Cost: all forms in memory; a form is turned once for all objects of one heading, as a rule.
+
+class FormCheck {
+ public:
+  FormCheck(ShapeRows& rows, const NodeFormat& format) : rows_(rows), format_(format) {}
+
+  template <class Say>
+  void read(Say say) {
+    rows_.read_all([&](std::int64_t number, const char* fault, std::shared_ptr<const Form> form) {
+      if (fault) say(name(number) + " is damaged: " + fault);
+      forms_[number] = fault ? nullptr : std::move(form);
+    });
+  }
+
+  /// Requires: `record` is one that a leaf without fault has.
+  template <class Say>
+  void object(std::int64_t id, const double* record, Say say) {
+    const std::string fault = object_fault(record);
+    if (!fault.empty()) say("object " + std::to_string(id) + " " + fault);
+  }
+
+ private:
+  /// "outline 3"
+  std::string name(std::int64_t number) const {
+    return name_of_form(format_.layout.shape) + (' ' + std::to_string(number));
+  }
+  std::string object_fault(const double* record);
+
+  ShapeRows& rows_;
+  const NodeFormat& format_;
+  std::map<std::int64_t, std::shared_ptr<const Form>> forms_;  // null: damaged
+  KnownExtents known_;
+};
+
+std::string FormCheck::object_fault(const double* record) {
+  const auto number = static_cast<std::int64_t>(record[format_.at.outline]);
+  if (number == 0) return "";
+  const std::string named = name(number);
+  const auto found = forms_.find(number);
+  if (found == forms_.end()) return "has " + named + ", which is missing";
+  if (!found->second) return "";  // damaged, as was said
+  Extents<3> around = Extents<3>::none();
+  try {
+    around = known_.of(number, *found->second, value_or(record, format_.at.heading, 0));
+  } catch (const Error& error) {
+    return "has a heading that " + named + " cannot have: " + error.what();
+  }
+  const double* const bounds = record + format_.at.bounds;
+  const int axes = bounded_axes(format_.layout.shape);
+  const bool agree = std::equal(bounds, bounds + axes, around.lower.data()) &&
+                     std::equal(bounds + axes, bounds + 2 * axes, around.upper.data());
+  return agree ? "" : "has other bounds than " + named;
+}
+
 namespace {
 
 constexpr std::size_t most_faults = 100;

@@ -34,10 +34,8 @@
 #include "storage/nodes/object_changes.h"
 #include "storage/nodes/pending_objects.h"
 #include "storage/rows/store_error.h"
-#include "storage/table/content_version.h"
 #include "storage/table/forms.h"
-#include "storage/table/object_count.h"
-#include "storage/table/store_savepoint.h"
+#include "storage/table/store_state.h"
 
 namespace foresee {
 

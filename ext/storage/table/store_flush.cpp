@@ -4,7 +4,7 @@
 #include "base/steps.h"
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
-#include "storage/rows/statement_interrupt.h"
+#include "storage/rows/statement.h"
 #include "storage/table/store.h"
 #include "storage/table/store_change.h"
 

@@ -4,7 +4,7 @@
 #include "contact/contact.h"
 #include "index/candidate_pairs.h"
 #include "index/paper_grid/time_interval.h"
-#include "index/paper_grid/trajectory_intersection.h"
+#include "index/paper_grid/trajectory.h"
 
 namespace foresee {
 namespace {

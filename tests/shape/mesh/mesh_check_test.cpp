@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
-#include "shape/mesh/mesh_reader.h"
+#include "shape/mesh/mesh_text.h"
 #include "shape/mesh/meshes.h"
 #include "shape/mesh/turned_mesh.h"
 

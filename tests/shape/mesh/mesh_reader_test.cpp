@@ -1,12 +1,10 @@
 // Texts of meshes: what they mean, and what is said of texts that are none.
-#include "shape/mesh/mesh_reader.h"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
 
 #include "base/error.h"
-#include "shape/mesh/mesh_writer.h"
+#include "shape/mesh/mesh_text.h"
 #include "shape/mesh/meshes.h"
 
 namespace foresee {

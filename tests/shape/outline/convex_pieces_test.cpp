@@ -12,8 +12,7 @@
 #include "shape/outline/outlines.h"
 #include "shape/outline/turn.h"
 #include "shape/outline/validity.h"
-#include "shape/outline/wkt_reader.h"
-#include "shape/outline/wkt_writer.h"
+#include "shape/outline/wkt.h"
 
 namespace foresee {
 namespace {

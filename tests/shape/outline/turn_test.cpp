@@ -10,8 +10,7 @@
 
 #include "base/error.h"
 #include "contact/case_count.h"
-#include "shape/outline/wkt_reader.h"
-#include "shape/outline/wkt_writer.h"
+#include "shape/outline/wkt.h"
 
 namespace foresee {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <thread>
 
-#include "shape/outline/wkt_reader.h"
+#include "shape/outline/wkt.h"
 #include "shape/swept_boxes.h"
 
 namespace foresee {

@@ -12,8 +12,7 @@
 #include "shape/outline/judge.h"
 #include "shape/outline/outlines.h"
 #include "shape/outline/turn.h"
-#include "shape/outline/wkt_reader.h"
-#include "shape/outline/wkt_writer.h"
+#include "shape/outline/wkt.h"
 
 namespace foresee {
 namespace {

@@ -1,11 +1,10 @@
-#include "shape/outline/wkt_reader.h"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
 #include <string>
 
 #include "base/error.h"
+#include "shape/outline/wkt.h"
 
 namespace foresee {
 namespace {

@@ -1,5 +1,3 @@
-#include "shape/outline/wkt_writer.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -7,7 +5,7 @@
 #include <random>
 
 #include "shape/outline/outlines.h"
-#include "shape/outline/wkt_reader.h"
+#include "shape/outline/wkt.h"
 
 namespace foresee {
 namespace {

@@ -54,7 +54,7 @@ TEST_F(JoinOrder, GivesRowsInTheOrderOfTimeWithoutSorting) {
       db.rows("SELECT a, b, t FROM whole WHERE dt > 0 ORDER BY t, a, b LIMIT 5"));
 }
 
-/// "@n" and "@o" in the plan: LIMIT and OFFSET are handed over (sqlite/functions/row_limit.h).
+/// "@n" and "@o" in the plan: LIMIT and OFFSET are handed over (sqlite/functions/function_call.h).
 TEST_F(JoinOrder, TellsACallInAnOrderHowManyRowsAreRead) {
   const auto is_told = [&](const std::string& rest, const std::string& what = "SELECT a, t") {
     return plan(what + " FROM predictive_join(3) " + rest).find("@n") != std::string::npos;

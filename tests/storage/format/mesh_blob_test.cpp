@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "shape/mesh/mesh_reader.h"
+#include "shape/mesh/mesh_text.h"
 #include "storage/format/crc32c.h"
 #include "storage/format/form_blob.h"
 

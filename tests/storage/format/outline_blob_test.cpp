@@ -5,7 +5,7 @@
 
 #include <cstring>
 
-#include "shape/outline/wkt_reader.h"
+#include "shape/outline/wkt.h"
 #include "storage/format/crc32c.h"
 
 namespace foresee {

@@ -1,9 +1,8 @@
 // The number of objects in _meta: true after every commit, written only where it changed, believed with care.
-#include "storage/table/object_count.h"
-
 #include <filesystem>
 
 #include "storage/database.h"
+#include "storage/table/store_state.h"
 
 namespace foresee {
 namespace {

@@ -1,4 +1,4 @@
-// Which mesh does a text mean? Well-known text, read as strictly as that of outlines (outline/wkt_reader.h).
+// Which mesh does a text mean? Well-known text, read as strictly as that of outlines (outline/wkt.h).
 //
 //   Mesh roof = read_mesh("TIN Z(((0 0 3, 4 0 3, 0 5 4, 0 0 3)))");
 //
@@ -11,6 +11,7 @@
 // Cost: about a microsecond a triangle; n log n in the text, whatever it is.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "shape/mesh/mesh.h"
@@ -18,5 +19,20 @@
 namespace foresee {
 
 Mesh read_mesh(std::string_view text);
+
+// What is a mesh as well-known text? TIN Z, POLYHEDRALSURFACE Z or MULTIPOLYGON Z, as it was read.
+//
+//   write_mesh(roof) == "TIN Z(((0 0 3, 4 0 3, 0 5 4, 0 0 3)))"
+//
+// Numbers have as few digits as read back to the same doubles, and faces are closed, so that
+// read_mesh(write_mesh(mesh)) == mesh. Cost: some 500 ns a triangle.
+
+std::string write_mesh(const Mesh& mesh);
+
+/// "0 0 3", as in texts and messages.
+std::string shown(const SpaceCorner& corner);
+
+/// The word of a text that begins a mesh of this kind.
+const char* word_of(Mesh::Kind kind);
 
 }  // namespace foresee

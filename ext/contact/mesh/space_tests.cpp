@@ -1,4 +1,4 @@
-#include "contact/mesh/plain_passing.h"
+#include "contact/mesh/space_tests.h"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
-#include "shape/mesh/mesh_reader.h"
+#include "shape/mesh/mesh_text.h"
 
 #include <algorithm>
 #include <string>
 
 #include "base/error.h"
 #include "base/float_environment.h"
-#include "shape/mesh/mesh_writer.h"
+#include "base/shown.h"
 #include "shape/mesh/weld.h"
 #include "shape/wkt_lexer.h"
 
@@ -128,6 +128,36 @@ class MeshReader : WktLexer {
 Mesh read_mesh(std::string_view text) {
   const FloatEnvironment environment;
   return MeshReader(text).mesh();
+}
+
+std::string shown(const SpaceCorner& corner) {
+  return shown(corner.x) + ' ' + shown(corner.y) + ' ' + shown(corner.z);
+}
+
+const char* word_of(Mesh::Kind kind) {
+  switch (kind) {
+    case Mesh::Kind::surface:
+      return "TIN";
+    case Mesh::Kind::solid:
+      return "POLYHEDRALSURFACE";
+    case Mesh::Kind::parts:
+      return "MULTIPOLYGON";
+  }
+  return "";
+}
+
+std::string write_mesh(const Mesh& mesh) {
+  const FloatEnvironment environment;
+  std::vector<std::string> corners;  // each is in some six triangles
+  corners.reserve(mesh.corners().size());
+  for (const SpaceCorner& corner : mesh.corners()) corners.push_back(shown(corner));
+  std::string text = word_of(mesh.kind()) + std::string(" Z");
+  for (const Triangle& triangle : mesh.triangles()) {
+    text += text.ends_with('Z') ? "(((" : ", ((";
+    for (const std::uint32_t corner : triangle) text += corners[corner] + ", ";
+    text += corners[triangle[0]] + "))";
+  }
+  return text + ')';
 }
 
 }  // namespace foresee
