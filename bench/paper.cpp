@@ -16,8 +16,8 @@
 
 #include "contact/contact.h"
 #include "index/memory_pages.h"
+#include "index/tpr_tree/search/tree_join.h"
 #include "index/tpr_tree/tpr_tree.h"
-#include "index/tpr_tree/tree_join.h"
 #include "measure.h"
 #include "program.h"
 #include "query/join/explain.h"

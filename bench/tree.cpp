@@ -12,10 +12,10 @@
 
 #include "contact/contact.h"
 #include "index/memory_pages.h"
-#include "index/tpr_tree/nearest_walk.h"
+#include "index/tpr_tree/search/nearest_walk.h"
+#include "index/tpr_tree/search/tree_join.h"
+#include "index/tpr_tree/search/window_walk.h"
 #include "index/tpr_tree/tpr_tree.h"
-#include "index/tpr_tree/tree_join.h"
-#include "index/tpr_tree/window_walk.h"
 #include "measure.h"
 #include "program.h"
 #include "scenes.h"

@@ -14,9 +14,9 @@
 #include <memory>
 
 #include "index/memory_pages.h"
+#include "index/tpr_tree/search/tree_join.h"
+#include "index/tpr_tree/search/window_walk.h"
 #include "index/tpr_tree/tpr_tree.h"
-#include "index/tpr_tree/tree_join.h"
-#include "index/tpr_tree/window_walk.h"
 #include "measure.h"
 #include "scenes.h"
 

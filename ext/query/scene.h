@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "index/tpr_tree/tree_join.h"
+#include "index/tpr_tree/search/tree_join.h"
 #include "shape/bodies.h"
 #include "shape/row_forms.h"
 

@@ -5,7 +5,7 @@
 #include "base/float_environment.h"
 #include "geography/geodesic.h"
 #include "sqlite/callback.h"
-#include "sqlite/functions/geo_inputs.h"
+#include "sqlite/functions/geo/geo_inputs.h"
 #include "sqlite/modules.h"
 #include "sqlite/version.h"
 #include "storage/rows/text.h"

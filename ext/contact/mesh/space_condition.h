@@ -21,7 +21,7 @@ namespace foresee {
 // its mesh, or the one box that its half extents make; a point is a box of no size.
 //
 //   SpacePieces pieces;
-//   pieces.take(meshes.triangles(row, pieces.own()));  // or take_box(box), take_point()
+//   pieces.take(*meshes.triangles(row, pieces.own()));  // or take_box(box), take_point()
 //   if (pieces.is_leaf(node)) test(pieces.piece(pieces.item(node)));
 
 /// From one corner to another: never of no length.

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "index/tpr_tree/node.h"
-#include "index/tpr_tree/tree_join.h"
+#include "index/tpr_tree/search/tree_join.h"
 
 namespace foresee {
 namespace {

@@ -2,13 +2,13 @@
 
 #include "base/axes.h"
 #include "base/steps.h"
-#include "index/tpr_tree/bulk_load.h"
-#include "index/tpr_tree/division.h"
-#include "index/tpr_tree/grow.h"
-#include "index/tpr_tree/merge.h"
-#include "index/tpr_tree/order.h"
-#include "index/tpr_tree/repack.h"
-#include "index/tpr_tree/shrink.h"
+#include "index/tpr_tree/bulk_load/bulk_load.h"
+#include "index/tpr_tree/bulk_load/division.h"
+#include "index/tpr_tree/bulk_load/order.h"
+#include "index/tpr_tree/update/grow.h"
+#include "index/tpr_tree/update/merge.h"
+#include "index/tpr_tree/update/repack.h"
+#include "index/tpr_tree/update/shrink.h"
 
 namespace foresee {
 namespace {

@@ -1,7 +1,7 @@
 #include "query/avoid/intruders.h"
 
 #include "base/axes.h"
-#include "index/tpr_tree/window_walk.h"
+#include "index/tpr_tree/search/window_walk.h"
 #include "query/join/question.h"
 #include "shape/swept_boxes.h"
 

@@ -8,7 +8,7 @@
 #include "index/gpcd_grid/gpcd_grid.h"
 #include "index/one_with_all.h"
 #include "index/paper_grid/paper_candidates.h"
-#include "index/tpr_tree/tree_join.h"
+#include "index/tpr_tree/search/tree_join.h"
 #include "query/tile/ownership.h"
 
 namespace foresee {

@@ -2,7 +2,7 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
-#include "index/tpr_tree/window_walk.h"
+#include "index/tpr_tree/search/window_walk.h"
 #include "query/join/question.h"
 #include "shape/swept_boxes.h"
 

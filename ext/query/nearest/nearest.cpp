@@ -9,7 +9,7 @@
 #include "base/float_environment.h"
 #include "contact/closest_approach.h"
 #include "contact/window_contact.h"
-#include "index/tpr_tree/nearest_walk.h"
+#include "index/tpr_tree/search/nearest_walk.h"
 #include "query/require.h"
 
 namespace foresee {

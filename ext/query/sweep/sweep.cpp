@@ -4,7 +4,7 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
-#include "index/tpr_tree/sweep_walk.h"
+#include "index/tpr_tree/search/sweep_walk.h"
 #include "query/require.h"
 
 namespace foresee {

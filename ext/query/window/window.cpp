@@ -7,7 +7,7 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
-#include "index/tpr_tree/window_walk.h"
+#include "index/tpr_tree/search/window_walk.h"
 #include "query/require.h"
 
 namespace foresee {

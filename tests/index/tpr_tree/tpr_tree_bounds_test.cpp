@@ -5,7 +5,7 @@
 
 #include "index/tpr_tree/bounds.h"
 #include "index/tpr_tree/moving_box.h"
-#include "index/tpr_tree/nearest_walk.h"
+#include "index/tpr_tree/search/nearest_walk.h"
 #include "tests/scenes.h"
 
 namespace foresee {

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "index/tpr_tree/tree_join.h"
+#include "index/tpr_tree/search/tree_join.h"
 #include "stop_at.h"
 #include "tests/index/tpr_tree/tree_model.h"
 

@@ -1,8 +1,8 @@
 // What do updates of single objects change of a tree, and what do they leave behind?
 #include <gtest/gtest.h>
 
+#include "index/tpr_tree/search/window_walk.h"
 #include "index/tpr_tree/tpr_tree.h"
-#include "index/tpr_tree/window_walk.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
 namespace foresee {

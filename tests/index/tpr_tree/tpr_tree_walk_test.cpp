@@ -2,8 +2,8 @@
 
 #include <set>
 
-#include "index/tpr_tree/nearest_walk.h"
-#include "index/tpr_tree/window_walk.h"
+#include "index/tpr_tree/search/nearest_walk.h"
+#include "index/tpr_tree/search/window_walk.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
 namespace foresee {

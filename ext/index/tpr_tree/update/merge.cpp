@@ -1,13 +1,13 @@
-#include "index/tpr_tree/merge.h"
+#include "index/tpr_tree/update/merge.h"
 
 #include <map>
 
 #include "base/steps.h"
-#include "index/tpr_tree/choose.h"
-#include "index/tpr_tree/even_out.h"
-#include "index/tpr_tree/grow.h"
-#include "index/tpr_tree/repack.h"
-#include "index/tpr_tree/shrink.h"
+#include "index/tpr_tree/update/choose.h"
+#include "index/tpr_tree/update/even_out.h"
+#include "index/tpr_tree/update/grow.h"
+#include "index/tpr_tree/update/repack.h"
+#include "index/tpr_tree/update/shrink.h"
 
 namespace foresee {
 namespace {

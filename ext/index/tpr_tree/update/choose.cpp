@@ -1,4 +1,4 @@
-#include "index/tpr_tree/choose.h"
+#include "index/tpr_tree/update/choose.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "index/tpr_tree/split.h"
+#include "index/tpr_tree/update/split.h"
 
 #include <numeric>
 

@@ -1,7 +1,7 @@
-#include "index/tpr_tree/order.h"
+#include "index/tpr_tree/bulk_load/order.h"
 
 #include "base/steps.h"
-#include "index/tpr_tree/order_items.h"
+#include "index/tpr_tree/bulk_load/order_items.h"
 
 namespace foresee {
 namespace {

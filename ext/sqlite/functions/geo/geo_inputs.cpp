@@ -1,4 +1,4 @@
-#include "sqlite/functions/geo_inputs.h"
+#include "sqlite/functions/geo/geo_inputs.h"
 
 #include <cmath>
 

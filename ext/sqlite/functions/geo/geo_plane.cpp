@@ -3,7 +3,7 @@
 
 #include "base/float_environment.h"
 #include "geography/plane.h"
-#include "sqlite/functions/geo_inputs.h"
+#include "sqlite/functions/geo/geo_inputs.h"
 #include "sqlite/functions/one_row.h"
 #include "sqlite/functions/table_functions.h"
 

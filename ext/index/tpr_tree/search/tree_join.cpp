@@ -1,4 +1,4 @@
-#include "index/tpr_tree/tree_join.h"
+#include "index/tpr_tree/search/tree_join.h"
 
 #include <array>
 #include <vector>

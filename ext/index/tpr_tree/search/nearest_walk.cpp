@@ -1,4 +1,4 @@
-#include "index/tpr_tree/nearest_walk.h"
+#include "index/tpr_tree/search/nearest_walk.h"
 
 #include <algorithm>
 #include <cmath>

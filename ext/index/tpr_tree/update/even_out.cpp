@@ -1,9 +1,9 @@
-#include "index/tpr_tree/even_out.h"
+#include "index/tpr_tree/update/even_out.h"
 
-#include "index/tpr_tree/choose.h"
-#include "index/tpr_tree/grow.h"
 #include "index/tpr_tree/leaf_pack.h"
-#include "index/tpr_tree/shrink.h"
+#include "index/tpr_tree/update/choose.h"
+#include "index/tpr_tree/update/grow.h"
+#include "index/tpr_tree/update/shrink.h"
 
 namespace foresee {
 namespace {

@@ -1,7 +1,7 @@
-#include "index/tpr_tree/shrink.h"
+#include "index/tpr_tree/update/shrink.h"
 
-#include "index/tpr_tree/even_out.h"
-#include "index/tpr_tree/grow.h"
+#include "index/tpr_tree/update/even_out.h"
+#include "index/tpr_tree/update/grow.h"
 
 namespace foresee {
 namespace {

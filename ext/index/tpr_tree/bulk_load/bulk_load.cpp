@@ -1,9 +1,9 @@
-#include "index/tpr_tree/bulk_load.h"
+#include "index/tpr_tree/bulk_load/bulk_load.h"
 
 #include <numeric>
 
 #include "base/steps.h"
-#include "index/tpr_tree/order.h"
+#include "index/tpr_tree/bulk_load/order.h"
 
 namespace foresee {
 namespace {

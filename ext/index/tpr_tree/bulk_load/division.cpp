@@ -1,8 +1,8 @@
-#include "index/tpr_tree/division.h"
+#include "index/tpr_tree/bulk_load/division.h"
 
 #include "base/steps.h"
-#include "index/tpr_tree/bulk_load.h"
-#include "index/tpr_tree/order_items.h"
+#include "index/tpr_tree/bulk_load/bulk_load.h"
+#include "index/tpr_tree/bulk_load/order_items.h"
 
 namespace foresee {
 namespace {

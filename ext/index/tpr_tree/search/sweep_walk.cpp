@@ -7,7 +7,7 @@
 // are at most R seconds, so |x| + |v| R + |a| R^2 at t is at most X + 2 V R + 3 A R^2 of the node. 64 units
 // of that, and of the margin, are added here. A shape that lies far beside its position cancels |x| by its
 // extents; there the bounds themselves are wide enough: bounds_at() pads by 32 units of both, and errs by 8.
-#include "index/tpr_tree/sweep_walk.h"
+#include "index/tpr_tree/search/sweep_walk.h"
 
 #include <algorithm>
 #include <cmath>

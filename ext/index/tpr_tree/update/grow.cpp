@@ -1,8 +1,8 @@
-#include "index/tpr_tree/grow.h"
+#include "index/tpr_tree/update/grow.h"
 
-#include "index/tpr_tree/choose.h"
-#include "index/tpr_tree/even_out.h"
-#include "index/tpr_tree/split.h"
+#include "index/tpr_tree/update/choose.h"
+#include "index/tpr_tree/update/even_out.h"
+#include "index/tpr_tree/update/split.h"
 
 namespace foresee {
 namespace {

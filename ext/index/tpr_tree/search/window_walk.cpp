@@ -1,4 +1,4 @@
-#include "index/tpr_tree/window_walk.h"
+#include "index/tpr_tree/search/window_walk.h"
 
 namespace foresee {
 
