@@ -32,7 +32,7 @@ INSIDE = {
     "sqlite": ["watch", "functions", "names", "table"],
 }
 # Folders of tests/ that are of no one room, and files that tests read.
-TESTS_OF_NO_ROOM = {"house", "fuzz", "portability", "storage/files"}
+TESTS_OF_NO_ROOM = {"house", "fuzz", "portability", "storage/files", "sqlite/faults"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 

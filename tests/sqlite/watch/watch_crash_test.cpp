@@ -1,7 +1,7 @@
 // kill -9 in the middle of commits that a watch settles, again and again on one file: whoever opens it next
 // finds rows that are the join's, and a reader that had read before goes on folding from its position.
 #include "sanitized.h"
-#include "sqlite/killed_writer.h"
+#include "sqlite/faults/killed_writer.h"
 #include "sqlite/watch/watch_lives.h"
 #include "sqlite/watch/watch_reader.h"
 

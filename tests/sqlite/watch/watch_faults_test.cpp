@@ -3,8 +3,8 @@
 // belong together.
 #include <filesystem>
 
-#include "sqlite/fault_steps.h"
-#include "sqlite/faulty_files.h"
+#include "sqlite/faults/fault_steps.h"
+#include "sqlite/faults/faulty_files.h"
 #include "sqlite/watch/watch_steps.h"
 
 namespace foresee::testing {

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "sanitized.h"
-#include "sqlite/faulty_files.h"
+#include "sqlite/faults/faulty_files.h"
 #include "sqlite/watch/watch_lives.h"
 #include "sqlite/watch/watch_reader.h"
 

@@ -1,7 +1,7 @@
 // Memory runs out at every allocation of every step in a watch's life, once or for good: SQLite's and ours.
 // The step fails with SQLITE_NOMEM and leaves all as it was, or does its work; taken again, it does.
-#include "sqlite/fault_steps.h"
-#include "sqlite/memory_faults.h"
+#include "sqlite/faults/fault_steps.h"
+#include "sqlite/faults/memory_faults.h"
 #include "sqlite/watch/watch_steps.h"
 
 namespace foresee::testing {
