@@ -16,10 +16,8 @@
 // written. What was read in one transaction is believed in the next only under the same stamp. Blobs are
 // checked before they are believed.
 //
-// Auxiliary values are written at once. Every change is atomic (store_change.h): all or nothing.
-//
-// Errors: SQLite's result codes as StoreError; a blob that is not what this code wrote is
-// SQLITE_CORRUPT_VTAB.
+// Auxiliary values are written at once. Every change is atomic (store_change.h): all or nothing. Errors:
+// SQLite's result codes as StoreError; a blob that is not what this code wrote is SQLITE_CORRUPT_VTAB.
 #pragma once
 
 #include <functional>
@@ -64,8 +62,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// The same for a statement that reads the table, again and again: empty if there is none, and good until
   /// the store is called again. Cost: the stamp once a statement; where the leaf is in memory some 100 ns.
   std::span<const double> find(std::int64_t id, StatementBelief& belief);
-  /// So many ids from `first` on will probably be looked up soon: what memory has of them comes near to the
-  /// processor. Changes nothing.
+  /// Prefetches what memory has of `many` ids from `first` on. Changes nothing.
   void fetch_ahead(std::int64_t first, std::int64_t many) { cache_.fetch_ahead(first, many); }
   /// All ids and rows (row_from_record of each record), leaf by leaf, as this connection sees them now.
   /// SQLITE_CORRUPT_VTAB for a damaged leaf, and as expect_objects() says.
@@ -177,9 +174,6 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   class OwnStatements;
   class AtomicChange;
 
-  using Largest = LargestId;
-  using Savepoint = StoreSavepoint;
-
   void write_out() override;
   void drop_nodes(bool all) override { cache_.drop_nodes(all); }
   /// Tells the budget how much this table holds and how much waits.
@@ -227,7 +221,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   void take_out(std::int64_t id);
   void add(std::int64_t id, std::span<const double> record);
   /// Asks the map once a transaction.
-  const Largest& read_largest();
+  const LargestId& read_largest();
   void write_count(std::int64_t objects);
 
   // from memory to the tables (store_flush.cpp)
@@ -255,7 +249,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   // transactions (store_life.cpp)
   /// Something is not stored yet.
   bool waits() const { return cache_.waits() || pending_->count() > 0 || count_.added != 0; }
-  void back_to(const Savepoint& savepoint);
+  void back_to(const StoreSavepoint& savepoint);
   void back_to_begin() noexcept;
   void go_by(const std::string& table);
   std::size_t savepoints_before(int level) const noexcept;
@@ -292,20 +286,17 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   bool torn_ = false;         ///< rows were written by a change that then failed: only rolling back helps
   int own_statements_ = 0;    ///< our own statements under way: callbacks that come now are about them
   bool rolled_back_ = false;  ///< … SQLite rolled everything back among them
-  std::vector<Savepoint> savepoints_;
+  std::vector<StoreSavepoint> savepoints_;
   std::uint64_t transaction_ = 1;               ///< moves whenever one ends
   std::vector<double> first_found_;             ///< what find() read past the cache, if it ever did
   std::optional<std::int64_t> believed_stamp_;  ///< the cache is as the tables were under this stamp
   std::optional<std::int64_t> stamp_before_;    ///< … before this transaction
   std::optional<std::int64_t> own_stamp_;       ///< what this transaction has written last and not taken back
   /// … by a flush, which changes no object: read_version() goes on showing the stamp from before it.
-  struct {
-    std::optional<std::int64_t> stored;
-    std::int64_t shown = 0;
-  } same_contents_;
+  SameContents same_contents_;
   std::string table_at_begin_;  ///< the table's name then: renaming can be taken back
 
-  Largest largest_;
+  LargestId largest_;
   ObjectCount count_;         ///< under the believed stamp
   ObjectCount count_before_;  ///< … before this transaction
 

@@ -72,7 +72,7 @@ class Store::AtomicChange {
   Store& store_;
   std::shared_ptr<PendingObjects> pending_;
   std::size_t pending_position_, changes_position_;
-  Largest largest_;
+  LargestId largest_;
   ObjectCount count_;
   bool done_ = false;
 };

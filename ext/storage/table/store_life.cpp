@@ -240,7 +240,7 @@ void Store::give_up_savepoints(std::size_t from) noexcept {
 /// How many savepoints are older than this level.
 std::size_t Store::savepoints_before(int level) const noexcept {
   const auto first = std::lower_bound(savepoints_.begin(), savepoints_.end(), level,
-                                      [](const Savepoint& one, int other) { return one.level < other; });
+                                      [](const StoreSavepoint& one, int other) { return one.level < other; });
   return static_cast<std::size_t>(first - savepoints_.begin());
 }
 
@@ -273,7 +273,7 @@ void Store::rollback_to(int level) {
   largest_ = {};
 }
 
-void Store::back_to(const Savepoint& savepoint) {
+void Store::back_to(const StoreSavepoint& savepoint) {
   if (savepoint.undo_position == undo_position_ && !torn_) return;
   torn_ = true;  // until it is done
   watches_known_ = false;

@@ -1,4 +1,5 @@
-// When are the contents of a table what they were?
+// What does a store know of its table? The version of the contents, how many objects there are, what a
+// savepoint goes back to.
 #pragma once
 
 #include <algorithm>
@@ -77,6 +78,12 @@ struct StoreSavepoint {
   std::optional<std::int64_t> own_stamp;
   std::string table;
   bool waits;  ///< something that only memory knows
+};
+
+/// Two stamps of the same contents.
+struct SameContents {
+  std::optional<std::int64_t> stored;
+  std::int64_t shown = 0;
 };
 
 }  // namespace foresee

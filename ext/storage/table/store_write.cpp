@@ -37,7 +37,7 @@ void Store::write_new_stamp() {
   writing_ = stamped_ = true;
 }
 
-const Store::Largest& Store::read_largest() {
+const LargestId& Store::read_largest() {
   // Unknown: no object was added in this transaction.
   if (!largest_.known) largest_ = {true, !cache_.waits(), shadow_rows().map().read_largest_id()};
   return largest_;
