@@ -137,6 +137,6 @@ GIVEN = {
     "tree_join.h": {"source": "NodeSource&"},
     "callback.h": {"cursor": "sqlite3_vtab_cursor*"},
     "mesh_check.h": {"mesh": "const Mesh&"},
-    "clear_ranges.h": {"met": "const std::vector<MetIntruder<2>>&"},
+    "clear_ranges.h": {"met": "const std::vector<IntruderCertificate<2>>&"},
     "time_slabs.h": {"pair": "Pair", "times": "const ContactTimes&"},
 }

@@ -9,8 +9,8 @@
 #include "base/float_environment.h"
 #include "motion/life.h"
 #include "query/avoid/clear_ranges.h"
+#include "query/avoid/exact_avoidance.h"
 #include "query/avoid/intruders.h"
-#include "query/avoid/touched.h"
 #include "query/join/question.h"
 
 namespace foresee {
@@ -22,16 +22,16 @@ constexpr double least_number = std::numeric_limits<double>::denorm_min();
 class Manoeuvring {
  public:
   Manoeuvring(const AvoidQuestion& question, const OwnMotion& stored, const OwnMotion& base,
-              const AskedChanges& asked, Interrupt& interrupt)
+              const QueriedChanges& asked, Interrupt& interrupt)
       : question_(question),
         stored_(stored),
         base_(base),
         asked_(asked),
         change_{asked.manoeuvre, speed_of(base), stored.t - earliest(stored, asked)},
-        seen_from_(seen_from(base, stored, asked)),
+        reference_motion_(reference_motion(base, stored, asked)),
         turns_(turns_with_course(question, asked.manoeuvre)),
         interrupt_(interrupt),
-        touched_(question, scenes(), interrupt) {}
+        exact_(question, scenes(), interrupt) {}
 
   std::vector<AvoidRow> rows() {
     if (asked_.lo == asked_.hi || changes_nothing()) {
@@ -46,24 +46,24 @@ class Manoeuvring {
 
  private:
   /// When a delayed motion begins at first: no k of the range makes it begin before.
-  static double earliest(const OwnMotion& stored, const AskedChanges& asked) {
+  static double earliest(const OwnMotion& stored, const QueriedChanges& asked) {
     return asked.manoeuvre == Manoeuvre::delay && asked.lo < 0 ? stored.t + asked.lo : stored.t;
   }
   /// What all changed motions are seen from: time counts from its begin, so that none is there before.
-  static OwnMotion seen_from(OwnMotion base, const OwnMotion& stored, const AskedChanges& asked) {
+  static OwnMotion reference_motion(OwnMotion base, const OwnMotion& stored, const QueriedChanges& asked) {
     const double t = earliest(stored, asked);
     if (t < stored.t) base.until -= stored.t - t, base.t = t;
     return base;
   }
 
-  Touched::Scenes scenes() {
-    Touched::Scenes near;
-    const auto look = [&](const Searched& others, std::optional<std::int64_t> itself) {
-      near.push_back(
-          intruders(question_, seen_from_, change_, asked_, others, itself, reach_to(others), interrupt_));
+  ExactAvoidance::Scenes scenes() {
+    ExactAvoidance::Scenes near;
+    const auto search = [&](const Searched& others, std::optional<std::int64_t> itself) {
+      near.push_back(intruders(question_, reference_motion_, change_, asked_, others, itself,
+                               reach_to(others), interrupt_));
     };
-    look(question_.others, question_.own->ids[0]);
-    if (question_.also) look(*question_.also, std::nullopt);
+    search(question_.others, question_.own->ids[0]);
+    if (question_.also) search(*question_.also, std::nullopt);
     near_ = near;
     return near;
   }
@@ -86,23 +86,23 @@ class Manoeuvring {
   OwnMotion motion_at(double k) const { return k == 0 ? stored_ : changed(base_, change_, k); }
   std::vector<double> record_at(double k) const {
     if (k == 0) return question_.record;
-    return Touched::with_motion(question_.own->layout, question_.record, motion_at(k));
+    return ExactAvoidance::with_motion(question_.own->layout, question_.record, motion_at(k));
   }
 
   /// Whom this touches at first is touched already: the place as it is stored with all changes but a delay.
   std::vector<double> record_at_first() const {
     const bool delayed = asked_.manoeuvre == Manoeuvre::delay;
-    return Touched::with_motion(question_.own->layout, question_.record, delayed ? stored_ : base_);
+    return ExactAvoidance::with_motion(question_.own->layout, question_.record, delayed ? stored_ : base_);
   }
 
   /// Those that make the change touch, exactly.
   std::vector<Intruder> touched_by(double k) {
     const bool delayed = asked_.manoeuvre == Manoeuvre::delay;
-    if (k == 0 || !(delayed || turns_)) return touched_.by(record_at(k));
-    static const std::vector<Intruder> nobody;
-    if (delayed && question_.touching == Touching::part) return touched_.by(record_at(k), &nobody);
-    const std::vector<Intruder> first = touched_.at_first(record_at_first());
-    return touched_.by(record_at(k), &first);
+    if (k == 0 || !(delayed || turns_)) return exact_.by(record_at(k));
+    static const std::vector<Intruder> none;
+    if (delayed && question_.touching == Touching::part) return exact_.by(record_at(k), &none);
+    const std::vector<Intruder> first = exact_.at_first(record_at_first());
+    return exact_.by(record_at(k), &first);
   }
   bool is_clear(double k) { return can_be_stored(motion_at(k)) && touched_by(k).empty(); }
 
@@ -143,13 +143,13 @@ class Manoeuvring {
     const bool delayed = asked_.manoeuvre == Manoeuvre::delay;
     std::vector<std::vector<std::uint8_t>> first;
     for (const auto& near : near_) first.emplace_back(near->size());
-    for (const Intruder& intruder : touched_.at_first(record_at_first()))
+    for (const Intruder& intruder : exact_.at_first(record_at_first()))
       first[static_cast<std::size_t>(intruder.table)][intruder.row] = 1;
     struct Ordered {
       double nearness;
       std::size_t table;
       std::int64_t id;
-      MetIntruder<D> met;
+      IntruderCertificate<D> certificate;
     };
     std::vector<Ordered> ordered;
     const Bodies own = question_.own->bodies();
@@ -165,21 +165,24 @@ class Manoeuvring {
         if (i % 4096 == 0) interrupt_.check();
         const bool touches = first[table][i] != 0;
         if (touches && question_.touching == Touching::ignore) continue;
-        const auto met = encounter_of<D>(seen_from_, {question_.now, question_.h}, there, there.row(i),
-                                         rule.pair<D>(own.row(0), there.row(i), seen_from_.t));
-        if (met.begin > met.end) continue;
-        const double far = (met.x.abs() - met.extents.half).maxCoeff() - met.extents.radius;
+        const auto encounter =
+            encounter_of<D>(reference_motion_, {question_.now, question_.h}, there, there.row(i),
+                            rule.pair<D>(own.row(0), there.row(i), reference_motion_.t));
+        if (encounter.begin > encounter.end) continue;
+        const double far = (encounter.x.abs() - encounter.extents.half).maxCoeff() - encounter.extents.radius;
         std::shared_ptr<const OutlinePair> pair;
         if (outlines) pair = std::make_shared<OutlinePair>(own_outline, there, i);
-        ordered.push_back({far, table, near_[table]->ids[i], {met, touches && !delayed, std::move(pair)}});
+        ordered.push_back(
+            {far, table, near_[table]->ids[i], {encounter, touches && !delayed, std::move(pair)}});
       }
     }
     std::sort(ordered.begin(), ordered.end(), [](const Ordered& a, const Ordered& b) {
       return std::tie(a.nearness, a.table, a.id) < std::tie(b.nearness, b.table, b.id);
     });
-    std::vector<MetIntruder<D>> met;
-    for (Ordered& one : ordered) met.push_back(std::move(one.met));
-    return ClearRanges<D>(seen_from_, change_, std::move(met), interrupt_).between(asked_.lo, asked_.hi);
+    std::vector<IntruderCertificate<D>> certificates;
+    for (Ordered& one : ordered) certificates.push_back(std::move(one.certificate));
+    return ClearRanges<D>(reference_motion_, change_, std::move(certificates), interrupt_)
+        .between(asked_.lo, asked_.hi);
   }
 
   /// Clear ranges and what lies between them.
@@ -217,14 +220,14 @@ class Manoeuvring {
     const auto at = [&](double k) -> std::optional<Blocker> {
       if (!can_be_stored(motion_at(k))) return std::nullopt;
       const std::vector<Intruder> touched = touched_by(k);
-      return touched.empty() ? std::nullopt : touched_.first_of(record_at(k), touched);
+      return touched.empty() ? std::nullopt : exact_.first_of(record_at(k), touched);
     };
     if (!end_is_clear)
       if (auto found = at(end)) return found;
-    const double room = std::abs(other - end), way = other > end ? 1 : -1;
+    const double room = std::abs(other - end), direction = other > end ? 1 : -1;
     bool passed_0 = end == 0 || (end > 0) == (other > 0);
     for (double step = (asked_.hi - asked_.lo) * 0x1p-42; step < room; step *= 2) {
-      const double k = end + way * step;
+      const double k = end + direction * step;
       if (!passed_0 && (k > 0) != (end > 0)) {
         passed_0 = true;
         if (auto found = at(0)) return found;
@@ -238,13 +241,13 @@ class Manoeuvring {
 
   const AvoidQuestion& question_;
   const OwnMotion &stored_, &base_;
-  AskedChanges asked_;
+  QueriedChanges asked_;
   Change change_;
-  const OwnMotion seen_from_;
+  const OwnMotion reference_motion_;
   bool turns_;  ///< an outline of its own
   Interrupt& interrupt_;
-  Touched::Scenes near_;
-  Touched touched_;
+  ExactAvoidance::Scenes near_;
+  ExactAvoidance exact_;
   std::vector<AvoidRow> rows_;
 };
 
@@ -255,10 +258,10 @@ std::vector<AvoidRow> avoid(const AvoidQuestion& question, Interrupt& interrupt)
   require_valid(question);
   std::vector<AvoidRow> rows;
   if (question.own->size() == 0) return rows;
-  const OwnMotion stored = Touched::motion_in(question.own->layout, question.record);
+  const OwnMotion stored = ExactAvoidance::motion_in(question.own->layout, question.record);
   if (life_of(stored.t, stored.until, {question.now, question.h}).none) return rows;
   const OwnMotion base = motion_from(stored, std::max(question.now, stored.t));
-  for (const AskedChanges& asked : asked_changes(question, stored, base)) {
+  for (const QueriedChanges& asked : queried_changes(question, stored, base)) {
     std::vector<AvoidRow> some = Manoeuvring(question, stored, base, asked, interrupt).rows();
     std::move(some.begin(), some.end(), std::back_inserter(rows));
   }

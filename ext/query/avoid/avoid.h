@@ -26,7 +26,7 @@
 
 namespace foresee {
 
-/// Throws Error for what require_valid() and asked_changes() refuse.
+/// Throws Error for what require_valid() and queried_changes() refuse.
 std::vector<AvoidRow> avoid(const AvoidQuestion& question, Interrupt& interrupt);
 
 }  // namespace foresee

@@ -17,13 +17,13 @@ constexpr double widest_arc = 45;
 /// In doubt, of one intruder.
 constexpr std::size_t many_parts = 64;
 /// Whose parts are kept, a kilobyte each.
-constexpr std::size_t most_parted = 1 << 15;
+constexpr std::size_t max_split = 1 << 15;
 
 }  // namespace
 
 template <int D>
 ClearRanges<D>::ClearRanges(const OwnMotion& base, const Change& change,
-                            std::vector<MetIntruder<D>> intruders, Interrupt& interrupt)
+                            std::vector<IntruderCertificate<D>> intruders, Interrupt& interrupt)
     : base_(base), change_(change), intruders_(std::move(intruders)), step_(interrupt) {}
 
 template <int D>
@@ -53,7 +53,7 @@ double ClearRanges<D>::narrowest() const {
 
 /// Parting on bent paths is proven by intervals, which leave a little in doubt at any width.
 template <int D>
-double ClearRanges<D>::narrowest_for(const MetIntruder<D>& intruder) const {
+double ClearRanges<D>::min_width_for(const IntruderCertificate<D>& intruder) const {
   const bool bends =
       intruder.met().bends() || std::any_of(base_.a.begin(), base_.a.end(), [](double a) { return a != 0; });
   return intruder.touches_first() && (bends || change_.manoeuvre == Manoeuvre::accelerate) ? width_ * 0x1p-14
@@ -64,28 +64,28 @@ template <int D>
 std::pair<std::uint32_t, std::uint32_t> ClearRanges<D>::parts_of(std::uint32_t intruder) {
   const auto found = parts_.find(intruder);
   if (found != parts_.end()) return found->second;
-  std::vector<MetIntruder<D>> parts = intruders_[intruder].parts();
+  std::vector<IntruderCertificate<D>> parts = intruders_[intruder].parts();
   const auto begin = static_cast<std::uint32_t>(intruders_.size());
-  for (MetIntruder<D>& part : parts) intruders_.push_back(std::move(part));
+  for (IntruderCertificate<D>& part : parts) intruders_.push_back(std::move(part));
   return parts_[intruder] = {begin, static_cast<std::uint32_t>(intruders_.size())};
 }
 
 template <int D>
-Judgement ClearRanges<D>::judged(const MetIntruder<D>& intruder, const Range& range) {
+Judgement ClearRanges<D>::certify(const IntruderCertificate<D>& intruder, const Range& range) {
   std::uint64_t looks = 0;
-  const Judgement judgement = intruder.judge(range.ways, range.from, range.to, looks);
+  const Judgement judgement = intruder.certify(range.ways, range.from, range.to, looks);
   step_.costly(static_cast<std::uint32_t>(16 * (1 + looks)));
   if (!range.is_first) looks_ += looks;
-  const bool narrow = judgement == Judgement::open && range.to - range.from <= narrowest_for(intruder);
+  const bool narrow = judgement == Judgement::open && range.to - range.from <= min_width_for(intruder);
   return narrow ? Judgement::blocked : judgement;
 }
 
 template <int D>
-Judgement ClearRanges<D>::judged_apart(const MetIntruder<D>& intruder, const Range& range) {
-  for (const MetIntruder<D>& part : intruder.parts()) {
-    Judgement judgement = judged(part, range);
-    if (judgement == Judgement::open && part.is_worth_parting(range.ways))
-      judgement = judged_apart(part, range);
+Judgement ClearRanges<D>::certify_parts(const IntruderCertificate<D>& intruder, const Range& range) {
+  for (const IntruderCertificate<D>& part : intruder.parts()) {
+    Judgement judgement = certify(part, range);
+    if (judgement == Judgement::open && part.is_worth_splitting(range.ways))
+      judgement = certify_parts(part, range);
     if (judgement != Judgement::clear) return judgement;
   }
   return Judgement::clear;
@@ -93,10 +93,10 @@ Judgement ClearRanges<D>::judged_apart(const MetIntruder<D>& intruder, const Ran
 
 template <int D>
 bool ClearRanges<D>::blocks(std::uint32_t intruder, const Range& range, std::size_t first) {
-  Judgement judgement = judged(intruders_[intruder], range);
-  const bool parted = judgement == Judgement::open && intruders_[intruder].is_worth_parting(range.ways);
-  const bool kept = parted && (parts_.size() < most_parted || parts_.count(intruder) > 0);
-  if (parted && !kept) judgement = judged_apart(intruders_[intruder], range);
+  Judgement judgement = certify(intruders_[intruder], range);
+  const bool is_split = judgement == Judgement::open && intruders_[intruder].is_worth_splitting(range.ways);
+  const bool kept = is_split && (parts_.size() < max_split || parts_.count(intruder) > 0);
+  if (is_split && !kept) judgement = certify_parts(intruders_[intruder], range);
   if (judgement == Judgement::open && !kept) open_.push_back(intruder);
   if (!kept) return judgement == Judgement::blocked;
   const auto [begin, end] = parts_of(intruder);
@@ -158,11 +158,11 @@ template <int D>
 std::optional<double> ClearRanges<D>::guessed_end(double from, double to, std::size_t begin,
                                                   std::size_t end) const {
   constexpr std::size_t few = 2;
-  const MetIntruder<D>& intruder = intruders_[open_[begin]];
+  const IntruderCertificate<D>& intruder = intruders_[open_[begin]];
   if (end - begin > few || intruder.has_parts()) return std::nullopt;
   const auto clearance_at = [&](double k) {
     return intruder.touches_first() ? parting_of<D>(intruder.met(), base_, change_, k)
-                                    : gap_of<D>(intruder.met_at(k), base_, change_, k);
+                                    : gap_of<D>(intruder.encounter_at(k), base_, change_, k);
   };
   return end_between(clearance_at, from, to, 0.25 * narrowest());
 }

@@ -21,7 +21,7 @@
 #include <vector>
 
 #include "base/steps.h"
-#include "query/avoid/met_intruder.h"
+#include "query/avoid/intruder_certificate.h"
 
 namespace foresee {
 
@@ -33,7 +33,7 @@ template <int D>
 class ClearRanges {
  public:
   /// The intruders in the order in which they are looked at: near ones first.
-  ClearRanges(const OwnMotion& base, const Change& change, std::vector<MetIntruder<D>> intruders,
+  ClearRanges(const OwnMotion& base, const Change& change, std::vector<IntruderCertificate<D>> intruders,
               Interrupt& interrupt);
 
   /// Requires: lo < hi.
@@ -48,9 +48,9 @@ class ClearRanges {
   /// `near`: an end that is known, beside the range, or infinite.
   void search(double from, double to, std::size_t begin, std::size_t end, double near);
   /// Counts what it costs. Who leaves doubt of a range that is too narrow for it blocks.
-  Judgement judged(const MetIntruder<D>& intruder, const Range& range);
+  Judgement certify(const IntruderCertificate<D>& intruder, const Range& range);
   /// Of its parts the first that is not clear; they are not kept.
-  Judgement judged_apart(const MetIntruder<D>& intruder, const Range& range);
+  Judgement certify_parts(const IntruderCertificate<D>& intruder, const Range& range);
   /// Whether nothing of the range is clear of an intruder; what is left in doubt of it is open, from the
   /// `first` of it on. Where many of its parts are, no more are looked at: shorter ranges tell.
   bool blocks(std::uint32_t intruder, const Range& range, std::size_t first);
@@ -61,11 +61,11 @@ class ClearRanges {
   void cut(double from, double to, std::size_t begin, std::size_t end, double near);
   std::optional<double> guessed_end(double from, double to, std::size_t begin, std::size_t end) const;
   double narrowest() const;
-  double narrowest_for(const MetIntruder<D>& intruder) const;
+  double min_width_for(const IntruderCertificate<D>& intruder) const;
 
   const OwnMotion& base_;
   Change change_;
-  std::vector<MetIntruder<D>> intruders_;  ///< then parts of them
+  std::vector<IntruderCertificate<D>> intruders_;  ///< then parts of them
   std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> parts_;
   Steps step_;
   double width_ = 0, least_change_ = 0;

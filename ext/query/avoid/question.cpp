@@ -120,10 +120,10 @@ bool turns_with_course(const AvoidQuestion& question, Manoeuvre manoeuvre) {
   return manoeuvre == Manoeuvre::turn && question.own->layout.has_heading && question.form;
 }
 
-std::vector<AskedChanges> asked_changes(const AvoidQuestion& question, const OwnMotion& stored,
-                                        const OwnMotion& base) {
+std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const OwnMotion& stored,
+                                            const OwnMotion& base) {
   const double m = speed_of(base);
-  std::vector<AskedChanges> asked;
+  std::vector<QueriedChanges> asked;
   const auto add = [&](Manoeuvre manoeuvre, double lo, double hi) {
     asked.push_back({manoeuvre, question.lo.value_or(lo), question.hi.value_or(hi)});
   };

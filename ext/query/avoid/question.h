@@ -64,13 +64,13 @@ void require_valid(const AvoidQuestion& question);
 bool turns_with_course(const AvoidQuestion& question, Manoeuvre manoeuvre);
 
 /// A manoeuvre and the changes asked about.
-struct AskedChanges {
+struct QueriedChanges {
   Manoeuvre manoeuvre;
   double lo, hi;
 };
 /// Those of a valid question about an object of this motion, and the same as of the change; none where the
 /// object has no course for them, or has started. Throws Error for a delay that would begin before now.
-std::vector<AskedChanges> asked_changes(const AvoidQuestion& question, const OwnMotion& stored,
-                                        const OwnMotion& base);
+std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const OwnMotion& stored,
+                                            const OwnMotion& base);
 
 }  // namespace foresee

@@ -30,7 +30,7 @@ const int rounds = std::getenv("FORESEE_LONG") ? 200 : 1;
 /// Any manoeuvre that the layout can have, with a range of its own.
 void ask_any(AvoidQuestion& question, Random& random) {
   const Layout& layout = question.own->layout;
-  std::vector<AskedChanges> asked{{Manoeuvre::speed, -4, 4}};
+  std::vector<QueriedChanges> asked{{Manoeuvre::speed, -4, 4}};
   if (layout.axes > 1) asked.push_back({Manoeuvre::turn, -180, 180});
   if (layout.axes > 1) asked.push_back({Manoeuvre::turn, -360, 45});
   if (layout.axes > 2 && layout.law != Law::rest) asked.push_back({Manoeuvre::climb, -3, 3});
@@ -42,7 +42,7 @@ void ask_any(AvoidQuestion& question, Random& random) {
     const double lo = grows(layout) ? std::max(0.0, question.now - t) : question.now - t;
     asked.push_back({Manoeuvre::delay, lo, std::max(lo, question.now - t + 5)});
   }
-  const AskedChanges& one = asked[random.below(asked.size())];
+  const QueriedChanges& one = asked[random.below(asked.size())];
   question.how = one.manoeuvre, question.lo = one.lo, question.hi = one.hi;
   question.touching = random.below(2) ? Touching::part : Touching::ignore;
 }

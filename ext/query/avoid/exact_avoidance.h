@@ -1,7 +1,7 @@
 // Whom does one motion touch? Asked of exact contact, about a motion as it would be stored: the word on k =
 // 0, on a question about one change, and on who stands at the end of a row.
 //
-//   Touched touched(question, intruders, interrupt);
+//   ExactAvoidance touched(question, intruders, interrupt);
 //   touched.by(record, spared).empty()                 // clear
 //
 // What grows has grown since the stored t, whichever t the motion has: so a change goes on, without a new
@@ -29,12 +29,12 @@ struct Intruder {
   friend bool operator==(const Intruder&, const Intruder&) = default;
 };
 
-class Touched {
+class ExactAvoidance {
  public:
   using Scenes = std::vector<std::shared_ptr<const Scene>>;  ///< one a table
 
-  Touched(const AvoidQuestion& question, Scenes near, Interrupt& interrupt);
-  ~Touched();
+  ExactAvoidance(const AvoidQuestion& question, Scenes near, Interrupt& interrupt);
+  ~ExactAvoidance();
 
   /// Those touched at the object's first moment, whatever comes then.
   std::vector<Intruder> at_first(const std::vector<double>& record);
@@ -60,14 +60,14 @@ class Touched {
                                 const std::vector<std::vector<std::uint8_t>>& left_out);
   bool touches(Contact& contact, const Intruder& intruder) const;
   bool touches_first(const Intruder& intruder);
-  bool parts(const Intruder& intruder);
+  bool separates(const Intruder& intruder);
 
   const AvoidQuestion& question_;
   Interrupt& interrupt_;
   Scenes near_;
   Scene own_;  ///< of one row, which take() changes
   std::vector<std::unique_ptr<Contact>> contacts_, at_first_;
-  double first_moment_ = 0, heading_ = 0;
+  double first_instant_ = 0, heading_ = 0;
 };
 
 }  // namespace foresee

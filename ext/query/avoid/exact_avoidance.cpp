@@ -1,4 +1,4 @@
-#include "query/avoid/touched.h"
+#include "query/avoid/exact_avoidance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 #include "base/axes.h"
 #include "contact/set/relative_motion.h"
 #include "numbers/dyadic.h"
-#include "query/avoid/met_intruder.h"
+#include "query/avoid/intruder_certificate.h"
 #include "query/join/question.h"
 #include "shape/shapes.h"
 
@@ -20,7 +20,7 @@ constexpr std::size_t pairs_at_once = 4096;
 
 /// The distance of the centres never shrinks: on straight paths its slope grows, so that the first decides.
 template <int D>
-bool parts_exactly(const Setup& setup, const double* own, const double* other) {
+bool separates_exactly(const Setup& setup, const double* own, const double* other) {
   const auto way = relative_motion_of<Dyadic, D>(setup, own, other);
   Dyadic slope;
   for (int axis = 0; axis < D; ++axis) slope = slope + way.x[axis] * way.v[axis];
@@ -93,7 +93,7 @@ bool are_convex(const Bodies& own, const Bodies& others, std::size_t row) {
 
 }  // namespace
 
-OwnMotion Touched::motion_in(const Layout& layout, const std::vector<double>& record) {
+OwnMotion ExactAvoidance::motion_in(const Layout& layout, const std::vector<double>& record) {
   OwnMotion motion;
   with_places(layout, record, motion, [](double stored, double& number) { number = stored; });
   if (motion.mass != 0)
@@ -101,13 +101,13 @@ OwnMotion Touched::motion_in(const Layout& layout, const std::vector<double>& re
   return motion;
 }
 
-std::vector<double> Touched::with_motion(const Layout& layout, std::vector<double> record,
-                                         const OwnMotion& motion) {
+std::vector<double> ExactAvoidance::with_motion(const Layout& layout, std::vector<double> record,
+                                                const OwnMotion& motion) {
   with_places(layout, record, motion, [](double& stored, double number) { stored = number; });
   return record;
 }
 
-Touched::Touched(const AvoidQuestion& question, Scenes near, Interrupt& interrupt)
+ExactAvoidance::ExactAvoidance(const AvoidQuestion& question, Scenes near, Interrupt& interrupt)
     : question_(question), interrupt_(interrupt), near_(std::move(near)) {
   own_.name = question.own->name, own_.layout = question.own->layout;
   own_.layout.starts_as_point = false;
@@ -120,9 +120,9 @@ Touched::Touched(const AvoidQuestion& question, Scenes near, Interrupt& interrup
   at_first_.resize(near_.size());
 }
 
-Touched::~Touched() = default;
+ExactAvoidance::~ExactAvoidance() = default;
 
-void Touched::take(const std::vector<double>& record) {
+void ExactAvoidance::take(const std::vector<double>& record) {
   const Layout& layout = question_.own->layout;
   const double t = value_or(record.data(), record_offsets(layout).t, 0);
   if (grows(layout)) {
@@ -135,12 +135,12 @@ void Touched::take(const std::vector<double>& record) {
   }
   if (layout.shape == Shape::outline) take_form();
   const double first = std::max(question_.now, t);
-  if (first == first_moment_) return;
-  first_moment_ = first;
+  if (first == first_instant_) return;
+  first_instant_ = first;
   for (auto& contact : at_first_) contact.reset();
 }
 
-void Touched::take_form() {
+void ExactAvoidance::take_form() {
   const Offsets at = row_offsets(own_.layout);
   const double heading = value_or(own_.rows.data(), at.heading, 0);
   if (question_.form) {
@@ -157,14 +157,14 @@ void Touched::take_form() {
   own_.forms->assign(own_.bodies(), source, interrupt_);
 }
 
-std::unique_ptr<Contact> Touched::contact(std::size_t table, const Horizon& horizon) const {
+std::unique_ptr<Contact> ExactAvoidance::contact(std::size_t table, const Horizon& horizon) const {
   const Scene& near = *near_[table];
   return make_contact(own_.bodies(), near.bodies(), {horizon, question_.within, question_.within_z},
                       own_.name, near.name);
 }
 
-std::vector<Intruder> Touched::decided(std::vector<std::unique_ptr<Contact>>& contacts,
-                                       const std::vector<std::vector<std::uint8_t>>& left_out) {
+std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contact>>& contacts,
+                                              const std::vector<std::vector<std::uint8_t>>& left_out) {
   std::vector<Intruder> touched;
   for (std::size_t table = 0; table < near_.size(); ++table) {
     std::vector<Pair> pairs, hits;
@@ -181,40 +181,40 @@ std::vector<Intruder> Touched::decided(std::vector<std::unique_ptr<Contact>>& co
   return touched;
 }
 
-std::vector<Intruder> Touched::at_first(const std::vector<double>& record) {
+std::vector<Intruder> ExactAvoidance::at_first(const std::vector<double>& record) {
   take(record);
-  if (!(first_moment_ - question_.now <= question_.h)) return {};
+  if (!(first_instant_ - question_.now <= question_.h)) return {};
   for (std::size_t table = 0; table < near_.size(); ++table)
-    if (!at_first_[table]) at_first_[table] = contact(table, {first_moment_, 0});
+    if (!at_first_[table]) at_first_[table] = contact(table, {first_instant_, 0});
   return decided(at_first_, {});
 }
 
-bool Touched::touches(Contact& contact, const Intruder& intruder) const {
+bool ExactAvoidance::touches(Contact& contact, const Intruder& intruder) const {
   const Pair pair{0, intruder.row};
   std::vector<Pair> hits;
   contact.decide({&pair, 1}, hits);
   return !hits.empty();
 }
 
-bool Touched::touches_first(const Intruder& intruder) {
+bool ExactAvoidance::touches_first(const Intruder& intruder) {
   const auto table = static_cast<std::size_t>(intruder.table);
-  if (!at_first_[table]) at_first_[table] = contact(table, {first_moment_, 0});
+  if (!at_first_[table]) at_first_[table] = contact(table, {first_instant_, 0});
   return touches(*at_first_[table], intruder);
 }
 
-bool Touched::parts(const Intruder& intruder) {
+bool ExactAvoidance::separates(const Intruder& intruder) {
   const Scene& near = *near_[static_cast<std::size_t>(intruder.table)];
   const Bodies own = own_.bodies(), others = near.bodies();
   const double *own_row = own.row(0), *row = others.row(intruder.row);
   const Moments moments = moments_of({own, others, {question_.now, question_.h}}, own_row, row);
   if (moments.none || (moments.t_begin == moments.t_end && moments.dt_begin == moments.dt_end)) return true;
-  const Horizon first{first_moment_, 0};
+  const Horizon first{first_instant_, 0};
   if (has_outlines(own.layout, others.layout) && !touches_first(intruder))
     return !touches(*contacts_[static_cast<std::size_t>(intruder.table)], intruder);
   return with_axes(own.layout.axes, [&]<int D>(Axes<D>) {
     const bool grow = grows_at_all<D>(own, own_row) || grows_at_all<D>(others, row);
     if (!grow && !bends(own, own_row) && !bends(others, row) && are_convex(own, others, intruder.row))
-      return parts_exactly<D>({own, others, first}, own_row, row);
+      return separates_exactly<D>({own, others, first}, own_row, row);
     OwnMotion motion;
     motion.t = value_or(own_row, own.at.t, 0), motion.until = value_or(own_row, own.at.until, infinity);
     for (int axis = 0; axis < D; ++axis) {
@@ -222,7 +222,7 @@ bool Touched::parts(const Intruder& intruder) {
       const auto j = static_cast<std::size_t>(axis);
       motion.x[j] = one.x, motion.v[j] = one.v, motion.a[j] = one.a;
     }
-    const OwnMotion base = motion_from(motion, std::max(first_moment_, motion.t));
+    const OwnMotion base = motion_from(motion, std::max(first_instant_, motion.t));
     const ExtentsRule rule(own.layout, others.layout, question_.within, question_.within_z);
     const auto met =
         encounter_of<D>(base, {question_.now, question_.h}, others, row, rule.pair<D>(own_row, row, base.t));
@@ -234,7 +234,8 @@ bool Touched::parts(const Intruder& intruder) {
   });
 }
 
-std::vector<Intruder> Touched::by(const std::vector<double>& record, const std::vector<Intruder>* first) {
+std::vector<Intruder> ExactAvoidance::by(const std::vector<double>& record,
+                                         const std::vector<Intruder>* first) {
   std::vector<Intruder> own_first;
   if (first)
     take(record);
@@ -247,12 +248,12 @@ std::vector<Intruder> Touched::by(const std::vector<double>& record, const std::
   std::vector<Intruder> touched = decided(contacts_, left_out);
   if (question_.touching == Touching::part)
     for (const Intruder& intruder : *first)
-      if (!parts(intruder)) touched.push_back(intruder);
+      if (!separates(intruder)) touched.push_back(intruder);
   return touched;
 }
 
-std::optional<Blocker> Touched::first_of(const std::vector<double>& record,
-                                         const std::vector<Intruder>& touched) {
+std::optional<Blocker> ExactAvoidance::first_of(const std::vector<double>& record,
+                                                const std::vector<Intruder>& touched) {
   take(record);
   std::optional<Blocker> first;
   std::vector<Pair> pairs, hits;

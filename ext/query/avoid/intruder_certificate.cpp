@@ -1,4 +1,4 @@
-#include "query/avoid/met_intruder.h"
+#include "query/avoid/intruder_certificate.h"
 
 #include <algorithm>
 
@@ -17,8 +17,8 @@ double chord_of(double degrees) {
 }  // namespace
 
 template <int D>
-MetIntruder<D>::MetIntruder(const Encounter<D>& met, bool touches_first,
-                            std::shared_ptr<const OutlinePair> outlines)
+IntruderCertificate<D>::IntruderCertificate(const Encounter<D>& met, bool touches_first,
+                                            std::shared_ptr<const OutlinePair> outlines)
     : met_(met),
       touches_first_(touches_first),
       stage_(outlines ? Stage::whole : Stage::simple),
@@ -28,22 +28,23 @@ MetIntruder<D>::MetIntruder(const Encounter<D>& met, bool touches_first,
 }
 
 template <int D>
-Judgement MetIntruder<D>::judge(const ChangedWays<D>& ways, double p, double q, std::uint64_t& looks) const {
+Judgement IntruderCertificate<D>::certify(const ChangedWays<D>& ways, double p, double q,
+                                          std::uint64_t& looks) const {
   if (touches_first_) ++looks;
   if (stage_ == Stage::simple)
     return touches_first_ ? judge_parting<D>(met_, ways) : foresee::judge<D>(met_, ways, looks);
   if (has_parts())
-    return foresee::judge<D>(turning_ ? met_between(p, q) : met_, ways, looks) == Judgement::clear
+    return foresee::judge<D>(turning_ ? encounter_between(p, q) : met_, ways, looks) == Judgement::clear
                ? Judgement::clear
                : Judgement::open;
-  const Encounter<D> turned = turning_ ? met_between(p, q) : met_;
+  const Encounter<D> turned = turning_ ? encounter_between(p, q) : met_;
   if (!touches_first_) return foresee::judge<D>(turned, ways, looks);
   const bool surely_first = outlines_->is_sole() && !outlines_->turns();
   return surely_first ? judge_parting<D>(turned, ways) : judge_parting_of_piece<D>(turned, ways, looks);
 }
 
 template <int D>
-Encounter<D> MetIntruder<D>::met_between(double p, double q) const {
+Encounter<D> IntruderCertificate<D>::encounter_between(double p, double q) const {
   Encounter<D> met = met_;
   if (!turning_) return met;
   const double middle = p + 0.5 * (q - p), half = std::max(middle - p, q - middle);
@@ -56,7 +57,7 @@ Encounter<D> MetIntruder<D>::met_between(double p, double q) const {
 }
 
 template <int D>
-bool MetIntruder<D>::is_worth_parting(const ChangedWays<D>& ways) const {
+bool IntruderCertificate<D>::is_worth_splitting(const ChangedWays<D>& ways) const {
   if (!has_parts()) return false;
   const double end = std::min(met_.end, ways.all.end);
   const Vec<D> apart = (ways.most[0] - ways.least[0]) +
@@ -66,11 +67,11 @@ bool MetIntruder<D>::is_worth_parting(const ChangedWays<D>& ways) const {
 }
 
 template <int D>
-std::vector<MetIntruder<D>> MetIntruder<D>::parts() const {
-  std::vector<MetIntruder> parts;
+std::vector<IntruderCertificate<D>> IntruderCertificate<D>::parts() const {
+  std::vector<IntruderCertificate> parts;
   for (const OutlinePair::Part& part :
        stage_ == Stage::whole ? outlines_->parts() : outlines_->parts(part_)) {
-    MetIntruder one = *this;
+    IntruderCertificate one = *this;
     one.stage_ = part.pieces ? Stage::pieces : Stage::boxes;
     one.part_ = part;
     one.sum_ = outlines_->sum_of(part);
@@ -83,20 +84,20 @@ std::vector<MetIntruder<D>> MetIntruder<D>::parts() const {
 }
 
 template <int D>
-bool is_clear_of(const MetIntruder<D>& intruder, const ChangedWays<D>& ways, double k) {
+bool is_clear_of(const IntruderCertificate<D>& intruder, const ChangedWays<D>& ways, double k) {
   std::uint64_t looks = 0;
-  const Judgement judgement = intruder.judge(ways, k, k, looks);
+  const Judgement judgement = intruder.certify(ways, k, k, looks);
   if (judgement != Judgement::open || !intruder.has_parts()) return judgement == Judgement::clear;
-  const std::vector<MetIntruder<D>> parts = intruder.parts();
+  const std::vector<IntruderCertificate<D>> parts = intruder.parts();
   return std::all_of(parts.begin(), parts.end(),
-                     [&](const MetIntruder<D>& part) { return is_clear_of<D>(part, ways, k); });
+                     [&](const IntruderCertificate<D>& part) { return is_clear_of<D>(part, ways, k); });
 }
 
-template class MetIntruder<1>;
-template class MetIntruder<2>;
-template class MetIntruder<3>;
-template bool is_clear_of<1>(const MetIntruder<1>&, const ChangedWays<1>&, double);
-template bool is_clear_of<2>(const MetIntruder<2>&, const ChangedWays<2>&, double);
-template bool is_clear_of<3>(const MetIntruder<3>&, const ChangedWays<3>&, double);
+template class IntruderCertificate<1>;
+template class IntruderCertificate<2>;
+template class IntruderCertificate<3>;
+template bool is_clear_of<1>(const IntruderCertificate<1>&, const ChangedWays<1>&, double);
+template bool is_clear_of<2>(const IntruderCertificate<2>&, const ChangedWays<2>&, double);
+template bool is_clear_of<3>(const IntruderCertificate<3>&, const ChangedWays<3>&, double);
 
 }  // namespace foresee
