@@ -2,7 +2,7 @@
 // one direction at a time: how far along n do places, velocities and accelerations reach at most?
 //
 //   const MotionSet<2> turns = motions_between<2>(base, change, -10, 10);
-//   turns.velocity.most({0, 1})                               // no changed motion is faster northward
+//   turns.velocity.support({0, 1})                               // no changed motion is faster northward
 //
 // Upper bounds, all rounding included: that of the stored numbers, 4 units in the last place of each
 // component of the velocity beside it (turned: of the longest; what is 0 stays 0), and that of these lines.
@@ -30,18 +30,18 @@ struct VectorSet {
   double radius = 0;  ///< of the turn, at least
 
   /// An upper bound of n w over all w.
-  double most(const Vec<D>& n) const {
+  double support(const Vec<D>& n) const {
     const Vec<D> size = n.abs();
     if (!turns) {
       const double straight = (n * centre).sum(), across = std::abs((n * along).sum());
       return straight + across + (size * (pad + 0x1p-49 * (centre.abs() + along.abs()))).sum();
     }
-    return most_of_arc(n) + (size * pad).sum();
+    return support_of_arc(n) + (size * pad).sum();
   }
 
   /// Its ends on one axis.
-  double greatest(int axis) const { return most(unit(axis, 1)); }
-  double least(int axis) const { return -most(unit(axis, -1)); }
+  double max(int axis) const { return support(unit(axis, 1)); }
+  double min(int axis) const { return -support(unit(axis, -1)); }
 
  private:
   static Vec<D> unit(int axis, double length) {
@@ -51,7 +51,7 @@ struct VectorSet {
   }
 
   /// A cos f + B sin f over |f| <= the half width.
-  double most_of_arc(const Vec<D>& n) const {
+  double support_of_arc(const Vec<D>& n) const {
     if constexpr (D == 1) {
       return 0;  // nothing turns on one axis
     } else {

@@ -80,7 +80,7 @@ NAMES = [(re.compile(rf"(?:^|_)(?:{pattern})(?=_|$)"), write) for pattern, write
     (r"advice", "manoeuvre"),
     (r"met_intruders?", "intruder_certificate"),
     (r"touched", "exact_avoidance, touching"),
-    (r"depth_in", "signed_distance"),
+    (r"signed_distance", "signed_distance"),
     (r"(?<!at_)most", "max, upper_bound; support"),
     (r"(?<!at_)least", "min, lower_bound"),
     (r"ways?", "path, trajectory, context, method, crossing"),

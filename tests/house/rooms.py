@@ -24,7 +24,7 @@ PAGE_INTERFACE = {"index/pages.h", "index/tpr_tree/tpr_tree.h"}
 SEES_SQLITE = {"storage", "sqlite", "hosts"}
 # The rooms inside a room: each may include those to its right.
 INSIDE = {
-    "contact": ["growing", "mesh", "outline", "pieces", "boxes", "exact", "certain", "set"],
+    "contact": ["clearance", "mesh", "outline", "pieces", "boxes", "exact", "certain", "set"],
     "index": ["paper_grid", "gpcd_grid", "tpr_tree"],
     "shape": ["mesh", "outline"],
     "query": ["avoid", "watch", "join", "tile", "sweep", "window", "nearest", "position"],

@@ -81,12 +81,12 @@ TEST(MotionSet, HoldsEachOfItsMotions) {
       speed += n[axis] * one.v[j];
     }
     const double most =
-        set.place.most(n) + set.velocity.most(n) * tau + 0.5 * set.acceleration.most(n) * tau * tau;
+        set.place.support(n) + set.velocity.support(n) * tau + 0.5 * set.acceleration.support(n) * tau * tau;
     EXPECT_LE(there, most + 1e-13 * (1 + std::abs(most))) << name_of(manoeuvre);
     if (manoeuvre != Manoeuvre::delay) {
-      EXPECT_LE(speed, set.velocity.most(n));
+      EXPECT_LE(speed, set.velocity.support(n));
     }
-    EXPECT_GE(set.velocity.most(n), -set.velocity.most(-n));
+    EXPECT_GE(set.velocity.support(n), -set.velocity.support(-n));
   }
 }
 

@@ -5,8 +5,8 @@
 #include <limits>
 #include <numeric>
 
-#include "contact/growing/blocked_end.h"
-#include "contact/growing/parting.h"
+#include "contact/clearance/blocked_range_end.h"
+#include "contact/clearance/separation_increase.h"
 
 namespace foresee {
 namespace {
@@ -46,16 +46,16 @@ std::vector<KRange> ClearRanges<D>::between(double lo, double hi) {
 template <int D>
 double ClearRanges<D>::narrowest() const {
   constexpr std::uint64_t usual = 1 << 20;
-  return std::max(least_change_, width_ * (looks_ < usual       ? 0x1p-40
-                                           : looks_ < 4 * usual ? 0x1p-22
-                                                                : 0x1p-12));
+  return std::max(least_change_, width_ * (evaluations_ < usual       ? 0x1p-40
+                                           : evaluations_ < 4 * usual ? 0x1p-22
+                                                                      : 0x1p-12));
 }
 
 /// Parting on bent paths is proven by intervals, which leave a little in doubt at any width.
 template <int D>
 double ClearRanges<D>::min_width_for(const IntruderCertificate<D>& intruder) const {
-  const bool bends =
-      intruder.met().bends() || std::any_of(base_.a.begin(), base_.a.end(), [](double a) { return a != 0; });
+  const bool bends = intruder.encounter().bends() ||
+                     std::any_of(base_.a.begin(), base_.a.end(), [](double a) { return a != 0; });
   return intruder.touches_first() && (bends || change_.manoeuvre == Manoeuvre::accelerate) ? width_ * 0x1p-14
                                                                                            : 0;
 }
@@ -71,34 +71,35 @@ std::pair<std::uint32_t, std::uint32_t> ClearRanges<D>::parts_of(std::uint32_t i
 }
 
 template <int D>
-Judgement ClearRanges<D>::certify(const IntruderCertificate<D>& intruder, const Range& range) {
-  std::uint64_t looks = 0;
-  const Judgement judgement = intruder.certify(range.ways, range.from, range.to, looks);
-  step_.costly(static_cast<std::uint32_t>(16 * (1 + looks)));
-  if (!range.is_first) looks_ += looks;
-  const bool narrow = judgement == Judgement::open && range.to - range.from <= min_width_for(intruder);
-  return narrow ? Judgement::blocked : judgement;
+ClearanceVerdict ClearRanges<D>::certify(const IntruderCertificate<D>& intruder, const Range& range) {
+  std::uint64_t evaluations = 0;
+  const ClearanceVerdict judgement = intruder.certify(range.family, range.from, range.to, evaluations);
+  step_.costly(static_cast<std::uint32_t>(16 * (1 + evaluations)));
+  if (!range.is_first) evaluations_ += evaluations;
+  const bool narrow = judgement == ClearanceVerdict::open && range.to - range.from <= min_width_for(intruder);
+  return narrow ? ClearanceVerdict::blocked : judgement;
 }
 
 template <int D>
-Judgement ClearRanges<D>::certify_parts(const IntruderCertificate<D>& intruder, const Range& range) {
+ClearanceVerdict ClearRanges<D>::certify_parts(const IntruderCertificate<D>& intruder, const Range& range) {
   for (const IntruderCertificate<D>& part : intruder.parts()) {
-    Judgement judgement = certify(part, range);
-    if (judgement == Judgement::open && part.is_worth_splitting(range.ways))
+    ClearanceVerdict judgement = certify(part, range);
+    if (judgement == ClearanceVerdict::open && part.is_worth_splitting(range.family))
       judgement = certify_parts(part, range);
-    if (judgement != Judgement::clear) return judgement;
+    if (judgement != ClearanceVerdict::clear) return judgement;
   }
-  return Judgement::clear;
+  return ClearanceVerdict::clear;
 }
 
 template <int D>
 bool ClearRanges<D>::blocks(std::uint32_t intruder, const Range& range, std::size_t first) {
-  Judgement judgement = certify(intruders_[intruder], range);
-  const bool is_split = judgement == Judgement::open && intruders_[intruder].is_worth_splitting(range.ways);
+  ClearanceVerdict judgement = certify(intruders_[intruder], range);
+  const bool is_split =
+      judgement == ClearanceVerdict::open && intruders_[intruder].is_worth_splitting(range.family);
   const bool kept = is_split && (parts_.size() < max_split || parts_.count(intruder) > 0);
   if (is_split && !kept) judgement = certify_parts(intruders_[intruder], range);
-  if (judgement == Judgement::open && !kept) open_.push_back(intruder);
-  if (!kept) return judgement == Judgement::blocked;
+  if (judgement == ClearanceVerdict::open && !kept) open_.push_back(intruder);
+  if (!kept) return judgement == ClearanceVerdict::blocked;
   const auto [begin, end] = parts_of(intruder);
   for (std::uint32_t part = begin; part < end; ++part) {
     if (open_.size() - first >= many_parts)
@@ -111,7 +112,7 @@ bool ClearRanges<D>::blocks(std::uint32_t intruder, const Range& range, std::siz
 
 template <int D>
 void ClearRanges<D>::search(double from, double to, std::size_t begin, std::size_t end, double near) {
-  const Range range{from, to, begin == 0, changed_ways<D>(base_, change_, from, to)};
+  const Range range{from, to, begin == 0, trajectory_family<D>(base_, change_, from, to)};
   const std::size_t first_open = open_.size();
   for (std::size_t i = begin; i < end; ++i) {
     if (!blocks(open_[i], range, open_.size())) continue;
@@ -160,11 +161,11 @@ std::optional<double> ClearRanges<D>::guessed_end(double from, double to, std::s
   constexpr std::size_t few = 2;
   const IntruderCertificate<D>& intruder = intruders_[open_[begin]];
   if (end - begin > few || intruder.has_parts()) return std::nullopt;
-  const auto clearance_at = [&](double k) {
-    return intruder.touches_first() ? parting_of<D>(intruder.met(), base_, change_, k)
+  const auto distance_at = [&](double k) {
+    return intruder.touches_first() ? opening_rate_of<D>(intruder.encounter(), base_, change_, k)
                                     : gap_of<D>(intruder.encounter_at(k), base_, change_, k);
   };
-  return end_between(clearance_at, from, to, 0.25 * narrowest());
+  return end_between(distance_at, from, to, 0.25 * narrowest());
 }
 
 template class ClearRanges<1>;

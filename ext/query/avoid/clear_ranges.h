@@ -3,7 +3,7 @@
 //   ClearRanges<2> search(base, change, met, interrupt);
 //   for (const KRange& range : search.between(-180, 180)) …
 //
-// Guarantee: every double of an answered range is clear (contact/growing/separation.h), with its ends; the
+// Guarantee: every double of an answered range is clear (contact/clearance/separation.h), with its ends; the
 // ranges rise and are apart. What lies between them is not proven clear.
 //
 // All intruders together go down by halves: a range that is certainly clear of one of them is so for both
@@ -43,14 +43,14 @@ class ClearRanges {
   struct Range {
     double from, to;
     bool is_first;
-    ChangedWays<D> ways;
+    TrajectoryFamily<D> family;
   };
   /// `near`: an end that is known, beside the range, or infinite.
   void search(double from, double to, std::size_t begin, std::size_t end, double near);
   /// Counts what it costs. Who leaves doubt of a range that is too narrow for it blocks.
-  Judgement certify(const IntruderCertificate<D>& intruder, const Range& range);
+  ClearanceVerdict certify(const IntruderCertificate<D>& intruder, const Range& range);
   /// Of its parts the first that is not clear; they are not kept.
-  Judgement certify_parts(const IntruderCertificate<D>& intruder, const Range& range);
+  ClearanceVerdict certify_parts(const IntruderCertificate<D>& intruder, const Range& range);
   /// Whether nothing of the range is clear of an intruder; what is left in doubt of it is open, from the
   /// `first` of it on. Where many of its parts are, no more are looked at: shorter ranges tell.
   bool blocks(std::uint32_t intruder, const Range& range, std::size_t first);
@@ -69,7 +69,7 @@ class ClearRanges {
   std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> parts_;
   Steps step_;
   double width_ = 0, least_change_ = 0;
-  std::uint64_t looks_ = 0;          ///< beyond the first at each intruder
+  std::uint64_t evaluations_ = 0;    ///< beyond the first at each intruder
   std::vector<std::uint32_t> open_;  ///< of each range on the way down, its intruders in doubt
   std::vector<KRange> clear_;
 };

@@ -224,13 +224,14 @@ bool ExactAvoidance::separates(const Intruder& intruder) {
     }
     const OwnMotion base = motion_from(motion, std::max(first_instant_, motion.t));
     const ExtentsRule rule(own.layout, others.layout, question_.within, question_.within_z);
-    const auto met =
+    const auto encounter =
         encounter_of<D>(base, {question_.now, question_.h}, others, row, rule.pair<D>(own_row, row, base.t));
     std::shared_ptr<const OutlinePair> outlines;
     if (has_outlines(own.layout, others.layout))
       outlines =
           std::make_shared<OutlinePair>(std::make_shared<OwnOutline>(own, 0, false), others, intruder.row);
-    return is_clear_of<D>({met, true, outlines}, changed_ways<D>(base, {Manoeuvre::speed, 1}, 0, 0), 0);
+    return is_clear_of<D>({encounter, true, outlines},
+                          trajectory_family<D>(base, {Manoeuvre::speed, 1}, 0, 0), 0);
   });
 }
 

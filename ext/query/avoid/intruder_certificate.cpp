@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "contact/growing/parting.h"
+#include "contact/clearance/separation_increase.h"
 
 namespace foresee {
 namespace {
@@ -17,53 +17,57 @@ double chord_of(double degrees) {
 }  // namespace
 
 template <int D>
-IntruderCertificate<D>::IntruderCertificate(const Encounter<D>& met, bool touches_first,
+IntruderCertificate<D>::IntruderCertificate(const Encounter<D>& encounter, bool touches_first,
                                             std::shared_ptr<const OutlinePair> outlines)
-    : met_(met),
+    : encounter_(encounter),
       touches_first_(touches_first),
       stage_(outlines ? Stage::whole : Stage::simple),
       outlines_(std::move(outlines)),
-      round_(met.extents.radius) {
-  if (outlines_) met_.extents.radius += outlines_->reach() * (1 + 0x1p-50);
+      round_(encounter.extents.radius) {
+  if (outlines_) encounter_.extents.radius += outlines_->reach() * (1 + 0x1p-50);
 }
 
 template <int D>
-Judgement IntruderCertificate<D>::certify(const ChangedWays<D>& ways, double p, double q,
-                                          std::uint64_t& looks) const {
-  if (touches_first_) ++looks;
+ClearanceVerdict IntruderCertificate<D>::certify(const TrajectoryFamily<D>& family, double p, double q,
+                                                 std::uint64_t& evaluations) const {
+  if (touches_first_) ++evaluations;
   if (stage_ == Stage::simple)
-    return touches_first_ ? judge_parting<D>(met_, ways) : foresee::judge<D>(met_, ways, looks);
+    return touches_first_ ? certify_separation_increases<D>(encounter_, family)
+                          : foresee::judge<D>(encounter_, family, evaluations);
   if (has_parts())
-    return foresee::judge<D>(turning_ ? encounter_between(p, q) : met_, ways, looks) == Judgement::clear
-               ? Judgement::clear
-               : Judgement::open;
-  const Encounter<D> turned = turning_ ? encounter_between(p, q) : met_;
-  if (!touches_first_) return foresee::judge<D>(turned, ways, looks);
+    return foresee::judge<D>(turning_ ? encounter_between(p, q) : encounter_, family, evaluations) ==
+                   ClearanceVerdict::clear
+               ? ClearanceVerdict::clear
+               : ClearanceVerdict::open;
+  const Encounter<D> turned = turning_ ? encounter_between(p, q) : encounter_;
+  if (!touches_first_) return foresee::judge<D>(turned, family, evaluations);
   const bool surely_first = outlines_->is_sole() && !outlines_->turns();
-  return surely_first ? judge_parting<D>(turned, ways) : judge_parting_of_piece<D>(turned, ways, looks);
+  return surely_first ? certify_separation_increases<D>(turned, family)
+                      : certify_piece_separation_increases<D>(turned, family, evaluations);
 }
 
 template <int D>
 Encounter<D> IntruderCertificate<D>::encounter_between(double p, double q) const {
-  Encounter<D> met = met_;
-  if (!turning_) return met;
+  Encounter<D> encounter = encounter_;
+  if (!turning_) return encounter;
   const double middle = p + 0.5 * (q - p), half = std::max(middle - p, q - middle);
   const double chord = half > 0 ? chord_of(half * (1 + 0x1p-50)) : 0;
-  if (stage_ == Stage::boxes && chord > 0.5) return met;
+  if (stage_ == Stage::boxes && chord > 0.5) return encounter;
   turning_->turn(middle);
-  met.extents.sum = turning_.get(), met.extents.radius = round_;
-  met.chord = chord, met.play = turning_->own_reach() * chord;
-  return met;
+  encounter.extents.sum = turning_.get(), encounter.extents.radius = round_;
+  encounter.rotation_chord = chord, encounter.inflation = turning_->own_reach() * chord;
+  return encounter;
 }
 
 template <int D>
-bool IntruderCertificate<D>::is_worth_splitting(const ChangedWays<D>& ways) const {
+bool IntruderCertificate<D>::is_worth_splitting(const TrajectoryFamily<D>& family) const {
   if (!has_parts()) return false;
-  const double end = std::min(met_.end, ways.all.end);
-  const Vec<D> apart = (ways.most[0] - ways.least[0]) +
-                       end * ((ways.most[1] - ways.least[1]) + (0.5 * end) * (ways.most[2] - ways.least[2]));
+  const double end = std::min(encounter_.end, family.all.end);
+  const Vec<D> apart =
+      (family.upper[0] - family.lower[0]) +
+      end * ((family.upper[1] - family.lower[1]) + (0.5 * end) * (family.upper[2] - family.lower[2]));
   const double size = stage_ == Stage::boxes ? outlines_->size_of(part_) : 0;
-  return touches_first_ || 4 * (size + 2 * met_.extents.after(end).radius) >= apart.maxCoeff();
+  return touches_first_ || 4 * (size + 2 * encounter_.extents.after(end).radius) >= apart.maxCoeff();
 }
 
 template <int D>
@@ -76,28 +80,29 @@ std::vector<IntruderCertificate<D>> IntruderCertificate<D>::parts() const {
     one.part_ = part;
     one.sum_ = outlines_->sum_of(part);
     if (outlines_->turns()) one.turning_ = part.pieces ? one.sum_ : outlines_->turning_sum_of(part);
-    one.met_.extents.sum = one.sum_.get();
-    one.met_.extents.radius = round_ + outlines_->more_round(part) * (1 + 0x1p-50);
+    one.encounter_.extents.sum = one.sum_.get();
+    one.encounter_.extents.radius = round_ + outlines_->more_round(part) * (1 + 0x1p-50);
     parts.push_back(std::move(one));
   }
   return parts;
 }
 
 template <int D>
-bool is_clear_of(const IntruderCertificate<D>& intruder, const ChangedWays<D>& ways, double k) {
-  std::uint64_t looks = 0;
-  const Judgement judgement = intruder.certify(ways, k, k, looks);
-  if (judgement != Judgement::open || !intruder.has_parts()) return judgement == Judgement::clear;
+bool is_clear_of(const IntruderCertificate<D>& intruder, const TrajectoryFamily<D>& family, double k) {
+  std::uint64_t evaluations = 0;
+  const ClearanceVerdict judgement = intruder.certify(family, k, k, evaluations);
+  if (judgement != ClearanceVerdict::open || !intruder.has_parts())
+    return judgement == ClearanceVerdict::clear;
   const std::vector<IntruderCertificate<D>> parts = intruder.parts();
   return std::all_of(parts.begin(), parts.end(),
-                     [&](const IntruderCertificate<D>& part) { return is_clear_of<D>(part, ways, k); });
+                     [&](const IntruderCertificate<D>& part) { return is_clear_of<D>(part, family, k); });
 }
 
 template class IntruderCertificate<1>;
 template class IntruderCertificate<2>;
 template class IntruderCertificate<3>;
-template bool is_clear_of<1>(const IntruderCertificate<1>&, const ChangedWays<1>&, double);
-template bool is_clear_of<2>(const IntruderCertificate<2>&, const ChangedWays<2>&, double);
-template bool is_clear_of<3>(const IntruderCertificate<3>&, const ChangedWays<3>&, double);
+template bool is_clear_of<1>(const IntruderCertificate<1>&, const TrajectoryFamily<1>&, double);
+template bool is_clear_of<2>(const IntruderCertificate<2>&, const TrajectoryFamily<2>&, double);
+template bool is_clear_of<3>(const IntruderCertificate<3>&, const TrajectoryFamily<3>&, double);
 
 }  // namespace foresee

@@ -2,10 +2,10 @@
 // as the disc around both, then box by box, down to their convex pieces, where what is around them is in
 // doubt.
 //
-//   IntruderCertificate<2> ship(met, false);
-//   ship.judge(changed_ways<2>(base, change, 10, 20), 10, 20, looks)
+//   IntruderCertificate<2> ship(encounter, false);
+//   ship.certify_clearance(trajectory_family<2>(base, change, 10, 20), 10, 20, evaluations)
 //
-// Guarantee: what is judged clear is so for every change of the range (contact/growing/separation.h). What
+// Guarantee: what is judged clear is so for every change of the range (contact/clearance/separation.h). What
 // has parts is clear if all of them are. Cost: that of a certificate; where an outline turns, its sum is made
 // anew for each range.
 #pragma once
@@ -13,8 +13,8 @@
 #include <memory>
 #include <vector>
 
-#include "contact/growing/outline_pair.h"
-#include "contact/growing/separation.h"
+#include "contact/clearance/outline_pair.h"
+#include "contact/clearance/separation.h"
 
 namespace foresee {
 
@@ -22,12 +22,13 @@ template <int D>
 class IntruderCertificate {
  public:
   /// `touches_first`: must part. `outlines`: null where sizes alone tell what touches.
-  IntruderCertificate(const Encounter<D>& met, bool touches_first,
+  IntruderCertificate(const Encounter<D>& encounter, bool touches_first,
                       std::shared_ptr<const OutlinePair> outlines = {});
 
-  const Encounter<D>& met() const { return met_; }
+  const Encounter<D>& encounter() const { return encounter_; }
   bool touches_first() const { return touches_first_; }
-  Judgement certify(const ChangedWays<D>& ways, double p, double q, std::uint64_t& looks) const;
+  ClearanceVerdict certify(const TrajectoryFamily<D>& family, double p, double q,
+                           std::uint64_t& evaluations) const;
 
   /// That of one change, for guesses.
   Encounter<D> encounter_at(double k) const { return encounter_between(k, k); }
@@ -35,7 +36,7 @@ class IntruderCertificate {
   /// Whether it stands for more than one convex set, and those are worth a look: where it is not larger than
   /// what the changes of a range lie apart, none of them can touch for all.
   bool has_parts() const { return stage_ == Stage::whole || stage_ == Stage::boxes; }
-  bool is_worth_splitting(const ChangedWays<D>& ways) const;
+  bool is_worth_splitting(const TrajectoryFamily<D>& family) const;
   std::vector<IntruderCertificate> parts() const;
 
  private:
@@ -45,7 +46,7 @@ class IntruderCertificate {
   /// away from there. Of boxes the disc around, where that is less.
   Encounter<D> encounter_between(double p, double q) const;
 
-  Encounter<D> met_;
+  Encounter<D> encounter_;
   bool touches_first_;
   Stage stage_;
   std::shared_ptr<const OutlinePair> outlines_;
@@ -56,6 +57,6 @@ class IntruderCertificate {
 
 /// Clear, or not proven: one change alone.
 template <int D>
-bool is_clear_of(const IntruderCertificate<D>& intruder, const ChangedWays<D>& ways, double k);
+bool is_clear_of(const IntruderCertificate<D>& intruder, const TrajectoryFamily<D>& family, double k);
 
 }  // namespace foresee

@@ -28,11 +28,10 @@ MovingBox<D> box_around(const AvoidQuestion& question, const OwnMotion& base, co
   Bounds<D> bounds;
   for (int axis = 0; axis < D; ++axis) {
     const double x = base.x[static_cast<std::size_t>(axis)];
-    bounds.x_lower[axis] = x + (all.place.least(axis) + extents.lower[axis] - margin[axis]);
-    bounds.x_upper[axis] = x + (all.place.greatest(axis) + extents.upper[axis] + margin[axis]);
-    bounds.v_lower[axis] = all.velocity.least(axis), bounds.v_upper[axis] = all.velocity.greatest(axis);
-    bounds.a_lower[axis] = all.acceleration.least(axis),
-    bounds.a_upper[axis] = all.acceleration.greatest(axis);
+    bounds.x_lower[axis] = x + (all.place.min(axis) + extents.lower[axis] - margin[axis]);
+    bounds.x_upper[axis] = x + (all.place.max(axis) + extents.upper[axis] + margin[axis]);
+    bounds.v_lower[axis] = all.velocity.min(axis), bounds.v_upper[axis] = all.velocity.max(axis);
+    bounds.a_lower[axis] = all.acceleration.min(axis), bounds.a_upper[axis] = all.acceleration.max(axis);
   }
   const auto pad = [](const Vec<D>& value) { return Vec<D>(value.abs() * rounding_pad + smallest_pad); };
   Vec<D> size = pad(bounds.x_lower) + pad(bounds.x_upper) + pad(reach_of(extents) + margin);

@@ -1,4 +1,4 @@
-#include "contact/growing/pair_extents.h"
+#include "contact/clearance/pair_extents.h"
 
 #include "shape/shapes.h"
 

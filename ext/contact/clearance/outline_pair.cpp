@@ -1,4 +1,4 @@
-#include "contact/growing/outline_pair.h"
+#include "contact/clearance/outline_pair.h"
 
 #include <cmath>
 

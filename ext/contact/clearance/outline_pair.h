@@ -15,7 +15,7 @@
 #include <optional>
 #include <vector>
 
-#include "contact/growing/piece_sum.h"
+#include "contact/clearance/piece_sum.h"
 #include "contact/outline/object_pieces.h"
 
 namespace foresee {

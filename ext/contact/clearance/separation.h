@@ -1,8 +1,9 @@
 // Does an object keep clear of another whichever change of a range it makes? Proven, or not; and if not,
 // whether every change of the range touches, as far as doubles tell.
 //
-//   const ChangedWays<2> turns = changed_ways<2>(base, change, 10, 20);
-//   judge(met, turns, looks) == Judgement::clear     // for every double of [10, 20]: a proof
+//   const TrajectoryFamily<2> turns = trajectory_family<2>(base, change, 10, 20);
+//   // for every double of [10, 20]: a proof
+//   certify_clearance(encounter, turns, evaluations) == ClearanceVerdict::clear
 //
 // The proof is a plane. Along its normal n the other is at n (x + v tau + a tau^2 / 2), and no changed motion
 // reaches farther than the most of the range's places, velocities and accelerations (motion_set.h): the
@@ -17,19 +18,20 @@
 // that needs a plane of its own, 200 at most.
 #pragma once
 
-#include "contact/growing/changed_ways.h"
+#include "contact/clearance/trajectory_family.h"
 
 namespace foresee {
 
-enum class Judgement : std::uint8_t {
+enum class ClearanceVerdict : std::uint8_t {
   clear,    ///< proven
   blocked,  ///< every change seems to touch
   open      ///< neither
 };
 
-/// Requires: met.begin <= met.end. `looks` grows by what it has cost: one, and one for each part of a bent
+/// Requires: met.begin <= met.end. `evaluations` grows by what it has cost: one, and one for each part of a bent
 /// path.
 template <int D>
-Judgement judge(const Encounter<D>& met, const ChangedWays<D>& ways, std::uint64_t& looks);
+ClearanceVerdict certify_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
+                                   std::uint64_t& evaluations);
 
 }  // namespace foresee

@@ -1,4 +1,4 @@
-#include "contact/growing/piece_sum.h"
+#include "contact/clearance/piece_sum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,12 +70,12 @@ void PieceSum::make_ring(const Corner* along) {
   }
 }
 
-double PieceSum::most(double x, double y) const {
+double PieceSum::support(double x, double y) const {
   return farthest_along(own_, x, y) + farthest_along(other_.corners, -x, -y) +
          size_ * (pad_of_sum * (std::abs(x) + std::abs(y)));
 }
 
-double PieceSum::outside(double x, double y, double& normal_x, double& normal_y) const {
+double PieceSum::signed_distance(double x, double y, double& normal_x, double& normal_y) const {
   const auto beyond = [&](const Edge& edge) {
     return (x - edge.x) * edge.normal_x + (y - edge.y) * edge.normal_y;
   };

@@ -15,17 +15,18 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/growing/pair_extents.h"
+#include "contact/clearance/pair_extents.h"
 
 namespace foresee {
 
 /// How far outside the set a place is in the axes that are round together: below 0 within. `over`: beyond
 /// half extents.
 template <int D>
-double depth_in_round(const PairExtents<D>& extents, const Vec<D>& over, const Vec<D>& place,
-                      Vec<D>& normal) {
+double signed_distance_in_round_axes(const PairExtents<D>& extents, const Vec<D>& over, const Vec<D>& place,
+                                     Vec<D>& normal) {
   if constexpr (D > 1)
-    if (extents.sum) return extents.sum->outside(place[0], place[1], normal[0], normal[1]) - extents.radius;
+    if (extents.sum)
+      return extents.sum->signed_distance(place[0], place[1], normal[0], normal[1]) - extents.radius;
   double square = 0, most = -std::numeric_limits<double>::infinity();
   int face = 0;
   for (int axis = 0; axis < extents.round_axes; ++axis) {
@@ -44,10 +45,10 @@ double depth_in_round(const PairExtents<D>& extents, const Vec<D>& over, const V
 
 /// How far outside the set a place is: below 0 within. `normal`: which way it grows.
 template <int D>
-double depth_in(const PairExtents<D>& extents, const Vec<D>& place, Vec<D>& normal) {
+double signed_distance(const PairExtents<D>& extents, const Vec<D>& place, Vec<D>& normal) {
   const Vec<D> over = place.abs() - extents.half;
   normal.setZero();
-  double outside = depth_in_round<D>(extents, over, place, normal);
+  double outside = signed_distance_in_round_axes<D>(extents, over, place, normal);
   for (int axis = extents.round_axes; axis < D; ++axis)
     if (over[axis] > outside) {
       outside = over[axis];
@@ -74,9 +75,9 @@ StraightApproach<D> straight_approach(const GrowingExtents<D>& extents, const Ve
   const auto at = [&](double tau) {
     Tangent tangent;
     tangent.tau = tau;
-    tangent.gap = depth_in<D>(extents.after(tau), x + tau * v, tangent.normal);
+    tangent.gap = signed_distance<D>(extents.after(tau), x + tau * v, tangent.normal);
     tangent.slope = (tangent.normal * v).sum();
-    if (extents.grows) tangent.slope -= extents.growth.most(tangent.normal);
+    if (extents.grows) tangent.slope -= extents.growth.support(tangent.normal);
     return tangent;
   };
   const auto answer = [](const Tangent& t) { return StraightApproach<D>{t.tau, t.gap, t.normal}; };
@@ -98,7 +99,7 @@ StraightApproach<D> straight_approach(const GrowingExtents<D>& extents, const Ve
     if (rise.slope <= 0) return answer(rise);
   }
   StraightApproach<D> best{};
-  for (int look = 0; look < 40; ++look) {
+  for (int evaluation = 0; evaluation < 40; ++evaluation) {
     const double span = rise.tau - fall.tau, turn = rise.slope - fall.slope;
     const double step = std::clamp((fall.gap - rise.gap + rise.slope * span) / turn, 0.0, span);
     const double least = fall.gap + fall.slope * step;

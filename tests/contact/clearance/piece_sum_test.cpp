@@ -1,6 +1,6 @@
 // Sums of pieces in doubles against their definition: how far they reach, how far outside a place is, turned
 // or not.
-#include "contact/growing/piece_sum.h"
+#include "contact/clearance/piece_sum.h"
 
 #include <gtest/gtest.h>
 
@@ -35,14 +35,14 @@ double most_of(const std::vector<Corner>& corners, double x, double y) {
 /// By the lines that may part a place from a hull: along two of its corners, or square to the way from one.
 double plain_outside(const std::vector<Corner>& corners, double x, double y) {
   double outside = -HUGE_VAL;
-  const auto look_along = [&](double nx, double ny) {
+  const auto probe_along = [&](double nx, double ny) {
     const double length = std::hypot(nx, ny);
     if (length < 1e-9) return;
     outside = std::max(outside, (nx * x + ny * y - most_of(corners, nx, ny)) / length);
   };
   for (const Corner& from : corners) {
-    look_along(x - from.x, y - from.y);
-    for (const Corner& to : corners) look_along(to.y - from.y, from.x - to.x);
+    probe_along(x - from.x, y - from.y);
+    for (const Corner& to : corners) probe_along(to.y - from.y, from.x - to.x);
   }
   return outside;
 }
@@ -54,13 +54,13 @@ void expect_sum(const ConvexPiece& own, const ConvexPiece& other, Random& random
   const double size = sum.size() + 1e-9;
   for (int i = 0; i < 20; ++i) {
     const double x = random.in(-3, 3), y = i % 4 ? random.in(-3, 3) : 0, most = most_of(all, x, y);
-    ASSERT_GE(sum.most(x, y), most);
-    ASSERT_LE(sum.most(x, y), most + 1e-12 * 6 * size);
+    ASSERT_GE(sum.support(x, y), most);
+    ASSERT_LE(sum.support(x, y), most + 1e-12 * 6 * size);
   }
   for (int i = 0; i < 3; ++i) {
     const double x = random.in(-2, 2) * size, y = random.in(-2, 2) * size;
     double nx = 0, ny = 0;
-    const double outside = sum.outside(x, y, nx, ny);
+    const double outside = sum.signed_distance(x, y, nx, ny);
     ASSERT_NEAR(outside, plain_outside(all, x, y), 1e-9 * size);
     ASSERT_NEAR(nx * nx + ny * ny, 1, 1e-12);
     ASSERT_NEAR(nx * x + ny * y - most_of(all, nx, ny), outside, 1e-9 * size);
@@ -97,10 +97,10 @@ TEST(PieceSum, TellsWhichWayItGrowsRightBesideIt) {
   a.take(cut), b.take_point();
   PieceSum sum(a.piece(0), b.piece(0));
   double nx = 0, ny = 0;
-  EXPECT_EQ(sum.outside(std::nextafter(1.0, 2), 0.5, nx, ny), 0x1p-52);
+  EXPECT_EQ(sum.signed_distance(std::nextafter(1.0, 2), 0.5, nx, ny), 0x1p-52);
   EXPECT_EQ(nx, 1);
   EXPECT_EQ(ny, 0);
-  EXPECT_EQ(sum.outside(0, 0.25, nx, ny), -0.75);
+  EXPECT_EQ(sum.signed_distance(0, 0.25, nx, ny), -0.75);
   EXPECT_EQ(ny, 1);
 }
 

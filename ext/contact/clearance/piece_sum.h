@@ -3,7 +3,7 @@
 // a place is, for guesses.
 //
 //   PieceSum sum(hull.piece(0), quay.piece(3));
-//   sum.most(0, 1)                      // no place of the sum lies farther north
+//   sum.support(0, 1)                      // no place of the sum lies farther north
 //   sum.turn(15);                       // the first piece turned by 15 degrees clockwise from where it was
 //
 // Cost: linear in the corners of both, some nanoseconds each.
@@ -32,9 +32,9 @@ class PieceSum {
 
   /// An upper bound of how far it reaches along (x, y), in lengths of that; also if the own corners are those
   /// that a turned outline is stored with, at a heading that is rounded.
-  double most(double x, double y) const;
+  double support(double x, double y) const;
   /// How far outside it a place is, below 0 within, roughly; and which way it grows there, of length 1.
-  double outside(double x, double y, double& normal_x, double& normal_y) const;
+  double signed_distance(double x, double y, double& normal_x, double& normal_y) const;
   /// use(normal_x, normal_y, error) for each edge that a place is beyond, or inside by less than `near`:
   /// which way it grows there, and how far that is off at most.
   template <class Use>

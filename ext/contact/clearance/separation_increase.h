@@ -3,7 +3,7 @@
 // decides; else place times velocity is looked at as intervals.
 #pragma once
 
-#include "contact/growing/separation.h"
+#include "contact/clearance/separation.h"
 
 namespace foresee {
 
@@ -13,12 +13,15 @@ namespace foresee {
 /// axis. Of what grows it is the gap that must not shrink; between bent paths that is blocked, and so
 /// is what has pieces.
 template <int D>
-Judgement judge_parting(const Encounter<D>& met, const ChangedWays<D>& ways);
+ClearanceVerdict certify_separation_increases(const Encounter<D>& encounter,
+                                              const TrajectoryFamily<D>& family);
 
 /// The same of one of several pieces, or of one that turns, about which it is not known whether it is touched
 /// when the change is made: clear of it is also who is not met at all. Where that is not told from touching,
-/// whatever line may part the two must move away. `looks`: as for judge().
+/// whatever line may part the two must move away. `evaluations`: as for judge().
 template <int D>
-Judgement judge_parting_of_piece(const Encounter<D>& met, const ChangedWays<D>& ways, std::uint64_t& looks);
+ClearanceVerdict certify_piece_separation_increases(const Encounter<D>& encounter,
+                                                    const TrajectoryFamily<D>& family,
+                                                    std::uint64_t& evaluations);
 
 }  // namespace foresee

@@ -12,7 +12,7 @@
 
 #include <optional>
 
-#include "contact/growing/piece_sum.h"
+#include "contact/clearance/piece_sum.h"
 #include "motion/motion.h"
 #include "shape/layout.h"
 
@@ -32,7 +32,7 @@ struct PairExtents {
   }
 
   /// How far it reaches along n, at least.
-  double most(const Vec<D>& n) const {
+  double support(const Vec<D>& n) const {
     const Vec<D> size = n.abs();
     double square = 0;
     for (int axis = 0; axis < round_axes; ++axis) square += n[axis] * n[axis];
@@ -40,7 +40,7 @@ struct PairExtents {
     double magnitude = (half.abs() * size).sum() + std::abs(radius) * std::sqrt(square);
     if constexpr (D > 1)
       if (sum) {
-        const double along = sum->most(n[0], n[1]);
+        const double along = sum->support(n[0], n[1]);
         reach += along, magnitude += std::abs(along);
       }
     return reach + (magnitude * 0x1p-49 + 0x1p-1000);

@@ -1,19 +1,19 @@
 // The certificate and what it is made of: planes between a path and a set, and judgements by hand.
-#include "contact/growing/separation.h"
+#include "contact/clearance/separation.h"
 
 #include <gtest/gtest.h>
 
-#include "contact/growing/blocked_end.h"
-#include "contact/growing/parting.h"
-#include "contact/growing/straight_approach.h"
+#include "contact/clearance/blocked_range_end.h"
+#include "contact/clearance/separation_increase.h"
+#include "contact/clearance/straight_approach.h"
 #include "scenes.h"
 
 namespace foresee {
 namespace {
 
-Judgement judged(const Encounter<2>& met, const ChangedWays<2>& ways) {
-  std::uint64_t looks = 0;
-  return judge<2>(met, ways, looks);
+ClearanceVerdict judged(const Encounter<2>& encounter, const TrajectoryFamily<2>& family) {
+  std::uint64_t evaluations = 0;
+  return certify_clearance<2>(encounter, family, evaluations);
 }
 
 using testing::Random;
@@ -38,42 +38,42 @@ TEST(StraightApproach, FindsTheNearestMomentAndAPlane) {
     double least = HUGE_VAL;
     for (int j = 0; j <= 1000; ++j) {
       const double tau = begin + (end - begin) * j / 1000;
-      least = std::min(least, depth_in<3>(extents.after(tau), x + tau * v, ignored));
+      least = std::min(least, signed_distance<3>(extents.after(tau), x + tau * v, ignored));
     }
     EXPECT_LE(near.gap, least + 0.05 * std::abs(least) + 1e-9);
     if (least <= 0.01) continue;
     ++apart;
     for (const double tau : {begin, end})
-      EXPECT_GT((near.normal * (x + tau * v)).sum(), extents.after(tau).most(near.normal)) << i;
+      EXPECT_GT((near.normal * (x + tau * v)).sum(), extents.after(tau).support(near.normal)) << i;
   }
   EXPECT_GT(apart, 1000);
 }
 
 struct Meeting {
   OwnMotion base;
-  Encounter<2> met;
+  Encounter<2> encounter;
 
   Meeting() {
     base.v = {0, 10, 0};
-    met = {{0, 1000}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {{{0, 0}, 20, 2}}, 0, 200};
+    encounter = {{0, 1000}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {{{0, 0}, 20, 2}}, 0, 200};
   }
-  Judgement turn(double p, double q) const {
-    return judged(met, changed_ways<2>(base, {Manoeuvre::turn, 10}, p, q));
+  ClearanceVerdict turn(double p, double q) const {
+    return judged(encounter, trajectory_family<2>(base, {Manoeuvre::turn, 10}, p, q));
   }
 };
 
 TEST(Separation, TellsClearBlockedAndOpenApart) {
   const Meeting stone;  // 1000 ahead, of radius 20: asin(0.02) is 1.146 degrees
-  EXPECT_EQ(stone.turn(1.146, 180), Judgement::clear);
-  EXPECT_EQ(stone.turn(-180, -1.146), Judgement::clear);
-  EXPECT_EQ(stone.turn(-1.1459, 1.1459), Judgement::blocked);
-  EXPECT_EQ(stone.turn(1, 2), Judgement::open);
-  const auto gap = [&](double k) { return gap_of<2>(stone.met, stone.base, {Manoeuvre::turn, 10}, k); };
+  EXPECT_EQ(stone.turn(1.146, 180), ClearanceVerdict::clear);
+  EXPECT_EQ(stone.turn(-180, -1.146), ClearanceVerdict::clear);
+  EXPECT_EQ(stone.turn(-1.1459, 1.1459), ClearanceVerdict::blocked);
+  EXPECT_EQ(stone.turn(1, 2), ClearanceVerdict::open);
+  const auto gap = [&](double k) { return gap_of<2>(stone.encounter, stone.base, {Manoeuvre::turn, 10}, k); };
   EXPECT_NEAR(*end_between(gap, 0, 9, 1e-11), 1.1459919983885926, 1e-10);
   EXPECT_FALSE(end_between(gap, 2, 9, 1e-11));
   // Touched from the start, it parts if it turns away by more than a right angle.
   const auto parting = [&](double k) {
-    return parting_of<2>(stone.met, stone.base, {Manoeuvre::turn, 10}, k);
+    return opening_rate_of<2>(stone.encounter, stone.base, {Manoeuvre::turn, 10}, k);
   };
   EXPECT_NEAR(*end_between(parting, 0, 100, 1e-11), 90, 1e-10);
   EXPECT_FALSE(end_between(parting, 0, 89, 1e-11));
@@ -81,29 +81,30 @@ TEST(Separation, TellsClearBlockedAndOpenApart) {
 
 TEST(Separation, ProvesAWholeRangeBesideOneThatTouches) {
   const Meeting stone;
-  const auto speeds = changed_ways<2>(stone.base, {Manoeuvre::speed, 10}, -10, -5.1000001);
-  EXPECT_EQ(judged(stone.met, speeds), Judgement::clear);  // 980 in 200 s
-  EXPECT_EQ(judged(stone.met, changed_ways<2>(stone.base, {Manoeuvre::speed, 10}, -5, 10)),
-            Judgement::blocked);
+  const auto speeds = trajectory_family<2>(stone.base, {Manoeuvre::speed, 10}, -10, -5.1000001);
+  EXPECT_EQ(judged(stone.encounter, speeds), ClearanceVerdict::clear);  // 980 in 200 s
+  EXPECT_EQ(judged(stone.encounter, trajectory_family<2>(stone.base, {Manoeuvre::speed, 10}, -5, 10)),
+            ClearanceVerdict::blocked);
 }
 
 TEST(Separation, BelievesNothingThatIsNotFinite) {
   Meeting far;
-  far.met.x[0] = HUGE_VAL;
-  EXPECT_EQ(far.turn(0, 1), Judgement::blocked);
-  far.met.x[0] = std::nan("");
-  EXPECT_EQ(far.turn(0, 1), Judgement::blocked);
+  far.encounter.x[0] = HUGE_VAL;
+  EXPECT_EQ(far.turn(0, 1), ClearanceVerdict::blocked);
+  far.encounter.x[0] = std::nan("");
+  EXPECT_EQ(far.turn(0, 1), ClearanceVerdict::blocked);
 }
 
 TEST(Parting, NeedsADistanceThatNeverShrinks) {
   Meeting beside;
-  beside.met.x = {15, 0};
+  beside.encounter.x = {15, 0};
   const auto parting = [&](double p, double q) {
-    return judge_parting<2>(beside.met, changed_ways<2>(beside.base, {Manoeuvre::turn, 10}, p, q));
+    return certify_separation_increases<2>(beside.encounter,
+                                           trajectory_family<2>(beside.base, {Manoeuvre::turn, 10}, p, q));
   };
-  EXPECT_EQ(parting(-179, -1), Judgement::clear);
-  EXPECT_EQ(parting(1, 179), Judgement::blocked);
-  EXPECT_EQ(parting(-1, 1), Judgement::open);
+  EXPECT_EQ(parting(-179, -1), ClearanceVerdict::clear);
+  EXPECT_EQ(parting(1, 179), ClearanceVerdict::blocked);
+  EXPECT_EQ(parting(-1, 1), ClearanceVerdict::open);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "contact/growing/changed_ways.h"
+#include "contact/clearance/trajectory_family.h"
 
 #include "contact/set/relative_motion.h"
 #include "numbers/turned_vector.h"
@@ -26,31 +26,31 @@ Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const B
   constexpr double inf = std::numeric_limits<double>::infinity();
   const double t = value_or(row, others.at.t, 0), until = value_or(row, others.at.until, inf);
   const DoubleDouble age = difference(base.t, t);
-  Encounter<D> met;
+  Encounter<D> encounter;
   for (int axis = 0; axis < D; ++axis) {
     const AxisMotion<double> other = axis_motion(others, row, axis);
     const double own = base.x[static_cast<std::size_t>(axis)];
     const DoubleDouble gap = difference(other.x, own);
-    met.a[axis] = other.a;
+    encounter.a[axis] = other.a;
     if (age.high == 0) {
-      met.x[axis] = gap.high, met.v[axis] = other.v;
-      met.ex[axis] = std::abs(gap.low), met.ev[axis] = 0;
+      encounter.x[axis] = gap.high, encounter.v[axis] = other.v;
+      encounter.ex[axis] = std::abs(gap.low), encounter.ev[axis] = 0;
       continue;
     }
     const DoubleDouble gained = age * number(other.a);
     const DoubleDouble v = number(other.v) + gained, x = gap + age * (number(other.v) + half_of(gained));
-    const double way = std::abs(age.high) * (std::abs(other.v) + std::abs(gained.high));
-    met.x[axis] = x.high, met.v[axis] = v.high;
-    met.ex[axis] =
-        std::abs(x.low) + 0x1p-95 * (std::abs(other.x) + std::abs(own) + way) + (way == 0 ? 0 : 0x1p-1000);
-    met.ev[axis] = std::abs(v.low) + 0x1p-95 * (std::abs(other.v) + std::abs(gained.high)) +
-                   (gained.high == 0 ? 0 : 0x1p-1000);
+    const double path = std::abs(age.high) * (std::abs(other.v) + std::abs(gained.high));
+    encounter.x[axis] = x.high, encounter.v[axis] = v.high;
+    encounter.ex[axis] =
+        std::abs(x.low) + 0x1p-95 * (std::abs(other.x) + std::abs(own) + path) + (path == 0 ? 0 : 0x1p-1000);
+    encounter.ev[axis] = std::abs(v.low) + 0x1p-95 * (std::abs(other.v) + std::abs(gained.high)) +
+                         (gained.high == 0 ? 0 : 0x1p-1000);
   }
-  met.extents = extents;
+  encounter.extents = extents;
   const double begin = t - base.t, end = until - base.t;
-  met.begin = std::max(0.0, begin * (1 - 0x1p-50));
-  met.end = std::min(horizon_end(horizon, base.t), end > 0 ? end * (1 + 0x1p-50) : end * (1 - 0x1p-50));
-  return met;
+  encounter.begin = std::max(0.0, begin * (1 - 0x1p-50));
+  encounter.end = std::min(horizon_end(horizon, base.t), end > 0 ? end * (1 + 0x1p-50) : end * (1 - 0x1p-50));
+  return encounter;
 }
 
 template Encounter<1> encounter_of<1>(const OwnMotion&, const Horizon&, const Bodies&, const double*,
@@ -75,13 +75,13 @@ template <int D>
 void find_ends(const VectorSet<D>& set, Vec<D>& least, Vec<D>& most) {
   least = most = Vec<D>::Zero();
   if ((set.centre == 0).all() && (set.along == 0).all() && (set.pad == 0).all()) return;
-  for (int axis = 0; axis < D; ++axis) most[axis] = set.greatest(axis), least[axis] = set.least(axis);
+  for (int axis = 0; axis < D; ++axis) most[axis] = set.max(axis), least[axis] = set.min(axis);
 }
 
 }  // namespace
 
 template <int D>
-RoughWay<D> rough_way(const OwnMotion& base, const Change& change, double k) {
+TrajectoryEstimate<D> trajectory_estimate(const OwnMotion& base, const Change& change, double k) {
   if constexpr (D > 1)
     if (change.manoeuvre == Manoeuvre::turn) {
       const SineCosine<double> by = quick_sine_cosine(k);
@@ -93,31 +93,32 @@ RoughWay<D> rough_way(const OwnMotion& base, const Change& change, double k) {
 }
 
 template <int D>
-ChangedWays<D> changed_ways(const OwnMotion& base, const Change& change, double p, double q) {
-  ChangedWays<D> ways;
-  ways.all = motions_between<D>(base, change, p, q);
-  const auto& all = ways.all;
-  ways.middle = {all.place.centre, all.velocity.centre, all.acceleration.centre, all.begin, all.end};
-  ways.first = rough_way<D>(base, change, p), ways.last = rough_way<D>(base, change, q);
+TrajectoryFamily<D> trajectory_family(const OwnMotion& base, const Change& change, double p, double q) {
+  TrajectoryFamily<D> family;
+  family.all = motions_between<D>(base, change, p, q);
+  const auto& all = family.all;
+  family.middle = {all.place.centre, all.velocity.centre, all.acceleration.centre, all.begin, all.end};
+  family.first = trajectory_estimate<D>(base, change, p),
+  family.last = trajectory_estimate<D>(base, change, q);
   const VectorSet<D>* const parts[] = {&all.place, &all.velocity, &all.acceleration};
-  for (int part = 0; part < 3; ++part) find_ends<D>(*parts[part], ways.least[part], ways.most[part]);
+  for (int part = 0; part < 3; ++part) find_ends<D>(*parts[part], family.lower[part], family.upper[part]);
   const auto off_chord = [](const VectorSet<D>& set) {
     return set.turns ? (1 - (set.whole_circle ? -1 : set.cosine)) * set.radius : 0;
   };
-  ways.turned[0] = (change.manoeuvre == Manoeuvre::delay ? all.place.pad.sum() : 0);
-  ways.turned[1] = off_chord(all.velocity), ways.turned[2] = off_chord(all.acceleration);
+  family.turned[0] = (change.manoeuvre == Manoeuvre::delay ? all.place.pad.sum() : 0);
+  family.turned[1] = off_chord(all.velocity), family.turned[2] = off_chord(all.acceleration);
   // Turned by more than a third of a circle, the middle stands for few of them: none moves on the whole.
-  if (all.velocity.turns && all.velocity.cosine < 0.5) ways.middle.v *= all.velocity.cosine > 0 ? 0.5 : 0;
-  ways.bends = (ways.most[2] != 0).any() || (ways.least[2] != 0).any();
-  ways.one_interval = change.manoeuvre != Manoeuvre::turn && p < q;
-  return ways;
+  if (all.velocity.turns && all.velocity.cosine < 0.5) family.middle.v *= all.velocity.cosine > 0 ? 0.5 : 0;
+  family.bends = (family.upper[2] != 0).any() || (family.lower[2] != 0).any();
+  family.one_interval = change.manoeuvre != Manoeuvre::turn && p < q;
+  return family;
 }
 
-template RoughWay<1> rough_way<1>(const OwnMotion&, const Change&, double);
-template RoughWay<2> rough_way<2>(const OwnMotion&, const Change&, double);
-template RoughWay<3> rough_way<3>(const OwnMotion&, const Change&, double);
-template ChangedWays<1> changed_ways<1>(const OwnMotion&, const Change&, double, double);
-template ChangedWays<2> changed_ways<2>(const OwnMotion&, const Change&, double, double);
-template ChangedWays<3> changed_ways<3>(const OwnMotion&, const Change&, double, double);
+template TrajectoryEstimate<1> trajectory_estimate<1>(const OwnMotion&, const Change&, double);
+template TrajectoryEstimate<2> trajectory_estimate<2>(const OwnMotion&, const Change&, double);
+template TrajectoryEstimate<3> trajectory_estimate<3>(const OwnMotion&, const Change&, double);
+template TrajectoryFamily<1> trajectory_family<1>(const OwnMotion&, const Change&, double, double);
+template TrajectoryFamily<2> trajectory_family<2>(const OwnMotion&, const Change&, double, double);
+template TrajectoryFamily<3> trajectory_family<3>(const OwnMotion&, const Change&, double, double);
 
 }  // namespace foresee

@@ -1,0 +1,263 @@
+#include "contact/clearance/separation_increase.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "contact/clearance/separation_case.h"
+
+namespace foresee {
+namespace {
+
+/// A ball, or upright a disc: no box is within. Of pieces too the distance is asked on all their axes.
+template <int D>
+bool is_round_alone(const PairExtents<D>& extents) {
+  if (extents.sum) return true;
+  for (int axis = 0; axis < extents.round_axes; ++axis)
+    if (extents.half[axis] != 0) return false;
+  return true;
+}
+
+/// Does the distance of the centres never shrink, on paths that are not bent? Its slope grows with time, so
+/// that at the first moment decides.
+template <int D>
+ClearanceVerdict certify_straight_separation_increases(const Encounter<D>& encounter,
+                                                       const TrajectoryFamily<D>& family) {
+  const auto& own = family.all.velocity;
+  const double along = (encounter.x * encounter.v).sum(), most = own.support(encounter.x);
+  const Vec<D> v = family.upper[1].abs().max(family.lower[1].abs()) + encounter.v.abs();
+  // What is 0 has no error: side by side at the same speed, nothing shrinks.
+  double error = 0;
+  for (int axis = 0; axis < D; ++axis)
+    error += encounter.ex[axis] * (v[axis] + encounter.ev[axis]) +
+             std::abs(encounter.x[axis]) * encounter.ev[axis] +
+             8 * unit_roundoff * std::abs(encounter.x[axis]) * v[axis];
+  error *= 1 + 0x1p-48;
+  const double least = along - most;
+  if (least - error >= 0) return ClearanceVerdict::clear;
+  const double greatest = along + own.support(-encounter.x),
+               slack = touching_share * (encounter.x.abs() * v).sum();
+  return greatest <= slack ? ClearanceVerdict::blocked : ClearanceVerdict::open;
+}
+
+/// Does a part of the gap never shrink, of a set that grows by `rate`? `x`: where the other is, as seen along
+/// some axes.
+template <int D>
+ClearanceVerdict certify_gap_increases(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
+                                       const Vec<D>& x, double rate) {
+  const auto& own = family.all.velocity;
+  const double opening = std::sqrt((x * x).sum()) * rate, along = (x * encounter.v).sum() - opening;
+  const Vec<D> v = family.upper[1].abs().max(family.lower[1].abs()) + encounter.v.abs() + encounter.ev;
+  const double error = ((encounter.ex * (v + rate) + x.abs() * encounter.ev).sum() +
+                        16 * unit_roundoff * ((x.abs() * v).sum() + opening)) *
+                       (1 + 0x1p-48);
+  if (along - own.support(x) - error >= 0) return ClearanceVerdict::clear;
+  const double slack = touching_share * ((x.abs() * v).sum() + opening);
+  return along + own.support(-x) <= slack ? ClearanceVerdict::blocked : ClearanceVerdict::open;
+}
+
+/// The same of all of it, on paths that are not bent. A disc or ball is left for good if the distance of the
+/// centres grows at least as fast as it does; of other sets each axis is asked, as of an interval that grows
+/// like all of them: that is enough. What is smaller at first is not met later either.
+template <int D>
+ClearanceVerdict certify_growing_separation_increases(const Encounter<D>& encounter,
+                                                      const TrajectoryFamily<D>& family) {
+  const PairExtents<D>& growth = encounter.extents.growth;
+  const int together = is_round_alone(encounter.extents) ? encounter.extents.round_axes : 0;
+  std::array<ClearanceVerdict, D + 1> parts;
+  std::size_t count = 0;
+  if (together > 0) {
+    Vec<D> round = Vec<D>::Zero();
+    for (int axis = 0; axis < together; ++axis) round[axis] = encounter.x[axis];
+    parts[count++] = certify_gap_increases<D>(encounter, family, round, growth.radius);
+  }
+  for (int axis = together; axis < D; ++axis) {
+    Vec<D> one = Vec<D>::Zero();
+    one[axis] = encounter.x[axis];
+    const double rate = growth.half[axis] + (axis < encounter.extents.round_axes ? growth.radius : 0);
+    parts[count++] = certify_gap_increases<D>(encounter, family, one, rate);
+  }
+  const auto any = [&](ClearanceVerdict what) {
+    return std::find(parts.begin(), parts.begin() + count, what) != parts.begin() + count;
+  };
+  return any(ClearanceVerdict::blocked) ? ClearanceVerdict::blocked
+         : any(ClearanceVerdict::open)  ? ClearanceVerdict::open
+                                        : ClearanceVerdict::clear;
+}
+
+/// The least value of x y, each within its ends; nothing is known of it where doubles do not hold a product.
+double min_product(double x0, double x1, double y0, double y1) {
+  if (!std::isfinite(x0 * y0 + x0 * y1 + x1 * y0 + x1 * y1)) return -std::numeric_limits<double>::infinity();
+  const double least = std::min({x0 * y0, x0 * y1, x1 * y0, x1 * y1});
+  return least - 4 * unit_roundoff * std::abs(least);
+}
+
+/// Place times velocity on one axis, at least, during [begin, end].
+template <int D>
+double min_turn(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, int axis, double begin,
+                double end) {
+  const double ev = encounter.ev[axis];
+  const double v0 = encounter.v[axis] - ev - family.upper[1][axis],
+               v1 = encounter.v[axis] + ev - family.lower[1][axis];
+  const double a0 = encounter.a[axis] - family.upper[2][axis], a1 = encounter.a[axis] - family.lower[2][axis];
+  const double slow = v0 + std::min(begin * a0, end * a0), fast = v1 + std::max(begin * a1, end * a1);
+  const double low =
+      encounter.x[axis] + begin * (v0 + 0.5 * begin * a0) + std::min(0.0, (end - begin) * slow);
+  const double high =
+      encounter.x[axis] + begin * (v1 + 0.5 * begin * a1) + std::max(0.0, (end - begin) * fast);
+  const double speed = std::abs(v0) + std::abs(v1) + end * (std::abs(a0) + std::abs(a1));
+  const double pad = encounter.ex[axis] + 16 * unit_roundoff * (std::abs(encounter.x[axis]) + end * speed),
+               speed_pad = 16 * unit_roundoff * speed;
+  return min_product(low - pad, high + pad, slow - speed_pad, fast + speed_pad);
+}
+
+/// The same where paths bend: place times velocity, as intervals, over ever shorter times. A ball is left for
+/// good where the sum does not shrink; a box or cylinder, if no part of it does.
+template <int D>
+bool never_shrinks(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, double begin, double end,
+                   int cuts) {
+  const bool rounds = is_round_alone(encounter.extents);
+  double round = 0, least = 0;
+  for (int axis = 0; axis < D; ++axis) {
+    const double turn = min_turn<D>(encounter, family, axis, begin, end);
+    if (rounds && axis < encounter.extents.round_axes)
+      round += turn;
+    else
+      least = std::min(least, turn);
+  }
+  if (least >= 0 && round >= 0) return true;
+  if (cuts == 0) return false;
+  const double middle = 0.5 * (begin + end);
+  return never_shrinks<D>(encounter, family, begin, middle, cuts - 1) &&
+         never_shrinks<D>(encounter, family, middle, end, cuts - 1);
+}
+
+/// What never_shrinks() asks for fails at some moment, or may as well. Roughly.
+template <int D>
+bool shrinks(const Encounter<D>& encounter, const TrajectoryEstimate<D>& own, double end) {
+  const TrajectoryEstimate<D> path = relative<D>(encounter, own);
+  const double step = end / sampled_times;
+  for (int i = 0; i <= sampled_times; ++i) {
+    const double tau = i * step;
+    const Vec<D> turn = place_at<D>(path, tau) * (path.v + tau * path.a);
+    const double slack = touching_share * turn.abs().sum();
+    const int round_axes = is_round_alone(encounter.extents) ? encounter.extents.round_axes : 0;
+    double round = 0;
+    for (int axis = 0; axis < round_axes; ++axis) round += turn[axis];
+    if (round_axes > 0 && round <= slack) return true;
+    for (int axis = round_axes; axis < D; ++axis)
+      if (turn[axis] < -slack || (turn[axis] <= slack && path.a[axis] != 0)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+template <int D>
+ClearanceVerdict certify_separation_increases(const Encounter<D>& encounter,
+                                              const TrajectoryFamily<D>& family) {
+  const SeparationCase<D> question(encounter, family);
+  if (question.never_together() || question.end() <= 0) return ClearanceVerdict::clear;
+  if (!question.is_finite()) return ClearanceVerdict::blocked;
+  // What grows may catch up with what turns away ever more slowly, and pieces lie on no side of the middle.
+  if (question.bends() && (encounter.extents.grows || encounter.extents.sum))
+    return ClearanceVerdict::blocked;
+  if (encounter.extents.grows) return certify_growing_separation_increases<D>(encounter, family);
+  if (!question.bends()) return certify_straight_separation_increases<D>(encounter, family);
+  if (never_shrinks<D>(encounter, family, 0, question.end(), 6)) return ClearanceVerdict::clear;
+  const bool all_shrink = shrinks(encounter, family.first, question.end()) &&
+                          shrinks(encounter, family.middle, question.end()) &&
+                          shrinks(encounter, family.last, question.end());
+  return all_shrink ? ClearanceVerdict::blocked : ClearanceVerdict::open;
+}
+
+namespace {
+
+/// What turns by less is not looked at more closely where all of it seems to touch.
+constexpr double min_chord = 0x1p-17;
+
+/// Who moves which way at a line that may part a place from a piece.
+enum class Trend : std::uint8_t { departing, approaching, mixed };
+
+/// Of all that may part them: who is outside at first is beyond one of these lines, and stays so if it moves
+/// out. Requires: near the boundary; paths that are not bent.
+template <int D>
+Trend trend_at_boundary(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, double slack) {
+  const auto& extents = encounter.extents;
+  const double speed =
+      (family.upper[1].abs().max(family.lower[1].abs()) + encounter.v.abs() + encounter.ev).sum();
+  Trend trend = Trend::departing;
+  const auto probe_along = [&](const Vec<D>& n, double error, double growth) {
+    const double unsure = (error + 0x1p-44) * (speed + growth);
+    if (least_of<D>(n, encounter.v, encounter.ev, family.all.velocity) > growth + unsure ||
+        trend == Trend::approaching)
+      return;
+    const bool in = (n * encounter.v).sum() + family.all.velocity.support(-n) < growth - unsure;
+    trend = in ? Trend::approaching : Trend::mixed;
+  };
+  Vec<D> n = Vec<D>::Zero();
+  for (int axis = 2; axis < D; ++axis) {
+    n[axis] = std::copysign(1, encounter.x[axis]);
+    if (extents.half[axis] - std::abs(encounter.x[axis]) <= slack)
+      probe_along(n, 0, extents.growth.half[axis]);
+    n[axis] = 0;
+  }
+  const double rate = extents.growth.radius, around = extents.radius;
+  if (signed_distance_in_round_axes<D>(extents, encounter.x.abs(), encounter.x, n) <
+      -encounter.inflation - slack)
+    return trend;
+  n.setZero();
+  if (around > 0x1p20 * (encounter.inflation + slack)) {
+    // The nearest place of a piece that is off by so little lies in nearly the same direction.
+    const double distance = extents.sum->signed_distance(encounter.x[0], encounter.x[1], n[0], n[1]);
+    if (!(distance > 0.5 * around)) return Trend::mixed;
+    probe_along(n, 4 * std::sqrt((encounter.inflation + slack) / distance), rate);
+  } else if (around > slack) {
+    return Trend::mixed;
+  } else {
+    const double near = 2 * encounter.rotation_chord * (encounter.x.abs().sum() + extents.size()) +
+                        encounter.inflation + slack;
+    extents.sum->for_each_edge_near(encounter.x[0], encounter.x[1], near,
+                                    [&](double x, double y, double error) {
+                                      n[0] = x, n[1] = y;
+                                      probe_along(n, error + 2 * encounter.rotation_chord, rate);
+                                    });
+  }
+  return trend;
+}
+
+}  // namespace
+
+template <int D>
+ClearanceVerdict certify_piece_separation_increases(const Encounter<D>& encounter,
+                                                    const TrajectoryFamily<D>& family,
+                                                    std::uint64_t& evaluations) {
+  const auto certified = [&] { return certify_clearance<D>(encounter, family, evaluations); };
+  if (encounter.begin > 0) return certified();
+  Vec<D> ignored;
+  const double slack = touching_share * (encounter.x.abs().maxCoeff() + encounter.extents.size());
+  const double outside = signed_distance<D>(encounter.extents, encounter.x, ignored);
+  if (outside <= -encounter.inflation - slack) return certify_separation_increases<D>(encounter, family);
+  if (outside > encounter.inflation + slack) return certified();
+  const ClearanceVerdict increasing = certify_separation_increases<D>(encounter, family);
+  if (D == 1 || (increasing == ClearanceVerdict::blocked && encounter.rotation_chord < min_chord))
+    return ClearanceVerdict::blocked;
+  const Trend trend = trend_at_boundary<D>(encounter, family, slack);
+  if (trend == Trend::approaching)
+    return encounter.rotation_chord < min_chord ? ClearanceVerdict::blocked : ClearanceVerdict::open;
+  return trend == Trend::departing && increasing == ClearanceVerdict::clear ? increasing
+                                                                            : ClearanceVerdict::open;
+}
+
+template ClearanceVerdict certify_separation_increases<1>(const Encounter<1>&, const TrajectoryFamily<1>&);
+template ClearanceVerdict certify_separation_increases<2>(const Encounter<2>&, const TrajectoryFamily<2>&);
+template ClearanceVerdict certify_separation_increases<3>(const Encounter<3>&, const TrajectoryFamily<3>&);
+template ClearanceVerdict certify_piece_separation_increases<1>(const Encounter<1>&,
+                                                                const TrajectoryFamily<1>&, std::uint64_t&);
+template ClearanceVerdict certify_piece_separation_increases<2>(const Encounter<2>&,
+                                                                const TrajectoryFamily<2>&, std::uint64_t&);
+template ClearanceVerdict certify_piece_separation_increases<3>(const Encounter<3>&,
+                                                                const TrajectoryFamily<3>&, std::uint64_t&);
+
+}  // namespace foresee
