@@ -169,7 +169,7 @@ int constant_sign(LazyPolynomial& polynomial, const Asked& asked) {
 
 }  // namespace
 
-TimeIntervals inside(LazyPolynomial& polynomial, const Asked& asked) {
+TimeIntervals sublevel_intervals(LazyPolynomial& polynomial, const Asked& asked) {
   if (polynomial.degree() <= 2) return inside_by_formula(polynomial, asked);
   TimeIntervals intervals;
   const int constant = constant_sign(polynomial, asked);
@@ -187,7 +187,7 @@ TimeIntervals inside(LazyPolynomial& polynomial, const Asked& asked) {
   return intervals;
 }
 
-TimeIntervals outside(const TimeIntervals& inside, const Asked& asked) {
+TimeIntervals complement(const TimeIntervals& inside, const Asked& asked) {
   TimeIntervals gaps;
   AlgebraicRoot* first = &asked.begin;
   for (const TimeInterval& interval : inside) {

@@ -33,11 +33,11 @@ struct Roots {
 /// Where a polynomial is 0, in order and strictly within the moments asked about. To be asked once.
 Roots zeros_within(LazyPolynomial& polynomial, const Asked& asked);
 
-TimeIntervals inside(LazyPolynomial& polynomial, const Asked& asked);
+TimeIntervals sublevel_intervals(LazyPolynomial& polynomial, const Asked& asked);
 
 /// What lies between intervals, with the ends that they share. Single times at which a polynomial only
 /// touches 0 from below are left out; a root at an end of what is asked about may be an interval of one time.
-TimeIntervals outside(const TimeIntervals& inside, const Asked& asked);
+TimeIntervals complement(const TimeIntervals& inside, const Asked& asked);
 
 /// The moments that are in both.
 TimeIntervals common(const TimeIntervals& a, const TimeIntervals& b);

@@ -162,7 +162,7 @@ class BoxContact final : public SetContact<D, Degree> {
 
   Instant quick_end(int l) const {
     const Horizon& horizon = setup_.horizon;
-    if (ends_.stays[l] > 0) return {horizon.h, horizon.now + horizon.h};
+    if (ends_.lasts[l] > 0) return {horizon.h, horizon.now + horizon.h};
     return ends_.leaves[l] > 0 ? Instant{endings_.dt[l], endings_.t[l]} : unknown_instant();
   }
 

@@ -75,7 +75,7 @@ struct EndLanes {
   alignas(64) double from[lanes_width] = {};  ///< the boxes certainly touch then
 
   // What settle_ends() finds, as in BoxLanes.
-  double stays[lanes_width];   ///< they touch until `end`
+  double lasts[lanes_width];   ///< they touch until `end`
   double leaves[lanes_width];  ///< the contact ends about `moment`, on `axis` and `side`
   double moment[lanes_width], room[lanes_width], axis[lanes_width], side[lanes_width];
 };

@@ -69,7 +69,7 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
       outside_after = leaves ? outside : outside_after;
     }
     const double fits = huge - all, inside = lesser(inside_before, fits), end_inside = end * (1 - 0x1p-50);
-    ends.stays[l] = before < end ? -1 : inside;
+    ends.lasts[l] = before < end ? -1 : inside;
     ends.leaves[l] = before < end && after < end_inside ? lesser(outside_after, inside) : -1;
     ends.moment[l] = moment, ends.room[l] = after - before, ends.axis[l] = chosen_axis,
     ends.side[l] = chosen_side;

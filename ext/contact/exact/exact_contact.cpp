@@ -144,15 +144,16 @@ class ExactPair {
     const auto around = set.members(piece.around), beyond = set.members(piece.beyond);
     TimeIntervals met{{&begin_, &end_}};
     for (std::size_t i = 0; i < all.size() && !met.empty(); ++i)
-      if (all[i] != piece.ball) met = common(met, inside(all[i]));
+      if (all[i] != piece.ball) met = common(met, sublevel_intervals(all[i]));
     if (piece.ball < 0) return met;
     for (std::size_t i = 0; i < beyond.size() && !met.empty(); ++i)
-      met = common(met, outside(inside(beyond[i]), {begin_, end_}));
+      met = common(met, complement(sublevel_intervals(beyond[i]), {begin_, end_}));
     if (met.empty()) return met;
     LazyPolynomial& polynomial = polynomials_.polynomial(polynomials_.number_of(piece.ball));
     TimeIntervals near = met;
     if (is_bent(polynomial))
-      for (std::size_t i = 0; i < around.size() && !near.empty(); ++i) near = common(near, inside(around[i]));
+      for (std::size_t i = 0; i < around.size() && !near.empty(); ++i)
+        near = common(near, sublevel_intervals(around[i]));
     if (near.empty()) return near;
     return common(met, inside_while(near, polynomial));
   }
@@ -169,7 +170,7 @@ class ExactPair {
     AlgebraicRoot *from = &begin_, *to = &end_;
     if (&first != &begin_) from = known_moment(first.at.low().dyadic(), begin_);
     if (&last != &end_) to = known_moment(last.at.high().dyadic(), end_);
-    return foresee::inside(polynomial, {*from, *to});
+    return foresee::sublevel_intervals(polynomial, {*from, *to});
   }
 
   /// The moment as an end, unless it is beyond what is asked.
@@ -180,11 +181,11 @@ class ExactPair {
     return &known_moments_.back();
   }
 
-  const TimeIntervals& inside(int primitive) {
+  const TimeIntervals& sublevel_intervals(int primitive) {
     const std::size_t number = polynomials_.number_of(primitive);
     if (inside_.size() <= number) inside_.resize(number + 1);
     std::optional<TimeIntervals>& known = inside_[number];
-    if (!known) known = foresee::inside(polynomials_.polynomial(number), {begin_, end_});
+    if (!known) known = foresee::sublevel_intervals(polynomials_.polynomial(number), {begin_, end_});
     return *known;
   }
 

@@ -122,7 +122,7 @@ struct SpaceKit {
   using Condition = SpaceCondition;
   template <class T>
   using Sizes = SpaceSizes<T>;
-  using Space = PieceSpace<SpaceCondition>;
+  using Space = PieceWorkspace<SpaceCondition>;
   using Tests = SpaceTests<Degree>;
   using NodeTests = PlateTests;
   using Within = foresee::Within;

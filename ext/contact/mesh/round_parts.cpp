@@ -8,7 +8,7 @@ namespace foresee {
 namespace {
 
 /// 2: unknown.
-int told_sign(const Bounded& c) {
+int sign_bits(const Bounded& c) {
   const double error = c.error * (1 + 0x1p-40);
   if (c.value > error) return 1;
   if (c.value < -error) return -1;
@@ -68,7 +68,7 @@ class Extremes {
 
   /// Requires: the axis is a run, or square to two.
   int component_sign(int j) const {
-    const int sign = told_sign(direction_[static_cast<std::size_t>(j)]);
+    const int sign = sign_bits(direction_[static_cast<std::size_t>(j)]);
     return sign != 2 ? sign : minor_sign(axis_.u, axis_.v, j);
   }
 
@@ -79,7 +79,7 @@ class Extremes {
     const Components<Bounded> gap = gap_between<Bounded>(to, from);
     const Bounded sum = safe_product(direction_[0], gap[0]) + safe_product(direction_[1], gap[1]) +
                         safe_product(direction_[2], gap[2]);
-    const int sign = told_sign(sum);
+    const int sign = sign_bits(sum);
     return sign != 2 ? sign : exact_sign_from(from, to);
   }
 
@@ -104,7 +104,7 @@ class Extremes {
 };
 
 bool are_surely_not_parallel(const Components<Bounded>& cross) {
-  const auto is_there = [](const Bounded& c) { return (told_sign(c) & 1) != 0; };
+  const auto is_there = [](const Bounded& c) { return (sign_bits(c) & 1) != 0; };
   return is_there(cross[0]) || is_there(cross[1]) || is_there(cross[2]);
 }
 

@@ -37,7 +37,7 @@ struct Corners {
 class Passing {
  public:
   Passing(const Corners& a, const Corners& b, const std::array<Powers<Bounded, 2>, 3>& x,
-          const Bounded& radius, const Stay& asked)
+          const Bounded& radius, const UncertainInterval& asked)
       : a_(a), b_(b), radius_(radius.value + radius.error), begin_(asked.begin.low), end_(asked.end.high) {
     double size = a.size() + b.size(), lost = 0;
     for (std::size_t j = 0; j < 3; ++j) {
@@ -114,7 +114,7 @@ constexpr unsigned all_axes = ~0U;
 
 PlainPassing plain_passing(const SpacePiece& a, const SpacePiece& b,
                            const std::array<Powers<Bounded, 2>, 3>& x, const Bounded& radius,
-                           const Stay& asked) {
+                           const UncertainInterval& asked) {
   const Corners corners_a(a), corners_b(b);
   Passing passing(corners_a, corners_b, x, radius, asked);
   for (const Corners* corners : {&corners_a, &corners_b})

@@ -2,7 +2,7 @@
 // (round_parts.h, round_parts.h), in doubles with error bounds.
 //
 //   SpaceTests<1> tests(a, b, relative, asked, sizes, true, space);
-//   for (const PieceStay& stay : tests.of(triangle_a, triangle_b)) best = std::min(best, stay.begin.high);
+//   for (const PieceInterval& interval : tests.of(triangle_a, triangle_b)) best = std::min(best, interval.begin.high);
 //
 // Where the sum is flat, as that of a triangle and a point is, d goes through it in a moment: begin and end
 // are one root, certain if d is surely within the other planes then. Cost: about a microsecond; some more
@@ -15,7 +15,7 @@
 #include "contact/mesh/space_condition.h"
 #include "contact/pieces/pair_tests.h"
 #include "contact/pieces/seen_from.h"
-#include "contact/pieces/stays.h"
+#include "contact/pieces/uncertain_interval.h"
 
 namespace foresee {
 
@@ -42,7 +42,7 @@ struct PlainPassing {
 /// `x`: d by powers of the time from now on. Requires: two triangles.
 PlainPassing plain_passing(const SpacePiece& a, const SpacePiece& b,
                            const std::array<Powers<Bounded, 2>, 3>& x, const Bounded& radius,
-                           const Stay& asked);
+                           const UncertainInterval& asked);
 
 template <int Degree>
 class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
@@ -50,8 +50,9 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
 
  public:
   /// `asked`: the moments asked about, enclosed. What is given must outlive this.
-  SpaceTests(const SpacePieces& a, const SpacePieces& b, const CertainMotion<3>& relative, const Stay& asked,
-             const SpaceSizes<Bounded>& sizes, bool times_wanted, PieceSpace<SpaceCondition>& space)
+  SpaceTests(const SpacePieces& a, const SpacePieces& b, const CertainMotion<3>& relative,
+             const UncertainInterval& asked, const SpaceSizes<Bounded>& sizes, bool times_wanted,
+             PieceWorkspace<SpaceCondition>& space)
       : Base(asked, times_wanted, space),
         a_(a),
         b_(b),
@@ -116,13 +117,15 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   void end_flat_part(const SpacePlanes& flat) {
     space_.outer.start(space_.clipped);
     keep(flat);
-    for (const Stay& stay : space_.clipped) {
-      const bool is_one_root =
-          stay.begin.low == stay.end.low && stay.begin.high == stay.end.high && stay.begin.low > -Stay::inf;
-      const bool is_within = std::any_of(space_.outer.begin(), space_.outer.end(), [&](const Stay& within) {
-        return within.begin.high <= stay.begin.low && stay.end.high <= within.end.low;
-      });
-      Base::add(stay, is_one_root && is_within);
+    for (const UncertainInterval& interval : space_.clipped) {
+      const bool is_one_root = interval.begin.low == interval.end.low &&
+                               interval.begin.high == interval.end.high &&
+                               interval.begin.low > -UncertainInterval::inf;
+      const bool is_within =
+          std::any_of(space_.outer.begin(), space_.outer.end(), [&](const UncertainInterval& within) {
+            return within.begin.high <= interval.begin.low && interval.end.high <= within.end.low;
+          });
+      Base::add(interval, is_one_root && is_within);
     }
   }
 
@@ -166,13 +169,13 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     keep(plane, times_within(plane, close_direction_of(plane.axis), {}));
   }
   /// Not farther beyond the plane than `more`, in lengths of its direction.
-  Inside times_within(const SpaceCondition& plane, const Components<Bounded>& direction,
-                      const Bounded& more) const {
+  SublevelIntervals times_within(const SpaceCondition& plane, const Components<Bounded>& direction,
+                                 const Bounded& more) const {
     Powers<Bounded, Degree> p = beyond_plane<Degree>(plane, direction, x_);
     p[0] = p[0] - more;
     // Along the plane, in it: what has no error is 0.
     if (std::all_of(p.begin(), p.end(), [](const Bounded& c) { return c.value == 0 && c.error == 0; }))
-      return Inside::one(Stay::always());
+      return SublevelIntervals::one(UncertainInterval::always());
     return times_inside(p, lost_, asked_.end.high);
   }
 
@@ -180,7 +183,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     if (space_.clipped.empty()) return;
     if (round.kind == Kind::slab) return keep_slab(round);
     if constexpr (Degree > 1)
-      keep(round, inside_by_leaps([&](double tau) { return polynomial_at(round, tau); }, lost_, asked_));
+      keep(round, sublevel_by_leaps([&](double tau) { return polynomial_at(round, tau); }, lost_, asked_));
     else
       keep(round, times_inside(round_polynomial<Degree>(round, x_, radius_), lost_, asked_.end.high));
   }

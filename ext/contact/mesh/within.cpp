@@ -2,7 +2,7 @@
 
 #include "contact/exact/exact_contact.h"
 #include "contact/exact/pair_polynomials.h"
-#include "contact/pieces/stays.h"
+#include "contact/pieces/uncertain_interval.h"
 
 namespace foresee {
 
@@ -90,8 +90,8 @@ class Ray {
 
   /// On which side of an edge the ray passes, seen along x; 0 of an edge that runs along it.
   int side_of(const SpaceCorner& from, const SpaceCorner& to) {
-    const int told = certain_sign(with_lost(turn<Bounded>(from, to, corner_.near()), 0x1p-1060));
-    if (told != 0) return told;
+    const int certain = certain_sign(with_lost(turn<Bounded>(from, to, corner_.near()), 0x1p-1060));
+    if (certain != 0) return certain;
     const int exactly = turn<Dyadic>(from, to, corner_.exact()).sign();
     if (exactly != 0) return exactly;
     if (to.z != from.z) return to.z > from.z ? -1 : 1;
@@ -111,8 +111,8 @@ class Ray {
     for (std::size_t j = 0; j < 3; ++j)
       sum = sum + safe_product(normal[j],
                                corner_.near()[j] - coordinate<Bounded>(*corners[0], static_cast<int>(j)));
-    const int told = certain_sign(with_lost(sum, 0x1p-1060));
-    if (told != 0) return told;
+    const int certain = certain_sign(with_lost(sum, 0x1p-1060));
+    if (certain != 0) return certain;
     const Components<Dyadic> direction = direction_of<Dyadic>({.factors = 2, .u = u, .v = v});
     Dyadic exactly;
     for (std::size_t j = 0; j < 3; ++j)

@@ -20,14 +20,14 @@ namespace foresee {
 // doubles with error bounds.
 //
 //   PieceTests<2, 1> tests(a, b, relative, asked, sizes, true, space);
-//   for (const PieceStay& stay : tests.of(piece_a, piece_b)) best = std::min(best, stay.begin.high);
+//   for (const PieceInterval& interval : tests.of(piece_a, piece_b)) best = std::min(best, interval.begin.high);
 //
 // Corners are differenced before the motion comes in, and the motion's positions before that, so that far
 // coordinates cost nothing. Two that are prisms also overlap along z: a condition of every pair of pieces.
 // Cost: some ten nanoseconds an edge.
 
 /// Space for the tests of one pair of objects after another.
-struct FlatSpace : PieceSpace<Condition> {
+struct FlatSpace : PieceWorkspace<Condition> {
   std::vector<SumEdge> edges;  ///< of the part at hand
 };
 
@@ -38,7 +38,8 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
  public:
   /// `asked`: the moments asked about, enclosed. What is given must outlive this.
   PieceTests(const ObjectPieces& a, const ObjectPieces& b, const CertainMotion<D>& relative,
-             const Stay& asked, const PairSizes<Bounded>& sizes, bool times_wanted, FlatSpace& space)
+             const UncertainInterval& asked, const PairSizes<Bounded>& sizes, bool times_wanted,
+             FlatSpace& space)
       : Base(asked, times_wanted, space),
         a_(a),
         b_(b),
@@ -103,17 +104,17 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
     }
   }
 
-  static Period<double> reached(const Stays& stays) {
-    Period<double> reached{Stay::inf, -Stay::inf};
-    for (const Stay& stay : stays)
-      reached = {std::min(reached.begin, stay.begin.low), std::max(reached.end, stay.end.high)};
+  static Period<double> reached(const IntervalUnion& intervals) {
+    Period<double> reached{UncertainInterval::inf, -UncertainInterval::inf};
+    for (const UncertainInterval& interval : intervals)
+      reached = {std::min(reached.begin, interval.begin.low), std::max(reached.end, interval.end.high)};
     return reached;
   }
   /// During one of the stays.
-  static Period<double> surely_held(const Stays& stays) {
-    Period<double> held{Stay::inf, -Stay::inf};
-    for (const Stay& stay : stays)
-      if (stay.is_certain()) held = {stay.begin.high, stay.end.low};
+  static Period<double> surely_held(const IntervalUnion& intervals) {
+    Period<double> held{UncertainInterval::inf, -UncertainInterval::inf};
+    for (const UncertainInterval& interval : intervals)
+      if (interval.is_certain()) held = {interval.begin.high, interval.end.low};
     return held;
   }
   /// Of the time given, when d may be in the box of an edge that is grown by R: most edges of a sum it passes
@@ -135,8 +136,8 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
   void keep(const Condition& condition) {
     if (space_.clipped.empty()) return;
     if (Degree > 1 && condition.kind == Kind::corner)
-      return keep(condition,
-                  inside_by_leaps([&](double tau) { return around_corner(condition, tau); }, lost_, asked_));
+      return keep(condition, sublevel_by_leaps([&](double tau) { return around_corner(condition, tau); },
+                                               lost_, asked_));
     // Of more powers are sides alone, which beside() has, and corners.
     with_polynomial<Degree>(condition, x_, sizes_, [&, last = asked_.end.high](const auto& p) {
       if constexpr (std::tuple_size_v<std::decay_t<decltype(p)>> < 5)
@@ -145,7 +146,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
   }
 
   /// When d is at most R from the line of an edge, on one side: fewer powers than on both.
-  Inside beside(const SumEdge& edge, int side) const {
+  SublevelIntervals beside(const SumEdge& edge, int side) const {
     Powers<Bounded, Degree> p = beyond<Degree>(edge, x_.data());
     if (side < 0)
       for (Bounded& c : p) c = -c;

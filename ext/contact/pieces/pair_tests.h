@@ -2,7 +2,7 @@
 // tested once, as long as there are not too many, and what its conditions leave of the time asked about are
 // its stays.
 //
-//   for (const PieceStay& stay : tests.of(piece_a, piece_b)) best = std::min(best, stay.begin.high);
+//   for (const PieceInterval& interval : tests.of(piece_a, piece_b)) best = std::min(best, interval.begin.high);
 //
 // Test, which derives from this, has a function test(pair, by): it calls begin_test() and then, for each part
 // of where the two touch, keep() with its conditions and end_part(). It may leave that, and return false,
@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <span>
 
-#include "contact/pieces/piece_space.h"
+#include "contact/pieces/piece_workspace.h"
 
 namespace foresee {
 
@@ -20,35 +20,37 @@ template <class Test, class Condition>
 class PairTests {
  public:
   /// The stays of two pieces, until others are asked for. Those that begin later than `by` may be left out.
-  std::span<const PieceStay> of(std::size_t a, std::size_t b, double by = Stay::inf) {
+  std::span<const PieceInterval> of(std::size_t a, std::size_t b, double by = UncertainInterval::inf) {
     const PiecePair pair{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)};
     if (!times_wanted_ || is_full()) space_.clear();
-    if (!times_wanted_) return test_of(pair, by).stays;  // whoever wants no times asks once
+    if (!times_wanted_) return test_of(pair, by).intervals;  // whoever wants no times asks once
     const auto [number, is_new] = space_.numbers.add(pair);
     if (is_new) space_.tested.emplace_back();
     auto& tested = space_.tested[number];
-    if (!tested.is_told) {
-      const auto first = static_cast<std::uint32_t>(space_.stays.size());
-      const auto [stays, is_told] = test_of(pair, by);
-      tested = {first, static_cast<std::uint32_t>(stays.size()), is_told};
+    if (!tested.is_complete) {
+      const auto first = static_cast<std::uint32_t>(space_.intervals.size());
+      const auto [intervals, is_complete] = test_of(pair, by);
+      tested = {first, static_cast<std::uint32_t>(intervals.size()), is_complete};
     }
-    return std::span<const PieceStay>(space_.stays).subspan(tested.first_stay, tested.stay_count);
+    return std::span<const PieceInterval>(space_.intervals)
+        .subspan(tested.first_interval, tested.interval_count);
   }
 
   /// Before another pair is tested all are forgotten: so the memory for a pair of objects is bounded, and
   /// they are tested again if they are asked for again.
   bool is_full() const {
-    return space_.tested.size() + space_.stays.size() + space_.ends.size() >= most_known;
+    return space_.tested.size() + space_.intervals.size() + space_.ends.size() >= most_known;
   }
 
   /// All stays that are known.
-  std::span<const PieceStay> all() const { return space_.stays; }
-  std::span<const StayEnd<Condition>> ends(const PieceStay& stay) const {
-    return std::span<const StayEnd<Condition>>(space_.ends).subspan(stay.first_end, stay.end_count);
+  std::span<const PieceInterval> all() const { return space_.intervals; }
+  std::span<const EndpointCandidate<Condition>> ends(const PieceInterval& interval) const {
+    return std::span<const EndpointCandidate<Condition>>(space_.ends)
+        .subspan(interval.first_end, interval.end_count);
   }
 
  protected:
-  PairTests(const Stay& asked, bool times_wanted, PieceSpace<Condition>& space)
+  PairTests(const UncertainInterval& asked, bool times_wanted, PieceWorkspace<Condition>& space)
       : asked_(asked), times_wanted_(times_wanted), space_(space) {
     space.clear();
   }
@@ -70,53 +72,55 @@ class PairTests {
   }
   /// What all conditions leave of the time asked about joins the stays.
   void end_part() {
-    for (const Stay& stay : space_.clipped) add(stay, false);
+    for (const UncertainInterval& interval : space_.clipped) add(interval, false);
   }
 
-  void keep(const Condition& condition, const Inside& inside) {
+  void keep(const Condition& condition, const SublevelIntervals& inside) {
     if (space_.clipped.empty()) return;
     space_.clipped.keep(inside);
     if (!times_wanted_) return;
     for (int i = 0; i < inside.count; ++i) {
-      const Stay& stay = inside.list[static_cast<std::size_t>(i)];
-      if (stay.begin.high > -Stay::inf) space_.all_ends.push_back({condition, Way::in, stay.begin});
-      if (stay.end.low < Stay::inf) space_.all_ends.push_back({condition, Way::out, stay.end});
+      const UncertainInterval& interval = inside.list[static_cast<std::size_t>(i)];
+      if (interval.begin.high > -UncertainInterval::inf)
+        space_.all_ends.push_back({condition, Way::in, interval.begin});
+      if (interval.end.low < UncertainInterval::inf)
+        space_.all_ends.push_back({condition, Way::out, interval.end});
     }
   }
 
   /// A stay, with those ends that may be its own.
-  void add(const Stay& stay, bool is_moment) {
+  void add(const UncertainInterval& interval, bool is_instant) {
     const auto first_end = static_cast<std::uint32_t>(space_.ends.size());
-    for (const StayEnd<Condition>& end : space_.all_ends)
-      if (end.at.meets(end.way == Way::in ? stay.begin : stay.end)) space_.ends.push_back(end);
+    for (const EndpointCandidate<Condition>& end : space_.all_ends)
+      if (end.at.meets(end.way == Way::in ? interval.begin : interval.end)) space_.ends.push_back(end);
     const auto count = static_cast<std::uint32_t>(space_.ends.size()) - first_end;
-    space_.stays.push_back({stay, first_end, count, is_moment});
+    space_.intervals.push_back({interval, first_end, count, is_instant});
   }
 
   /// The last stay tells all that is asked: that they touch, or that they do all the time.
   bool is_decided() const {
-    if (space_.stays.empty() || !space_.stays.back().is_certain()) return false;
-    const PieceStay& last = space_.stays.back();
+    if (space_.intervals.empty() || !space_.intervals.back().is_certain()) return false;
+    const PieceInterval& last = space_.intervals.back();
     return !times_wanted_ || (last.begin.high <= asked_.begin.low && last.end.low >= asked_.end.high);
   }
 
-  const Stay asked_;
+  const UncertainInterval asked_;
   const bool times_wanted_;
-  PieceSpace<Condition>& space_;
+  PieceWorkspace<Condition>& space_;
 
  private:
   /// Some megabytes.
   static constexpr std::size_t most_known = 1 << 15;
 
   struct Tested {
-    std::span<const PieceStay> stays;
-    bool is_told;
+    std::span<const PieceInterval> intervals;
+    bool is_complete;
   };
   /// Their stays join all others.
   [[gnu::noinline]] Tested test_of(const PiecePair& pair, double by) {
-    const std::size_t first = space_.stays.size();
-    const bool is_told = static_cast<Test&>(*this).test(pair, by);
-    return {std::span<const PieceStay>(space_.stays).subspan(first), is_told};
+    const std::size_t first = space_.intervals.size();
+    const bool is_complete = static_cast<Test&>(*this).test(pair, by);
+    return {std::span<const PieceInterval>(space_.intervals).subspan(first), is_complete};
   }
 };
 

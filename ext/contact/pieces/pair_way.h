@@ -12,8 +12,8 @@
 
 #include "contact/certain/advancement.h"
 #include "contact/certain/certain_motion.h"
-#include "contact/pieces/stays.h"
 #include "contact/pieces/tree_walk.h"
+#include "contact/pieces/uncertain_interval.h"
 
 namespace foresee {
 
@@ -46,13 +46,13 @@ struct PairWay {
   const Moments& moments;
   Steps& steps;
   const CertainMotion<Kit::axes> relative;
-  const Stay asked;  ///< the moments, enclosed
+  const UncertainInterval asked;  ///< the moments, enclosed
   const typename Kit::template Sizes<Bounded> sizes;
   const TreeWalk<Kit::axes, Pieces, typename Kit::NodeTests> walk;
 
  private:
   /// Outward and inward.
-  static Stay asked_of(const Moments& moments) {
+  static UncertainInterval asked_of(const Moments& moments) {
     constexpr double u = unit_roundoff;
     const double begin = moments.dt_begin, end = moments.dt_end;
     const double wider_begin = moments.begin_exact ? 0 : 2 * u * begin;

@@ -100,15 +100,15 @@ class UnionContact final : public Contact {
     const Verdict touches = staged.first_contact(begin);
     if (touches == Verdict::no) return {};
     if (touches == Verdict::uncertain) {
-      const auto exact = exact_contact(rows, staged, -Stay::inf, staged.met_by());
-      if (!exact || exact->dt_end < Stay::inf) return exact;
+      const auto exact = exact_contact(rows, staged, -UncertainInterval::inf, staged.met_by());
+      if (!exact || exact->dt_end < UncertainInterval::inf) return exact;
       begin = {exact->dt, exact->t};
     }
     if (wanted != TimesWanted::both) return ContactTimes{begin.t, begin.t, begin.dt, begin.dt};
     Instant end = staged.end_of_contact(touches == Verdict::uncertain);
-    if (!end.known() && staged.last_certain_moment() == -Stay::inf) {
-      const auto exact = exact_contact(rows, staged, -Stay::inf, staged.met_by());
-      if (exact.value().dt_end < Stay::inf)
+    if (!end.known() && staged.last_certain_moment() == -UncertainInterval::inf) {
+      const auto exact = exact_contact(rows, staged, -UncertainInterval::inf, staged.met_by());
+      if (exact.value().dt_end < UncertainInterval::inf)
         return ContactTimes{begin.t, exact->t_end, begin.dt, exact->dt_end};
       end = staged.end_of_contact(true);
     }
@@ -146,7 +146,7 @@ class UnionContact final : public Contact {
       return exact_touches(polynomials.all(), asked);
     };
     bool touches = false;
-    staged.possible_pairs({-Stay::inf, Stay::inf}, [&](const PiecePair& pair) {
+    staged.possible_pairs({-UncertainInterval::inf, UncertainInterval::inf}, [&](const PiecePair& pair) {
       pairs.push_back(pair);
       if (pairs.size() < at_a_time(staged)) return true;
       touches = met();
@@ -160,25 +160,28 @@ class UnionContact final : public Contact {
   /// within one or shortly before its end: the begin is no matter then. Of a contact that lasts until
   /// `met_by`, when they touch, the end is infinite.
   [[gnu::noinline]] std::optional<ContactTimes> exact_contact(const Rows& rows, Staged& staged, double from,
-                                                              double met_by = Stay::inf) {
+                                                              double met_by = UncertainInterval::inf) {
     const ExactMoments asked = exact_moments_of(setup_, rows.a, rows.b);
     std::optional<ContactTimes> found;  // of a contact that lasts until `from`
-    if (from == -Stay::inf)
+    if (from == -UncertainInterval::inf)
       from = staged.first_possible(from);
     else
       found.emplace();
-    double until = -Stay::inf, told_until = until;  // what may touch from `from` on, and what was told of it
-    while (from < Stay::inf && !(asked.end < Dyadic(from))) {
-      if (told_until == until) until = met_by < Stay::inf ? met_by : staged.possible_until(from);
-      told_until = until;
-      const auto times = exact_times_between(rows, staged, asked, from, told_until);
-      const bool is_all = told_until == until;
+    double until = -UncertainInterval::inf,
+           exact_until = until;  // what may touch from `from` on, and what was told of it
+    while (from < UncertainInterval::inf && !(asked.end < Dyadic(from))) {
+      if (exact_until == until)
+        until = met_by < UncertainInterval::inf ? met_by : staged.possible_until(from);
+      exact_until = until;
+      const auto times = exact_times_between(rows, staged, asked, from, exact_until);
+      const bool is_all = exact_until == until;
       if (times) {
         if (!found) found = times;
         found->t_end = times->t_end, found->dt_end = times->dt_end;
-        if (times->dt_end < Stay::inf || (met_by < Stay::inf && is_all)) return found;
+        if (times->dt_end < UncertainInterval::inf || (met_by < UncertainInterval::inf && is_all))
+          return found;
       }
-      from = is_all ? staged.first_possible(until) : told_until;
+      from = is_all ? staged.first_possible(until) : exact_until;
       if (!is_all) continue;
       if (times && !is_within_between(staged, asked, until, from)) return ended_at(*found, asked, until);
     }
@@ -242,12 +245,13 @@ class UnionContact final : public Contact {
     const Dyadic end(until);
     if (!(end < moments.end)) return;
     moments.end = end;
-    moments.rounded.dt_end = moments.rounded.t_end = Stay::inf;
+    moments.rounded.dt_end = moments.rounded.t_end = UncertainInterval::inf;
   }
 
   /// Whether contact goes on after `until`, as far as `next`, when more pieces may touch.
   static bool is_within_between(Staged& staged, const ExactMoments& asked, double until, double next) {
-    const Dyadic from(until), to = next < Stay::inf ? std::min(Dyadic(next), asked.end) : asked.end;
+    const Dyadic from(until),
+        to = next < UncertainInterval::inf ? std::min(Dyadic(next), asked.end) : asked.end;
     return from < to && staged.is_within_at(half_of(from + to));
   }
 

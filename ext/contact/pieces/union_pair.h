@@ -10,18 +10,18 @@
 // surfaces touch, so it is asked at one moment.
 #pragma once
 
-#include "contact/pieces/pair_stays.h"
-#include "contact/pieces/stay_instant.h"
+#include "contact/pieces/endpoint_rounding.h"
+#include "contact/pieces/pair_intervals.h"
 
 namespace foresee {
 
 template <class Kit>
-class UnionPair : public PairStays<Kit> {
-  using Base = PairStays<Kit>;
+class UnionPair : public PairIntervals<Kit> {
+  using Base = PairIntervals<Kit>;
   using Base::way_, Base::within_, Base::tests_;
 
  public:
-  /// As that of PairStays.
+  /// As that of PairIntervals.
   UnionPair(const PairWay<Kit>& way, bool times_wanted, typename Kit::Space& space)
       : Base(way, times_wanted, space),
         instants_(way.setup, way.row_a, way.row_b, way.relative, way.sizes, way.moments, way.asked),
@@ -34,8 +34,8 @@ class UnionPair : public PairStays<Kit> {
     way_.walk.visit(
         Order::earlier_first, [&](const Period<double>&) { return touches != Verdict::yes; },
         [&](std::size_t a, std::size_t b, const Period<double>&) {
-          for (const PieceStay& stay : tests_.of(a, b))
-            if (touches != Verdict::yes) touches = stay.is_certain() ? Verdict::yes : Verdict::uncertain;
+          for (const PieceInterval& interval : tests_.of(a, b))
+            if (touches != Verdict::yes) touches = interval.is_certain() ? Verdict::yes : Verdict::uncertain;
         });
     return touches;
   }
@@ -53,9 +53,9 @@ class UnionPair : public PairStays<Kit> {
         [this](const Period<double>& near) { return near.begin <= met_by_ && !begins_at_once(); },
         [&](std::size_t a, std::size_t b, const Period<double>&) {
           if (tests_.is_full()) take_begins();
-          for (const PieceStay& stay : tests_.of(a, b, met_by_)) {
+          for (const PieceInterval& interval : tests_.of(a, b, met_by_)) {
             possible = true;
-            if (stay.is_certain()) met_by_ = std::min(met_by_, stay.begin.high);
+            if (interval.is_certain()) met_by_ = std::min(met_by_, interval.begin.high);
           }
         });
     if (!possible) return Verdict::no;
@@ -72,7 +72,7 @@ class UnionPair : public PairStays<Kit> {
       last_ = way_.asked.begin;
     else if (lasts_until_met_by || !Kit::has_solids)  // stays of what fills its shape last a while
       go_on_from_met_by();
-    else if (!enter(-Stay::inf))
+    else if (!enter(-UncertainInterval::inf))
       return unknown_instant();
     do follow();
     while (!lasts_to_the_end() && (goes_through_a_cut() || goes_on_within()));
@@ -89,13 +89,14 @@ class UnionPair : public PairStays<Kit> {
 
   /// Of the stays found so far that may be the first, when they begin.
   void take_begins() {
-    for (const PieceStay& stay : tests_.all()) {
-      if (stay.begin.low > met_by_) continue;
-      const Instant begin = stay.is_certain() ? instants_.begin(stay, tests_.ends(stay)) : unknown_instant();
+    for (const PieceInterval& interval : tests_.all()) {
+      if (interval.begin.low > met_by_) continue;
+      const Instant begin =
+          interval.is_certain() ? instants_.begin(interval, tests_.ends(interval)) : unknown_instant();
       if (begin.known())
         earliest_ = earlier(earliest_, begin);
       else
-        unknown_from_ = std::min(unknown_from_, stay.begin.low);
+        unknown_from_ = std::min(unknown_from_, interval.begin.low);
     }
   }
 
@@ -107,34 +108,34 @@ class UnionPair : public PairStays<Kit> {
 
   void go_on_from_met_by() {
     last_ = {met_by_, met_by_};
-    for (const PieceStay& stay : tests_.all())
-      if (stay.is_certain() && stay.begin.high <= met_by_) reach(stay.end);
+    for (const PieceInterval& interval : tests_.all())
+      if (interval.is_certain() && interval.begin.high <= met_by_) reach(interval.end);
   }
 
   /// From the first of the stays that begin later than `after`, which contact may have lasted until, it lasts
   /// until last_. Whether that is told.
   bool enter(double after) {
-    double met_by = Stay::inf;
-    seen_.clear(), all_seen_ = last_is_moment_ = false;
+    double met_by = UncertainInterval::inf;
+    seen_.clear(), all_seen_ = last_is_instant_ = false;
     way_.walk.visit(
         Order::earlier_first,
         [&](const Period<double>& near) { return near.end > after && near.begin <= met_by; },
         [&](std::size_t a, std::size_t b, const Period<double>&) {
-          for (const PieceStay& stay : tests_.of(a, b)) {
-            if (!(stay.begin.low > after)) continue;
-            seen_.push_back(stay);
-            if (stay.is_certain()) met_by = std::min(met_by, stay.begin.high);
+          for (const PieceInterval& interval : tests_.of(a, b)) {
+            if (!(interval.begin.low > after)) continue;
+            seen_.push_back(interval);
+            if (interval.is_certain()) met_by = std::min(met_by, interval.begin.high);
           }
         });
-    std::erase_if(seen_, [met_by](const PieceStay& stay) { return stay.begin.low > met_by; });
+    std::erase_if(seen_, [met_by](const PieceInterval& interval) { return interval.begin.low > met_by; });
     if (seen_.empty()) return false;
     const auto are_all = [this](auto&& what) { return std::all_of(seen_.begin(), seen_.end(), what); };
-    if (!are_all([](const PieceStay& stay) { return stay.is_certain(); })) return false;
+    if (!are_all([](const PieceInterval& interval) { return interval.is_certain(); })) return false;
     if (seen_.size() == 1) {
-      last_ = seen_[0].end, last_is_moment_ = seen_[0].is_moment;
+      last_ = seen_[0].end, last_is_instant_ = seen_[0].is_instant;
       return true;
     }
-    if (!are_all([](const PieceStay& stay) { return !stay.is_moment; })) return false;
+    if (!are_all([](const PieceInterval& interval) { return !interval.is_instant; })) return false;
     last_ = {met_by, met_by};  // whichever is first lasts until then
     return true;
   }
@@ -144,14 +145,14 @@ class UnionPair : public PairStays<Kit> {
     if constexpr (!Kit::has_solids) return false;
     if (!within_.may_be()) return false;
     bool in_doubt = false;
-    at_the_end([&](const PieceStay& stay) { in_doubt |= may_continue_it(stay); });
+    at_the_end([&](const PieceInterval& interval) { in_doubt |= may_continue_it(interval); });
     if (in_doubt) return false;
     all_seen_ = false;  // as others may be tested
     const double next = Base::first_possible(last_.high), until = std::min(next, way_.asked.end.low);
     const double between = last_.high + (until - last_.high) / 2;
     end_in_doubt_ = !(last_.high < between && between < until);
     if (end_in_doubt_ || !within_.at(Dyadic(between))) return false;
-    if (next == Stay::inf) return last_ = {way_.asked.end.high, way_.asked.end.high}, true;
+    if (next == UncertainInterval::inf) return last_ = {way_.asked.end.high, way_.asked.end.high}, true;
     end_in_doubt_ = !enter(last_.high);
     if (end_in_doubt_) last_ = {between, between};
     return !end_in_doubt_;
@@ -162,9 +163,10 @@ class UnionPair : public PairStays<Kit> {
   /// Follows the contact along stays that surely begin before its end so far. Each walk looks for those that
   /// end last; the next is for what it passed by, as it begins later than the end was then.
   void follow() {
-    double passed_by = Stay::inf, forgotten = Stay::inf;  // the earliest begins of nodes, and of stays
+    double passed_by = UncertainInterval::inf,
+           forgotten = UncertainInterval::inf;  // the earliest begins of nodes, and of stays
     do {
-      passed_by = forgotten = Stay::inf;
+      passed_by = forgotten = UncertainInterval::inf;
       seen_.clear(), all_seen_ = true;
       const auto wanted = [this, &passed_by](const Period<double>& near) {
         if (near.end < last_.low || lasts_to_the_end()) return false;
@@ -174,9 +176,9 @@ class UnionPair : public PairStays<Kit> {
       way_.walk.visit(Order::later_first, wanted,
                       [this, &forgotten](std::size_t a, std::size_t b, const Period<double>&) {
                         if (tests_.is_full()) forgotten = std::min(forgotten, forget_seen());
-                        for (const PieceStay& stay : tests_.of(a, b)) {
-                          if (is_joined(stay)) reach(stay.end);
-                          seen_.push_back(stay);
+                        for (const PieceInterval& interval : tests_.of(a, b)) {
+                          if (is_joined(interval)) reach(interval.end);
+                          seen_.push_back(interval);
                         }
                       });
       join_seen();
@@ -185,34 +187,38 @@ class UnionPair : public PairStays<Kit> {
 
   /// When the first begins of those that are not joined so far.
   double forget_seen() {
-    double first = Stay::inf;
-    for (const PieceStay& stay : seen_)
-      if (stay.is_certain() && !is_joined(stay)) first = std::min(first, stay.begin.high);
+    double first = UncertainInterval::inf;
+    for (const PieceInterval& interval : seen_)
+      if (interval.is_certain() && !is_joined(interval)) first = std::min(first, interval.begin.high);
     seen_.clear(), all_seen_ = false;
     return first;
   }
 
   /// Those too that were seen before the contact reached them: in the order of their begins.
   void join_seen() {
-    std::sort(seen_.begin(), seen_.end(),
-              [](const Stay& a, const Stay& b) { return a.begin.high < b.begin.high; });
-    for (const PieceStay& stay : seen_) {
-      if (stay.begin.high > last_.low) break;
-      if (stay.is_certain()) reach(stay.end);
+    std::sort(seen_.begin(), seen_.end(), [](const UncertainInterval& a, const UncertainInterval& b) {
+      return a.begin.high < b.begin.high;
+    });
+    for (const PieceInterval& interval : seen_) {
+      if (interval.begin.high > last_.low) break;
+      if (interval.is_certain()) reach(interval.end);
     }
   }
 
   bool lasts_to_the_end() const { return last_.low >= way_.asked.end.high; }
 
-  bool is_joined(const PieceStay& stay) const {
-    if (stay.is_moment && last_is_moment_ && stay.end.low == last_.low && stay.end.high == last_.high)
+  bool is_joined(const PieceInterval& interval) const {
+    if (interval.is_instant && last_is_instant_ && interval.end.low == last_.low &&
+        interval.end.high == last_.high)
       return true;
-    return stay.is_certain() && stay.begin.high <= last_.low;
+    return interval.is_certain() && interval.begin.high <= last_.low;
   }
-  bool may_end_it(const PieceStay& stay) const { return is_joined(stay) && stay.end.high >= last_.low; }
+  bool may_end_it(const PieceInterval& interval) const {
+    return is_joined(interval) && interval.end.high >= last_.low;
+  }
   /// Whether it begins before the end is in doubt, or whether it is, and it would end after that.
-  bool may_continue_it(const PieceStay& stay) const {
-    return !is_joined(stay) && stay.begin.low <= last_.high && stay.end.high > last_.low;
+  bool may_continue_it(const PieceInterval& interval) const {
+    return !is_joined(interval) && interval.begin.low <= last_.high && interval.end.high > last_.low;
   }
 
   /// Gives `use` all stays that may end the contact or continue it. Requires: follow().
@@ -223,7 +229,7 @@ class UnionPair : public PairStays<Kit> {
         Order::later_first,
         [this](const Period<double>& near) { return near.begin <= last_.high && near.end >= last_.low; },
         [this, &use](std::size_t a, std::size_t b, const Period<double>&) {
-          for (const PieceStay& stay : tests_.of(a, b)) use(stay);
+          for (const PieceInterval& interval : tests_.of(a, b)) use(interval);
         });
   }
 
@@ -233,15 +239,15 @@ class UnionPair : public PairStays<Kit> {
     if constexpr (Kit::has_solids) return false;
     int ending = 0;
     bool at_a_cut = false;
-    double latest_begin = -Stay::inf, earliest_end = Stay::inf;
+    double latest_begin = -UncertainInterval::inf, earliest_end = UncertainInterval::inf;
     Enclosure reached = last_;
-    at_the_end([&](const PieceStay& stay) {
-      if (may_end_it(stay)) {
-        ++ending, at_a_cut = ends_at_a_cut(stay);
-      } else if (may_continue_it(stay)) {
-        latest_begin = std::max(latest_begin, stay.begin.high);
-        earliest_end = std::min(earliest_end, stay.end.low);
-        reached = {std::max(reached.low, stay.end.low), std::max(reached.high, stay.end.high)};
+    at_the_end([&](const PieceInterval& interval) {
+      if (may_end_it(interval)) {
+        ++ending, at_a_cut = ends_at_a_cut(interval);
+      } else if (may_continue_it(interval)) {
+        latest_begin = std::max(latest_begin, interval.begin.high);
+        earliest_end = std::min(earliest_end, interval.end.low);
+        reached = {std::max(reached.low, interval.end.low), std::max(reached.high, interval.end.high)};
       }
     });
     if (ending != 1 || !at_a_cut) return false;
@@ -250,10 +256,10 @@ class UnionPair : public PairStays<Kit> {
     return true;
   }
 
-  bool ends_at_a_cut(const PieceStay& stay) const {
-    if (way_.asked.end.meets(stay.end)) return false;
-    const StayEnd<typename Kit::Condition>* only = nullptr;
-    for (const auto& end : tests_.ends(stay)) {
+  bool ends_at_a_cut(const PieceInterval& interval) const {
+    if (way_.asked.end.meets(interval.end)) return false;
+    const EndpointCandidate<typename Kit::Condition>* only = nullptr;
+    for (const auto& end : tests_.ends(interval)) {
       if (end.way == Way::in) continue;
       if (only) return false;
       only = &end;
@@ -264,24 +270,26 @@ class UnionPair : public PairStays<Kit> {
   Instant latest_end() {
     if (lasts_to_the_end()) return {way_.moments.dt_end, way_.moments.t_end};
     if (end_in_doubt_) return unknown_instant();
-    Instant latest{-Stay::inf, -Stay::inf};
-    at_the_end([this, &latest](const PieceStay& stay) {
-      if (may_continue_it(stay)) latest = unknown_instant();
-      if (latest.known() && may_end_it(stay)) latest = later(latest, instants_.end(stay, tests_.ends(stay)));
+    Instant latest{-UncertainInterval::inf, -UncertainInterval::inf};
+    at_the_end([this, &latest](const PieceInterval& interval) {
+      if (may_continue_it(interval)) latest = unknown_instant();
+      if (latest.known() && may_end_it(interval))
+        latest = later(latest, instants_.end(interval, tests_.ends(interval)));
     });
     return latest;
   }
 
-  StayInstants<Kit> instants_;
-  std::vector<PieceStay>& seen_;  ///< by the last walk of follow()
-  bool all_seen_ = false;         ///< and known still
-  bool begins_within_ = false;    ///< one in the other
+  EndpointRounding<Kit> instants_;
+  std::vector<PieceInterval>& seen_;  ///< by the last walk of follow()
+  bool all_seen_ = false;             ///< and known still
+  bool begins_within_ = false;        ///< one in the other
   bool end_in_doubt_ = false;
-  bool last_is_moment_ = false;             ///< when the contact was entered again, alone
-  double met_by_ = Stay::inf;               ///< by then they certainly touch
-  Instant earliest_{Stay::inf, Stay::inf};  ///< of the begins that are known
-  double unknown_from_ = Stay::inf;         ///< and since when one may be that is not
-  Enclosure last_{-Stay::inf, -Stay::inf};  ///< the end of the contact, as far as it was followed
+  bool last_is_instant_ = false;            ///< when the contact was entered again, alone
+  double met_by_ = UncertainInterval::inf;  ///< by then they certainly touch
+  Instant earliest_{UncertainInterval::inf, UncertainInterval::inf};  ///< of the begins that are known
+  double unknown_from_ = UncertainInterval::inf;  ///< and since when one may be that is not
+  Enclosure last_{-UncertainInterval::inf,
+                  -UncertainInterval::inf};  ///< the end of the contact, as far as it was followed
 };
 
 }  // namespace foresee

@@ -42,9 +42,9 @@ class Tree final : public TprTree {
     if (stays) {
       overwrite(*leaf, slot, object);
     } else {
-      const bool leaf_stays = take_out(state_, *leaf, slot);
-      insert_object(state_, object, leaf_stays ? ancestor_containing(*leaf, object) : 0,
-                    leaf_stays ? *leaf : 0);
+      const bool keeps_leaf = take_out(state_, *leaf, slot);
+      insert_object(state_, object, keeps_leaf ? ancestor_containing(*leaf, object) : 0,
+                    keeps_leaf ? *leaf : 0);
     }
     if (++updates_ % between_repacks == 0) repack_around(state_, leaf_of(id), updates_ / between_repacks);
     return true;

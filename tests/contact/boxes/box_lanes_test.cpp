@@ -15,7 +15,7 @@ namespace {
 using namespace testing_by_hand;
 
 struct Certain {
-  int misses = 0, now = 0, meets = 0, first = 0, leaves = 0, stays = 0;
+  int misses = 0, now = 0, meets = 0, first = 0, leaves = 0, lasts = 0;
 };
 
 template <int D, int Degree = 2>
@@ -85,11 +85,11 @@ class LaneOfPair {
     std::fill_n(ends.from, lanes_width, lanes.touches_now[3] > 0 ? 0 : lanes.after[3]);
     box_kernel<D, Degree>().settle_ends(lanes, ends);
     certain.leaves += ends.leaves[3] > 0;
-    certain.stays += ends.stays[3] > 0;
+    certain.lasts += ends.lasts[3] > 0;
     if (ends.leaves[3] > 0) {
       EXPECT_LE(std::abs(dt_end - ends.moment[3]), ends.room[3]) << case_;
     }
-    if (ends.stays[3] > 0) {
+    if (ends.lasts[3] > 0) {
       EXPECT_EQ(dt_end, moments_.dt_end) << case_;
     }
     testing::for_every_simd([&](Simd) {
@@ -136,7 +136,7 @@ void check_families(std::uint64_t seed) {
   EXPECT_GT(certain.meets, 60);
   EXPECT_GT(certain.first, 60);
   EXPECT_GT(certain.leaves, 60);
-  EXPECT_GT(certain.stays, 20);
+  EXPECT_GT(certain.lasts, 20);
 }
 
 TEST(BoxLanes, AreRightWhereCertainInOneDimension) {

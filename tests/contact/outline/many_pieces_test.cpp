@@ -50,7 +50,7 @@ TEST(ManyPieces, OfAPairTakeBoundedMemory) {
     } else {
       EXPECT_EQ(pair.touches(), Verdict::yes);
     }
-    EXPECT_LT(space.tested.size() + space.stays.size() + space.ends.size(), times_wanted ? 33'000u : 10u);
+    EXPECT_LT(space.tested.size() + space.intervals.size() + space.ends.size(), times_wanted ? 33'000u : 10u);
   }
 }
 

@@ -66,7 +66,7 @@ NodeNumber share(TreeState<D>& state, NodeNumber leaf) {
 template <int D>
 bool condense(TreeState<D>& state, NodeNumber leaf, Orphans<D>& orphans) {
   NodeNumber number = share(state, leaf);
-  bool leaf_stays = number == leaf || has_child(*state.pages.read(number), leaf);
+  bool keeps_leaf = number == leaf || has_child(*state.pages.read(number), leaf);
   for (;;) {
     NodeNumber parent;
     bool too_empty;
@@ -77,13 +77,13 @@ bool condense(TreeState<D>& state, NodeNumber leaf, Orphans<D>& orphans) {
     }
     if (too_empty) {
       dissolve(state, number, parent, orphans);
-      if (number == leaf) leaf_stays = false;
+      if (number == leaf) keeps_leaf = false;
     } else if (!tighten(state, number, parent)) {
       break;
     }
     number = parent;
   }
-  return leaf_stays;
+  return keeps_leaf;
 }
 
 template <int D>
@@ -123,10 +123,10 @@ template <int D>
 bool take_out(TreeState<D>& state, NodeNumber leaf, std::size_t slot) {
   remove_slot(state.pages.modify(leaf), slot, state.reader.record_size());
   Orphans<D> orphans;
-  const bool leaf_stays = condense(state, leaf, orphans);
+  const bool keeps_leaf = condense(state, leaf, orphans);
   lower_root(state);
   insert_again(state, orphans);
-  return leaf_stays && state.pages.find_root() != 0;
+  return keeps_leaf && state.pages.find_root() != 0;
 }
 
 template <int D>

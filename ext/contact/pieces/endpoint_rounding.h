@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "contact/certain/crossing.h"
-#include "contact/pieces/piece_space.h"
+#include "contact/pieces/piece_workspace.h"
 #include "contact/pieces/seen_from.h"
 #include "contact/set/relative_motion.h"
 
@@ -16,15 +16,16 @@ namespace foresee {
 
 /// `Kit`: what the pieces are (union_pair.h).
 template <class Kit>
-class StayInstants {
+class EndpointRounding {
   static constexpr int D = Kit::axes, Degree = Kit::degree;
   using Condition = typename Kit::Condition;
   template <class T>
   using Sizes = typename Kit::template Sizes<T>;
 
  public:
-  StayInstants(const Setup& setup, const double* row_a, const double* row_b, const CertainMotion<D>& certain,
-               const Sizes<Bounded>& sizes, const Moments& moments, const Stay& asked)
+  EndpointRounding(const Setup& setup, const double* row_a, const double* row_b,
+                   const CertainMotion<D>& certain, const Sizes<Bounded>& sizes, const Moments& moments,
+                   const UncertainInterval& asked)
       : setup_(setup),
         row_a_(row_a),
         row_b_(row_b),
@@ -34,24 +35,24 @@ class StayInstants {
         sizes_(sizes) {}
 
   /// Requires: the stay is certain, and these are its ends.
-  Instant begin(const Stay& stay, std::span<const StayEnd<Condition>> ends) {
-    Instant begin{-Stay::inf, -Stay::inf};
-    if (asked_.begin.meets(stay.begin)) begin = {moments_.dt_begin, moments_.t_begin};
-    for (const StayEnd<Condition>& end : ends)
+  Instant begin(const UncertainInterval& interval, std::span<const EndpointCandidate<Condition>> ends) {
+    Instant begin{-UncertainInterval::inf, -UncertainInterval::inf};
+    if (asked_.begin.meets(interval.begin)) begin = {moments_.dt_begin, moments_.t_begin};
+    for (const EndpointCandidate<Condition>& end : ends)
       if (end.way == Way::in) begin = later(begin, instant<Way::in>(end));
-    return begin.dt > -Stay::inf ? begin : unknown_instant();
+    return begin.dt > -UncertainInterval::inf ? begin : unknown_instant();
   }
-  Instant end(const Stay& stay, std::span<const StayEnd<Condition>> ends) {
-    Instant last{Stay::inf, Stay::inf};
-    if (asked_.end.meets(stay.end)) last = {moments_.dt_end, moments_.t_end};
-    for (const StayEnd<Condition>& end : ends)
+  Instant end(const UncertainInterval& interval, std::span<const EndpointCandidate<Condition>> ends) {
+    Instant last{UncertainInterval::inf, UncertainInterval::inf};
+    if (asked_.end.meets(interval.end)) last = {moments_.dt_end, moments_.t_end};
+    for (const EndpointCandidate<Condition>& end : ends)
       if (end.way == Way::out) last = earlier(last, instant<Way::out>(end));
-    return last.dt < Stay::inf ? last : unknown_instant();
+    return last.dt < UncertainInterval::inf ? last : unknown_instant();
   }
 
  private:
   template <Way way>
-  Instant instant(const StayEnd<Condition>& end) {
+  Instant instant(const EndpointCandidate<Condition>& end) {
     const double width = (end.at.high - end.at.low) * (1 + 4 * unit_roundoff);
     const double base = std::clamp(end.at.low + 0.5 * width, 0.0, asked_.end.high);
     const auto place = place_at(base);
@@ -93,7 +94,7 @@ class StayInstants {
   const double *row_a_, *row_b_;
   const CertainMotion<D>& certain_;
   const Moments& moments_;
-  const Stay& asked_;
+  const UncertainInterval& asked_;
   const Sizes<Bounded>& sizes_;
   std::optional<Sizes<DoubleDouble>> fine_sizes_;  ///< and the motion, once they are needed
   RelativeMotion<DoubleDouble, D> relative_;

@@ -1,9 +1,9 @@
 // When may two objects touch that are unions of pieces, and which pieces are it then? Trees of boxes and
 // tests of pieces, for one pair.
 //
-//   for (double from = stays.first_possible(-inf); from < inf; from = stays.first_possible(until)) {
-//     until = stays.possible_until(from);
-//     stays.possible_pairs({from, until}, ask);               // at no other moments may they touch
+//   for (double from = intervals.first_possible(-inf); from < inf; from = intervals.first_possible(until)) {
+//     until = intervals.possible_until(from);
+//     intervals.possible_pairs({from, until}, ask);               // at no other moments may they touch
 //   }
 #pragma once
 
@@ -14,26 +14,26 @@ namespace foresee {
 
 /// `Kit`: what the pieces are (pair_way.h).
 template <class Kit>
-class PairStays {
+class PairIntervals {
  public:
   /// `times_wanted`: more is asked than whether they touch.
-  PairStays(const PairWay<Kit>& way, bool times_wanted, typename Kit::Space& space)
+  PairIntervals(const PairWay<Kit>& way, bool times_wanted, typename Kit::Space& space)
       : way_(way),
         within_(way.setup, way.row_a, way.row_b, way.a, way.b, way.relative, way.steps),
         tests_(way.a, way.b, way.relative, way.asked, way.sizes, times_wanted, space) {}
 
-  PairStays(const PairStays&) = delete;
-  PairStays& operator=(const PairStays&) = delete;
+  PairIntervals(const PairIntervals&) = delete;
+  PairIntervals& operator=(const PairIntervals&) = delete;
 
   /// When contact may begin that begins later than `after`; infinite if none may.
   double first_possible(double after) {
-    double first = Stay::inf;
+    double first = UncertainInterval::inf;
     way_.walk.visit(
         Order::earlier_first,
         [&](const Period<double>& near) { return near.end > after && near.begin < first; },
         [&](std::size_t a, std::size_t b, const Period<double>& near) {
-          for (const PieceStay& stay : tests_.of(a, b)) {
-            const auto [begin, end] = possible(stay, near);
+          for (const PieceInterval& interval : tests_.of(a, b)) {
+            const auto [begin, end] = possible(interval, near);
             if (begin <= end && begin > after) first = std::min(first, begin);
           }
         });
@@ -43,7 +43,7 @@ class PairStays {
   double possible_until(double from) {
     double until = from, passed_by = from;
     while (passed_by <= until) {
-      passed_by = Stay::inf;
+      passed_by = UncertainInterval::inf;
       const auto begins_by_then = [&](double begin) {
         if (begin > until) passed_by = std::min(passed_by, begin);
         return begin <= until;
@@ -52,8 +52,8 @@ class PairStays {
           Order::earlier_first,
           [&](const Period<double>& near) { return near.end >= from && begins_by_then(near.begin); },
           [&](std::size_t a, std::size_t b, const Period<double>& near) {
-            for (const PieceStay& stay : tests_.of(a, b)) {
-              const auto [begin, end] = possible(stay, near);
+            for (const PieceInterval& interval : tests_.of(a, b)) {
+              const auto [begin, end] = possible(interval, near);
               if (begin <= end && end >= from && begins_by_then(begin)) until = std::max(until, end);
             }
           });
@@ -71,9 +71,9 @@ class PairStays {
           return more && near.begin <= period.end && near.end >= period.begin;
         },
         [&](std::size_t a, std::size_t b, const Period<double>& near) {
-          const auto stays = tests_.of(a, b);
-          if (std::any_of(stays.begin(), stays.end(), [&](const PieceStay& stay) {
-                const auto [begin, end] = possible(stay, near);
+          const auto intervals = tests_.of(a, b);
+          if (std::any_of(intervals.begin(), intervals.end(), [&](const PieceInterval& interval) {
+                const auto [begin, end] = possible(interval, near);
                 return begin <= end && begin <= period.end && end >= period.begin;
               }))
             more = take(PiecePair{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
@@ -93,8 +93,8 @@ class PairStays {
 
  protected:
   /// At no other moment may they touch; never if the end is before the begin.
-  static Period<double> possible(const PieceStay& stay, const Period<double>& near) {
-    return {std::max(stay.begin.low, near.begin), std::min(stay.end.high, near.end)};
+  static Period<double> possible(const PieceInterval& interval, const Period<double>& near) {
+    return {std::max(interval.begin.low, near.begin), std::min(interval.end.high, near.end)};
   }
 
   const PairWay<Kit>& way_;

@@ -1,6 +1,6 @@
 // Stays against the signs of polynomials at single moments: what is certain holds, what is not possible does
 // not.
-#include "contact/pieces/stays.h"
+#include "contact/pieces/uncertain_interval.h"
 
 #include <gtest/gtest.h>
 
@@ -21,14 +21,14 @@ int sign_at(const std::array<double, N>& p, double s) {
 }
 
 template <std::size_t N>
-void expect_right(const std::array<double, N>& p, const Inside& inside) {
+void expect_right(const std::array<double, N>& p, const SublevelIntervals& inside) {
   for (int i = 0; i <= 64; ++i) {
     const double s = length * i / 64;
     bool possible = false, certain = false;
     for (int j = 0; j < inside.count; ++j) {
-      const Stay& stay = inside.list[static_cast<std::size_t>(j)];
-      possible |= stay.begin.low <= s && s <= stay.end.high;
-      certain |= stay.begin.high <= s && s <= stay.end.low;
+      const UncertainInterval& interval = inside.list[static_cast<std::size_t>(j)];
+      possible |= interval.begin.low <= s && s <= interval.end.high;
+      certain |= interval.begin.high <= s && s <= interval.end.low;
     }
     const bool holds = sign_at(p, s) <= 0;
     ASSERT_TRUE(possible || !holds) << "at " << s;
@@ -52,25 +52,26 @@ void for_each_polynomial(Check&& check) {
   }
 }
 
-TEST(Stays, OfALineHoldWhereItsSignSays) {
+TEST(IntervalUnion, OfALineHoldWhereItsSignSays) {
   for_each_polynomial<2>(
       [](const auto& p, const auto& bounded) { expect_right(p, times_inside(bounded, lost, length)); });
 }
 
-TEST(Stays, OfAParabolaHoldWhereItsSignSays) {
+TEST(IntervalUnion, OfAParabolaHoldWhereItsSignSays) {
   for_each_polynomial<3>(
       [](const auto& p, const auto& bounded) { expect_right(p, times_inside(bounded, lost, length)); });
 }
 
-TEST(Stays, OfAParabolaInDoubtReachAsFarAsItBends) {
+TEST(IntervalUnion, OfAParabolaInDoubtReachAsFarAsItBends) {
   // 2^-301 - 2^900 s^2 is below 0 at 2^-600, whose square is no double.
-  const Inside inside = times_inside(Powers<Bounded, 2>{{{0x1p-301, 0}, {}, {0, 0x1p900}}}, lost, 0x1p-600);
+  const SublevelIntervals inside =
+      times_inside(Powers<Bounded, 2>{{{0x1p-301, 0}, {}, {0, 0x1p900}}}, lost, 0x1p-600);
   ASSERT_EQ(inside.count, 1);
   EXPECT_TRUE(inside.list[0].is_possible());
   EXPECT_FALSE(inside.list[0].is_certain());
 }
 
-TEST(Stays, FoundInLeapsHoldWhereTheSignSays) {
+TEST(IntervalUnion, FoundInLeapsHoldWhereTheSignSays) {
   for_each_polynomial<5>([](auto p, const auto& /*bounded*/) {
     p[4] = std::abs(p[4]);  // as squares have it
     const auto seen_from = [&p](double tau) {
@@ -80,23 +81,25 @@ TEST(Stays, FoundInLeapsHoldWhereTheSignSays) {
         for (std::size_t i = 4; i-- > k;) seen[i] = seen[i] + Bounded{tau, 0} * seen[i + 1];
       return seen;
     };
-    expect_right(p, inside_by_leaps(seen_from, lost, {{0, 0}, {length, length}}));
+    expect_right(p, sublevel_by_leaps(seen_from, lost, {{0, 0}, {length, length}}));
   });
 }
 
-TEST(Stays, WhatIsKeptIsInBoth) {
-  Stays stays;
-  stays.start({{0, 0}, {8, 8}});
-  stays.keep({{Stay{{-Stay::inf, -Stay::inf}, {3, 4}}, Stay{{5, 6}, {Stay::inf, Stay::inf}}}, 2});
-  ASSERT_EQ(stays.end() - stays.begin(), 2);
-  stays.keep(Inside::one({{3.5, 3.75}, {Stay::inf, Stay::inf}}));
-  EXPECT_FALSE(stays.begin()->is_certain());  // it may end before it begins
-  EXPECT_TRUE((stays.begin() + 1)->is_certain());
-  stays.keep(Inside::one({{4.5, 4.5}, {5.5, 5.5}}));
-  ASSERT_EQ(stays.end() - stays.begin(), 1);
-  EXPECT_EQ(stays.begin()->begin.low, 5);
-  stays.keep(Inside::never());
-  EXPECT_TRUE(stays.empty());
+TEST(IntervalUnion, WhatIsKeptIsInBoth) {
+  IntervalUnion intervals;
+  intervals.start({{0, 0}, {8, 8}});
+  intervals.keep({{UncertainInterval{{-UncertainInterval::inf, -UncertainInterval::inf}, {3, 4}},
+                   UncertainInterval{{5, 6}, {UncertainInterval::inf, UncertainInterval::inf}}},
+                  2});
+  ASSERT_EQ(intervals.end() - intervals.begin(), 2);
+  intervals.keep(SublevelIntervals::one({{3.5, 3.75}, {UncertainInterval::inf, UncertainInterval::inf}}));
+  EXPECT_FALSE(intervals.begin()->is_certain());  // it may end before it begins
+  EXPECT_TRUE((intervals.begin() + 1)->is_certain());
+  intervals.keep(SublevelIntervals::one({{4.5, 4.5}, {5.5, 5.5}}));
+  ASSERT_EQ(intervals.end() - intervals.begin(), 1);
+  EXPECT_EQ(intervals.begin()->begin.low, 5);
+  intervals.keep(SublevelIntervals::never());
+  EXPECT_TRUE(intervals.empty());
 }
 
 }  // namespace
