@@ -58,8 +58,8 @@ class Stages {
     if (advancement.first_contact(first) != Verdict::yes) return shares.exact_time;
     if (!(first.after > moments.dt_begin)) return shares.at_once;
     const auto relative = relative_motion_of<DoubleDouble, 3>(setup_, a(i), b(i));
-    Crossing<Way::in, 3, 2> crossing(advancement.certain(), relative, {set_, a(i), b(i)}, first,
-                                     setup_.horizon.now, crossing_scratch_);
+    Crossing<CrossingDirection::entering, 3, 2> crossing(advancement.certain(), relative, {set_, a(i), b(i)},
+                                                         first, setup_.horizon.now, crossing_scratch_);
     return crossing.instant().known() ? shares.double_double : shares.exact_time;
   }
 

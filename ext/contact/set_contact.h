@@ -111,7 +111,9 @@ class SetContact : public Contact {
     const Verdict leaves = advancement.end_of_contact(from, last);
     if (leaves == Verdict::uncertain) return unknown_instant();
     const Instant end{moments.dt_end, moments.t_end};
-    return leaves == Verdict::no ? end : earlier(crossing<Way::out>(advancement, last, row_a, row_b), end);
+    return leaves == Verdict::no
+               ? end
+               : earlier(crossing<CrossingDirection::leaving>(advancement, last, row_a, row_b), end);
   }
 
   static constexpr Period<double> any_time{0, for_ever};
@@ -154,19 +156,19 @@ class SetContact : public Contact {
     if (meets != Verdict::yes) return meets;
     begin = {moments.dt_begin, moments.t_begin};
     if (first.after > moments.dt_begin)
-      begin = later(crossing<Way::in>(advancement, first, row_a, row_b), begin);
+      begin = later(crossing<CrossingDirection::entering>(advancement, first, row_a, row_b), begin);
     end =
         wanted == TimesWanted::both ? end_of_contact(advancement, first.after, moments, row_a, row_b) : begin;
     return meets;
   }
 
   /// The moment in the bracket at which the set begins or ceases to be met, rounded once, or unknown.
-  template <Way way>
+  template <CrossingDirection direction>
   Instant crossing(Advancement<D, Degree>& advancement, const Bracket& bracket, const double* row_a,
                    const double* row_b) {
     const auto relative = relative_motion_of<DoubleDouble, D>(setup_, row_a, row_b);
-    return Crossing<way, D, Degree>(advancement.certain(), relative, {set_, row_a, row_b}, bracket,
-                                    setup_.horizon.now, crossing_scratch_)
+    return Crossing<direction, D, Degree>(advancement.certain(), relative, {set_, row_a, row_b}, bracket,
+                                          setup_.horizon.now, crossing_scratch_)
         .instant();
   }
 

@@ -1,8 +1,8 @@
 // How far is it from place to place on the Earth, and where does one come by going straight on?
 //
-//   const Geodesic way = geodesic_between({40.6, -73.8}, {51.6, -0.5});     // JFK to LHR
-//   way.distance == 5551759.400                                            // metres, to the millimetre shown
-//   const GeodesicEnd there = geodesic_from({40.6, -73.8}, way.azimuth, way.distance);
+//   const Geodesic line = geodesic_between({40.6, -73.8}, {51.6, -0.5});     // JFK to LHR
+//   line.distance == 5551759.400  // metres, to the millimetre shown
+//   const GeodesicEnd there = geodesic_from({40.6, -73.8}, line.azimuth, line.distance);
 //
 // The Earth is the ellipsoid of WGS84; the lines are its geodesics, the shortest ones (Karney, "Algorithms
 // for geodesics", Journal of Geodesy 87, 2013, sections 2 to 6, as Boost.Geometry has them). Angles are

@@ -22,33 +22,33 @@ double stretch(double distance, double reduced_length, const LatLon& origin) {
 }
 
 /// By how much a geodesic turns against the meridians. Within a millimetre its azimuths are mostly rounding.
-double convergence(const Geodesic& way, const LatLon& from, const LatLon& to) {
-  if (way.distance >= 1e-3) return way.azimuth_there - way.azimuth;
+double convergence(const Geodesic& line, const LatLon& from, const LatLon& to) {
+  if (line.distance >= 1e-3) return line.azimuth_there - line.azimuth;
   const double lon = std::remainder(to.lon, 360) - std::remainder(from.lon, 360);
   return std::remainder(lon, 360) * unit_direction((from.lat + to.lat) / 2).sine;
 }
 
 /// Neighbouring geodesics meet again opposite the origin: at the end of half a meridian, and on the equator
 /// somewhat before. Within a metre of there the reduced length is mostly rounding.
-bool is_opposite(const Geodesic& way) {
-  return way.distance > 0.999 * greatest_distance || (way.distance > 3000 && !(way.reduced_length >= 1));
+bool is_opposite(const Geodesic& line) {
+  return line.distance > 0.999 * greatest_distance || (line.distance > 3000 && !(line.reduced_length >= 1));
 }
 
 }  // namespace
 
 OnPlane to_plane(const Fix& fix, const LatLon& origin) {
-  const Geodesic way = geodesic_between(origin, fix.place);
-  const Direction bearing = unit_direction(way.azimuth);
+  const Geodesic line = geodesic_between(origin, fix.place);
+  const Direction bearing = unit_direction(line.azimuth);
   // + 0.0: the origin itself is at 0, not at -0.
-  OnPlane point{way.distance * bearing.sine + 0.0, way.distance * bearing.cosine + 0.0, {}};
+  OnPlane point{line.distance * bearing.sine + 0.0, line.distance * bearing.cosine + 0.0, {}};
   if (!fix.course) return point;
-  if (is_opposite(way))
+  if (is_opposite(line))
     throw Error("lat, lon are opposite the origin: no plane about it holds a velocity there");
-  const Direction off = unit_direction(std::remainder(fix.course->degrees, 360) - way.azimuth -
-                                       convergence(way, origin, fix.place));
+  const Direction off = unit_direction(std::remainder(fix.course->degrees, 360) - line.azimuth -
+                                       convergence(line, origin, fix.place));
   const int exponent = exponent_of(fix.course->speed);
   const double speed = std::ldexp(fix.course->speed, -exponent), outward = speed * off.cosine;
-  const double across = speed * off.sine * stretch(way.distance, way.reduced_length, origin);
+  const double across = speed * off.sine * stretch(line.distance, line.reduced_length, origin);
   const double vx = std::ldexp(outward * bearing.sine + across * bearing.cosine, exponent) + 0.0;
   const double vy = std::ldexp(outward * bearing.cosine - across * bearing.sine, exponent) + 0.0;
   if (!std::isfinite(vx) || !std::isfinite(vy))

@@ -30,7 +30,7 @@ struct Instant {
 }
 
 /// Which way a primitive is crossed: from outside in (the begin of contact) or from inside out (its end).
-enum class Way : std::uint8_t { in, out };
+enum class CrossingDirection : std::uint8_t { entering, leaving };
 
 /// A primitive's polynomial at a moment: value in DoubleDouble, slope and bend in double. Inside: p <= 0.
 struct Crossed {
@@ -41,10 +41,10 @@ struct Crossed {
 };
 
 /// The root of a polynomial known to be crossed in the given way within `width` of `base`, or unknown.
-template <Way way>
+template <CrossingDirection direction>
 [[gnu::always_inline]] inline Instant root_of(const Crossed& p, double now, double base, double width) {
-  const double steep = way == Way::in ? -p.slope : p.slope, inverse = 1 / steep;
-  const double step = (way == Way::in ? p.value.high : -p.value.high) * inverse;
+  const double steep = direction == CrossingDirection::entering ? -p.slope : p.slope, inverse = 1 / steep;
+  const double step = (direction == CrossingDirection::entering ? p.value.high : -p.value.high) * inverse;
   const double far = __builtin_fabs(step), reach = width > 2 * far ? width : 2 * far;
   const double lost = p.value_error + __builtin_fabs(p.value.low) + p.bend * step * step;
   const double radius =

@@ -79,13 +79,13 @@ class IntervalNewton {
     const N rest = hull(low, high, bits_) - x;
     const Powers<N> d = around(p_, degree_, x);
     const N slope = d[1] + rest * (d[2].scaled(1) + rest * (d[3] * three_ + rest * d[4].scaled(2)));
-    const int sign = d[0].sign(), way = slope.sign();
+    const int sign = d[0].sign(), slope_sign = slope.sign();
     if (sign == 0) {
       low = high = place;
       return false;
     }
     if (sign != unknown_sign) (sign == sign_low_ ? low : high) = place;
-    if (way != 0 && way != unknown_sign) {
+    if (slope_sign != 0 && slope_sign != unknown_sign) {
       const N root = x - d[0] / slope;
       const End left = root.low(), right = root.high();
       if (less(low, left)) low = left;

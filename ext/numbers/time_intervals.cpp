@@ -117,9 +117,9 @@ Roots zeros_within(LazyPolynomial& polynomial, const Asked& asked) {
         zeros.list[zeros.count++] = all.list[i];
     return zeros;
   }
-  const Waypoints way = waypoints_of(polynomial, asked);
-  for (int i = 1; i + 1 < way.count; ++i)
-    if (way.list[i].sign == 0) zeros.list[zeros.count++] = way.list[i].root;
+  const Waypoints waypoints = waypoints_of(polynomial, asked);
+  for (int i = 1; i + 1 < waypoints.count; ++i)
+    if (waypoints.list[i].sign == 0) zeros.list[zeros.count++] = waypoints.list[i].root;
   return zeros;
 }
 
@@ -128,16 +128,16 @@ namespace {
 /// The ends, the zeros of the slope, and between them the roots.
 Waypoints waypoints_of(LazyPolynomial& polynomial, const Asked& asked) {
   const Roots turns = zeros_within(polynomial.slope(), asked);
-  Waypoints way;
-  way.add(&asked.begin, polynomial.sign_at(asked.begin));
+  Waypoints waypoints;
+  waypoints.add(&asked.begin, polynomial.sign_at(asked.begin));
   for (int i = 0; i <= turns.count; ++i) {
     AlgebraicRoot& next = i < turns.count ? *turns.list[i] : asked.end;
-    const auto last = way.list[way.count - 1];
+    const auto last = waypoints.list[waypoints.count - 1];
     const int sign = polynomial.sign_at(next);
-    if (last.sign * sign < 0) way.add(&root_between(polynomial, *last.root, next, last.sign), 0);
-    way.add(&next, sign);
+    if (last.sign * sign < 0) waypoints.add(&root_between(polynomial, *last.root, next, last.sign), 0);
+    waypoints.add(&next, sign);
   }
-  return way;
+  return waypoints;
 }
 
 /// 12 C(i, k) / C(n, k): from the powers of y on [0, 1] to Bernstein's form, times 12.
@@ -175,13 +175,13 @@ TimeIntervals sublevel_intervals(LazyPolynomial& polynomial, const Asked& asked)
   const int constant = constant_sign(polynomial, asked);
   if (constant < 0) intervals.push_back({&asked.begin, &asked.end});
   if (constant != 0) return intervals;
-  const Waypoints way = waypoints_of(polynomial, asked);
+  const Waypoints waypoints = waypoints_of(polynomial, asked);
   // Between two neighbours there is no root, so the polynomial is at most 0 there if it is at both.
-  for (int i = 0; i < way.count; ++i) {
-    if (way.list[i].sign > 0) continue;
+  for (int i = 0; i < waypoints.count; ++i) {
+    if (waypoints.list[i].sign > 0) continue;
     int last = i;
-    while (last + 1 < way.count && way.list[last + 1].sign <= 0) ++last;
-    intervals.push_back({way.list[i].root, way.list[last].root});
+    while (last + 1 < waypoints.count && waypoints.list[last + 1].sign <= 0) ++last;
+    intervals.push_back({waypoints.list[i].root, waypoints.list[last].root});
     i = last;
   }
   return intervals;

@@ -42,8 +42,8 @@ void geo_distance(sqlite3_context* context, int, sqlite3_value** values) {
       if (i % 2 == 0) require_latitude(numbers[i], names[i]);
     }
     const FloatEnvironment environment;
-    const Geodesic way = geodesic_between({numbers[0], numbers[1]}, {numbers[2], numbers[3]});
-    sqlite3_result_double(context, way.distance);
+    const Geodesic line = geodesic_between({numbers[0], numbers[1]}, {numbers[2], numbers[3]});
+    sqlite3_result_double(context, line.distance);
   });
   if (rc == SQLITE_NOMEM) sqlite3_result_error_nomem(context);
   if (rc == SQLITE_ERROR) sqlite3_result_error(context, message, -1);

@@ -25,9 +25,10 @@ TEST(Plane, KeepsDistanceAndBearingFromItsOrigin) {
     const LatLon origin{random.in(-90, 90), random.in(-200, 200)},
         place{random.in(-90, 90), random.in(-200, 200)};
     const OnPlane point = to_plane({place, {}}, origin);
-    const Geodesic way = geodesic_between(origin, place);
-    EXPECT_NEAR(std::hypot(point.x, point.y), way.distance, 1e-8) << i;
-    EXPECT_NEAR(std::remainder(std::atan2(point.x, point.y) * 57.29577951308232 - way.azimuth, 360), 0, 1e-12)
+    const Geodesic line = geodesic_between(origin, place);
+    EXPECT_NEAR(std::hypot(point.x, point.y), line.distance, 1e-8) << i;
+    EXPECT_NEAR(std::remainder(std::atan2(point.x, point.y) * 57.29577951308232 - line.azimuth, 360), 0,
+                1e-12)
         << i;
     EXPECT_FALSE(point.v) << i;
   }

@@ -83,10 +83,10 @@ const BoxKernel<D, Degree>& box_kernel() {
   static constexpr BoxKernel<D, Degree> kernel{settle_here<D, Degree>,
                                                settle_rows_here<D, Degree>,
                                                take_crossings<D, Degree, BoxLanes<D, Degree>>,
-                                               find_crossings<Way::in, Degree>,
+                                               find_crossings<CrossingDirection::entering, Degree>,
                                                settle_ends_here<D, Degree>,
                                                take_crossings<D, Degree, EndLanes>,
-                                               find_crossings<Way::out, Degree>};
+                                               find_crossings<CrossingDirection::leaving, Degree>};
   return kernel;
 }
 

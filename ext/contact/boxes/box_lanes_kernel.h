@@ -223,7 +223,7 @@ void take_crossings(const RowLanes<D>& rows, const From& from, MeetingLanes& __r
     }
 }
 
-template <Way way, int Degree>
+template <CrossingDirection direction, int Degree>
 void find_crossings(MeetingLanes& lanes, double now) {
   for (int l = 0; l < lanes.width; ++l) {
     const double tau = lanes.moment[l], side = lanes.side[l];
@@ -242,7 +242,7 @@ void find_crossings(MeetingLanes& lanes, double now) {
     // DoubleDouble loses at most 2^-97 of what the bound for doubles counts in 2^-53.
     const Crossed crossed{value, error * 0x1p-44 + underflow, side * (lanes.v[l] + 2 * half_turn),
                           lanes.ev[l] + 0x1p-49 * speed + underflow, bend + underflow};
-    const Instant meeting = root_of<way>(crossed, now, tau, lanes.room[l]);
+    const Instant meeting = root_of<direction>(crossed, now, tau, lanes.room[l]);
     lanes.dt[l] = meeting.dt, lanes.t[l] = meeting.t;
   }
 }

@@ -36,7 +36,7 @@ struct CrossingScratch {
       : known(set.primitives().size()), asked(set.primitives().size()) {}
 };
 
-template <Way way, int D, int Degree>
+template <CrossingDirection direction, int D, int Degree>
 class Crossing {
  public:
   /// Requires: an Advancement has found the bracket, for this pair and this way.
@@ -62,14 +62,16 @@ class Crossing {
 
  private:
   static constexpr double inf = std::numeric_limits<double>::infinity();
-  static constexpr Instant inside = way == Way::in ? Instant{-inf, -inf} : Instant{inf, inf};
-  static constexpr Instant outside = way == Way::in ? Instant{inf, inf} : Instant{-inf, -inf};
+  static constexpr Instant inside =
+      direction == CrossingDirection::entering ? Instant{-inf, -inf} : Instant{inf, inf};
+  static constexpr Instant outside =
+      direction == CrossingDirection::entering ? Instant{inf, inf} : Instant{-inf, -inf};
 
   static Instant all(const Instant& a, const Instant& b) {
-    return way == Way::in ? later(a, b) : earlier(a, b);
+    return direction == CrossingDirection::entering ? later(a, b) : earlier(a, b);
   }
   static Instant any(const Instant& a, const Instant& b) {
-    return way == Way::in ? earlier(a, b) : later(a, b);
+    return direction == CrossingDirection::entering ? earlier(a, b) : later(a, b);
   }
   static bool is_outside(const Instant& instant) { return instant.dt == outside.dt; }
 
@@ -113,7 +115,7 @@ class Crossing {
     // DoubleDouble loses at most 2^-97 of what the double bound counts in 2^-53.
     const double underflow = certain_.relative().underflow;
     const double slope = p[1].value;
-    return root_of<way>(
+    return root_of<direction>(
         {value, error * 0x1p-44 + underflow, slope, p[1].error_bound(underflow), bend(p, value.high / slope)},
         now_, base_, width_);
   }

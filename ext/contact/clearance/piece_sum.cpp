@@ -65,8 +65,8 @@ void PieceSum::make_ring(const Corner* along) {
     const double x = edge.p->x - edge.q->x, y = edge.p->y - edge.q->y;
     const double run_x = edge.to->x - edge.from->x, run_y = edge.to->y - edge.from->y;
     const double length = length_of(run_x, run_y);
-    const double way = length_of(edge.p_end->x - edge.q_end->x - x, edge.p_end->y - edge.q_end->y - y);
-    if (length > 0) ring_.push_back({x, y, run_y / length, -run_x / length, way, length});
+    const double travelled = length_of(edge.p_end->x - edge.q_end->x - x, edge.p_end->y - edge.q_end->y - y);
+    if (length > 0) ring_.push_back({x, y, run_y / length, -run_x / length, travelled, length});
   }
 }
 

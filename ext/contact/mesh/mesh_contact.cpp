@@ -8,7 +8,7 @@
 #include "contact/mesh/space_condition.h"
 #include "contact/mesh/space_tests.h"
 #include "contact/mesh/within.h"
-#include "contact/pieces/pair_way.h"
+#include "contact/pieces/pair_context.h"
 #include "contact/pieces/plain_answer.h"
 #include "contact/pieces/tested_pairs.h"
 #include "contact/pieces/union_contact.h"
@@ -133,7 +133,7 @@ struct SpaceKit {
     return {radius_of<T>(setup, row_a, row_b), steady_axes_of(setup, row_a, row_b)};
   }
   /// None: triangles are many, and asked one by one (space_tests.h).
-  static PlainAnswer plain_answer(const PairWay<SpaceKit>&, bool) { return {}; }
+  static PlainAnswer plain_answer(const PairContext<SpaceKit>&, bool) { return {}; }
   static constexpr bool is_cut(const SpaceCondition&) { return false; }
   /// What the rows of a pair look like.
   static void take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables, const Pair& pair);

@@ -81,11 +81,12 @@ class Ray {
   bool crosses(std::size_t triangle) {
     const SpaceCorner* const corners[] = {&solid_.corner(triangle, 0), &solid_.corner(triangle, 1),
                                           &solid_.corner(triangle, 2)};
-    const int way = side_of(*corners[0], *corners[1]);
-    if (way == 0 || side_of(*corners[1], *corners[2]) != way || side_of(*corners[2], *corners[0]) != way)
+    const int turn_sign = side_of(*corners[0], *corners[1]);
+    if (turn_sign == 0 || side_of(*corners[1], *corners[2]) != turn_sign ||
+        side_of(*corners[2], *corners[0]) != turn_sign)
       return false;
-    // Seen along x the triangle runs round `way`, and so its normal points.
-    return plane_sign(corners) * way < 0;
+    // Seen along x the triangle runs round `turn_sign`, and so its normal points.
+    return plane_sign(corners) * turn_sign < 0;
   }
 
   /// On which side of an edge the ray passes, seen along x; 0 of an edge that runs along it.

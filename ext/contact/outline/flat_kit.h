@@ -10,8 +10,8 @@
 #include "contact/outline/object_pieces.h"
 #include "contact/outline/plainly_near.h"
 #include "contact/outline_contact.h"
+#include "contact/pieces/pair_context.h"
 #include "contact/pieces/pair_tests.h"
-#include "contact/pieces/pair_way.h"
 #include "contact/pieces/seen_from.h"
 
 namespace foresee {
@@ -214,7 +214,7 @@ struct FlatKit {
     return foresee::sizes_of<T>(setup, row_a, row_b);
   }
   /// Of prisms only that their outlines are apart.
-  static PlainAnswer plain_answer(const PairWay<FlatKit>& way, bool times_wanted);
+  static PlainAnswer plain_answer(const PairContext<FlatKit>& context, bool times_wanted);
   /// What leaves a piece there is in its neighbour. (Around a corner R ends beside the cut that begins there,
   /// not beyond it.)
   static bool is_cut(const Condition& condition) {

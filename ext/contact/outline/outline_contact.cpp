@@ -20,13 +20,13 @@ void FlatKit<D, Degree>::take(Pieces& a, Pieces& b, const Setup& setup, const Ta
 }
 
 template <int D, int Degree>
-PlainAnswer FlatKit<D, Degree>::plain_answer(const PairWay<FlatKit>& way, bool times_wanted) {
+PlainAnswer FlatKit<D, Degree>::plain_answer(const PairContext<FlatKit>& context, bool times_wanted) {
   constexpr std::size_t few = 8, some = 16;
-  if (way.a.count() * way.b.count() > some) return {};
-  const double first = way.moments.dt_begin, last = way.moments.dt_end, length = last - first;
+  if (context.a.count() * context.b.count() > some) return {};
+  const double first = context.moments.dt_begin, last = context.moments.dt_end, length = last - first;
   std::array<BoxedPair, few> pairs;
   std::size_t count = 0;
-  way.walk.visit(
+  context.walk.visit(
       Order::earlier_first, [&](const Period<double>&) { return count <= few; },
       [&](std::size_t a, std::size_t b, const Period<double>& near) {
         if (count < few) pairs[count] = {a, b, near.begin <= first};
@@ -34,26 +34,26 @@ PlainAnswer FlatKit<D, Degree>::plain_answer(const PairWay<FlatKit>& way, bool t
       });
   if (count == 0) return {.touches = Verdict::no};
   if (count > few) return {};
-  PlainWay plain{};
+  LinearPath plain{};
   const auto take_axis = [&](const CertainAxisMotion<double>& d, double& begin, double& end) {
-    const AxisView<double> from = view_from<Degree>(d, first, way.relative.underflow);
-    const AxisView<double> to = view_from<Degree>(d, last, way.relative.underflow);
+    const AxisView<double> from = view_from<Degree>(d, first, context.relative.underflow);
+    const AxisView<double> to = view_from<Degree>(d, last, context.relative.underflow);
     begin = from.p, end = to.p;
     // Also for moments that doubles round.
     plain.slack += std::max(from.ep, to.ep) + 0x1p-45 * (last * (std::abs(d.v) + last * std::abs(d.a)));
     plain.bend += 0.3 * (length * (length * (std::abs(d.a) + d.ea)));
   };
-  take_axis(way.relative.axis[0], plain.begin.x, plain.end.x);
-  take_axis(way.relative.axis[1], plain.begin.y, plain.end.y);
+  take_axis(context.relative.axis[0], plain.begin.x, plain.end.x);
+  take_axis(context.relative.axis[1], plain.begin.y, plain.end.y);
   // Anything between its first size and its last.
-  const MovingSize<Bounded>& grown = way.sizes.radius;
+  const MovingSize<Bounded>& grown = context.sizes.radius;
   Bounded radius = seen_from(grown, first).value;
   if (grown.moves) {
     const Bounded more = Bounded{0.5 * length} * grown.rate;
     radius = radius + more, radius.error += more.value * (1 + 0x1p-40) + more.error;
   }
-  const PlainAnswer answer =
-      plainly_near(plain, way.a, way.b, std::span(pairs).first(count), radius, D == 2 && times_wanted);
+  const PlainAnswer answer = plainly_near(plain, context.a, context.b, std::span(pairs).first(count), radius,
+                                          D == 2 && times_wanted);
   return D == 2 || answer.touches == Verdict::no ? answer : PlainAnswer{};
 }
 

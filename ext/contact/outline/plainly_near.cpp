@@ -34,8 +34,8 @@ Corner extreme(std::span<const Corner> corners, const Corner& n) {
 class Seen {
  public:
   Seen(const ConvexPiece& a, const ConvexPiece& b, const Corner& from, const Corner& to)
-      : a_(a.corners), b_(b.corners), way_{from, to} {
-    for (const auto& corners : {a_, b_, std::span<const Corner>(way_)}) {
+      : a_(a.corners), b_(b.corners), path_{from, to} {
+    for (const auto& corners : {a_, b_, std::span<const Corner>(path_)}) {
       double most = 0;
       for (const Corner& corner : corners) most = std::max(most, size_of(corner));
       size_ += most;
@@ -48,14 +48,14 @@ class Seen {
   Verdict is_near(const Bounded& radius, double slack) {
     if (!(size_ < most_size)) return Verdict::uncertain;
     const double surely = radius.value - radius.error - slack, possibly = radius.value + radius.error + slack;
-    corners_[0] = gap(gap(a_[0], b_[0]), way_[0]), count_ = 1;
+    corners_[0] = gap(gap(a_[0], b_[0]), path_[0]), count_ = 1;
     Corner nearest = corners_[0];
     for (double last = HUGE_VAL;;) {
       const double square = dot(nearest, nearest), distance = std::sqrt(square);
       if (distance <= surely) return Verdict::yes;
       if (!(distance > least && square < last)) return Verdict::uncertain;
       const Corner against{-nearest.x, -nearest.y};
-      const Corner next = gap(gap(extreme(a_, against), extreme(b_, nearest)), extreme(way_, nearest));
+      const Corner next = gap(gap(extreme(a_, against), extreme(b_, nearest)), extreme(path_, nearest));
       if (dot(next, nearest) / distance > possibly) return Verdict::no;
       if (count_ == 2 && is_around(next)) return depth(next) > slack ? Verdict::yes : Verdict::uncertain;
       last = square * (1 - 0x1p-20);
@@ -99,7 +99,7 @@ class Seen {
   }
 
   const std::span<const Corner> a_, b_;
-  const std::array<Corner, 2> way_;
+  const std::array<Corner, 2> path_;
   double size_ = 0;
   std::array<Corner, 2> corners_;  ///< of the set, that the nearest point is between
   int count_ = 0;
@@ -113,24 +113,24 @@ Verdict is_near(const ConvexPiece& a, const ConvexPiece& b, const Corner& from, 
 
 }  // namespace
 
-PlainAnswer plainly_near(const PlainWay& way, const ObjectPieces& a, const ObjectPieces& b,
+PlainAnswer plainly_near(const LinearPath& path, const ObjectPieces& a, const ObjectPieces& b,
                          std::span<const BoxedPair> pairs, const Bounded& radius, bool times_wanted) {
   PlainAnswer all{.touches = Verdict::no};
   for (const BoxedPair& pair : pairs) {
     const ConvexPiece one = a.piece(pair.a), other = b.piece(pair.b);
-    const Verdict near = is_near(one, other, way.begin, way.end, radius, way.slack + way.bend);
+    const Verdict near = is_near(one, other, path.begin, path.end, radius, path.slack + path.bend);
     if (near == Verdict::no) continue;
     if (all.touches != Verdict::yes) all.touches = near;
     if (!times_wanted && near == Verdict::yes) return all;
     if (!times_wanted || !pair.may_be_at_begin ||
-        is_near(one, other, way.begin, way.begin, radius, way.slack) != Verdict::yes)
+        is_near(one, other, path.begin, path.begin, radius, path.slack) != Verdict::yes)
       continue;
     all.touches = Verdict::yes, all.at_begin = true;
     // A convex set has all of a line that has both ends in it.
     const auto holds_at = [&](const Corner& d) {
-      return is_near(one, other, d, d, radius, way.slack + way.bend) == Verdict::yes;
+      return is_near(one, other, d, d, radius, path.slack + path.bend) == Verdict::yes;
     };
-    if (holds_at(way.end) && (way.bend == 0 || holds_at(way.begin))) all.all_along = true;
+    if (holds_at(path.end) && (path.bend == 0 || holds_at(path.begin))) all.all_along = true;
     if (all.all_along) return all;
   }
   return all;

@@ -1,7 +1,7 @@
 // Do two outlines come near each other, few pieces of which the boxes around them leave, as plain doubles
 // tell? What is surely apart all along, near when the time begins, or near all along needs nothing else.
 //
-//   const PlainAnswer plain = plainly_near(way, a, b, pairs, radius, true);
+//   const PlainAnswer plain = plainly_near(path, a, b, pairs, radius, true);
 //
 // The distance between A and B + d is that of the convex A + (-B) from d; where d moves on a line, that from
 // the stretch which it covers. It is enclosed by the algorithm of E. G. Gilbert, D. W. Johnson and S. S.
@@ -20,7 +20,7 @@
 namespace foresee {
 
 /// The way of d.
-struct PlainWay {
+struct LinearPath {
   Corner begin, end;
   double slack;  ///< bounds how far off these are
   double bend;   ///< and how far d may be from their chord
@@ -34,7 +34,7 @@ struct BoxedPair {
 
 /// `pairs`: no others come near. `radius`: how near counts as touching. `times_wanted`: more is asked than
 /// whether they touch.
-PlainAnswer plainly_near(const PlainWay& way, const ObjectPieces& a, const ObjectPieces& b,
+PlainAnswer plainly_near(const LinearPath& path, const ObjectPieces& a, const ObjectPieces& b,
                          std::span<const BoxedPair> pairs, const Bounded& radius, bool times_wanted);
 
 }  // namespace foresee

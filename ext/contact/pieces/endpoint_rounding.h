@@ -39,19 +39,21 @@ class EndpointRounding {
     Instant begin{-UncertainInterval::inf, -UncertainInterval::inf};
     if (asked_.begin.meets(interval.begin)) begin = {moments_.dt_begin, moments_.t_begin};
     for (const EndpointCandidate<Condition>& end : ends)
-      if (end.way == Way::in) begin = later(begin, instant<Way::in>(end));
+      if (end.direction == CrossingDirection::entering)
+        begin = later(begin, instant<CrossingDirection::entering>(end));
     return begin.dt > -UncertainInterval::inf ? begin : unknown_instant();
   }
   Instant end(const UncertainInterval& interval, std::span<const EndpointCandidate<Condition>> ends) {
     Instant last{UncertainInterval::inf, UncertainInterval::inf};
     if (asked_.end.meets(interval.end)) last = {moments_.dt_end, moments_.t_end};
     for (const EndpointCandidate<Condition>& end : ends)
-      if (end.way == Way::out) last = earlier(last, instant<Way::out>(end));
+      if (end.direction == CrossingDirection::leaving)
+        last = earlier(last, instant<CrossingDirection::leaving>(end));
     return last.dt < UncertainInterval::inf ? last : unknown_instant();
   }
 
  private:
-  template <Way way>
+  template <CrossingDirection direction>
   Instant instant(const EndpointCandidate<Condition>& end) {
     const double width = (end.at.high - end.at.low) * (1 + 4 * unit_roundoff);
     const double base = std::clamp(end.at.low + 0.5 * width, 0.0, asked_.end.high);
@@ -64,8 +66,8 @@ class EndpointRounding {
           // DoubleDouble loses at most 2^-97 of what the double bound counts in 2^-53.
           const double error = p[0].error_bound(lost) * 0x1p-44 + certain_.underflow;
           const double span = std::max(width, 2 * std::abs(value.high / slope));
-          return root_of<way>({value, error, slope, p[1].error_bound(lost), bend(p, lost, span)},
-                              setup_.horizon.now, base, width);
+          return root_of<direction>({value, error, slope, p[1].error_bound(lost), bend(p, lost, span)},
+                                    setup_.horizon.now, base, width);
         });
   }
 

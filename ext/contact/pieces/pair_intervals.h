@@ -7,20 +7,21 @@
 //   }
 #pragma once
 
-#include "contact/pieces/pair_way.h"
+#include "contact/pieces/pair_context.h"
 #include "numbers/dyadic.h"
 
 namespace foresee {
 
-/// `Kit`: what the pieces are (pair_way.h).
+/// `Kit`: what the pieces are (pair_context.h).
 template <class Kit>
 class PairIntervals {
  public:
   /// `times_wanted`: more is asked than whether they touch.
-  PairIntervals(const PairWay<Kit>& way, bool times_wanted, typename Kit::Space& space)
-      : way_(way),
-        within_(way.setup, way.row_a, way.row_b, way.a, way.b, way.relative, way.steps),
-        tests_(way.a, way.b, way.relative, way.asked, way.sizes, times_wanted, space) {}
+  PairIntervals(const PairContext<Kit>& context, bool times_wanted, typename Kit::Space& space)
+      : context_(context),
+        within_(context.setup, context.row_a, context.row_b, context.a, context.b, context.relative,
+                context.steps),
+        tests_(context.a, context.b, context.relative, context.asked, context.sizes, times_wanted, space) {}
 
   PairIntervals(const PairIntervals&) = delete;
   PairIntervals& operator=(const PairIntervals&) = delete;
@@ -28,7 +29,7 @@ class PairIntervals {
   /// When contact may begin that begins later than `after`; infinite if none may.
   double first_possible(double after) {
     double first = UncertainInterval::inf;
-    way_.walk.visit(
+    context_.walk.visit(
         Order::earlier_first,
         [&](const Period<double>& near) { return near.end > after && near.begin < first; },
         [&](std::size_t a, std::size_t b, const Period<double>& near) {
@@ -48,7 +49,7 @@ class PairIntervals {
         if (begin > until) passed_by = std::min(passed_by, begin);
         return begin <= until;
       };
-      way_.walk.visit(
+      context_.walk.visit(
           Order::earlier_first,
           [&](const Period<double>& near) { return near.end >= from && begins_by_then(near.begin); },
           [&](std::size_t a, std::size_t b, const Period<double>& near) {
@@ -65,7 +66,7 @@ class PairIntervals {
   template <class Take>
   void possible_pairs(const Period<double>& period, Take&& take) {
     bool more = true;
-    way_.walk.visit(
+    context_.walk.visit(
         Order::earlier_first,
         [&](const Period<double>& near) {
           return more && near.begin <= period.end && near.end >= period.begin;
@@ -82,11 +83,11 @@ class PairIntervals {
   /// Whether one lies within the other when what is asked about begins. Where the surfaces touch then it may
   /// say anything.
   bool is_within_at_begin() {
-    const Period<double>& near = way_.walk.near();
-    return within_.may_be() && near.begin <= way_.asked.begin.high && near.begin <= near.end &&
+    const Period<double>& near = context_.walk.near();
+    return within_.may_be() && near.begin <= context_.asked.begin.high && near.begin <= near.end &&
            within_.at_begin();
   }
-  bool is_grown() const { return is_of_size(way_.sizes.radius); }  ///< near counts as touching
+  bool is_grown() const { return is_of_size(context_.sizes.radius); }  ///< near counts as touching
 
   /// Whether one lies within the other. Requires: their surfaces do not touch then.
   bool is_within_at(const Dyadic& moment) { return within_.at(moment); }
@@ -97,7 +98,7 @@ class PairIntervals {
     return {std::max(interval.begin.low, near.begin), std::min(interval.end.high, near.end)};
   }
 
-  const PairWay<Kit>& way_;
+  const PairContext<Kit>& context_;
   typename Kit::Within within_;
   typename Kit::Tests tests_;
 };

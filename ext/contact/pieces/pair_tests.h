@@ -82,9 +82,9 @@ class PairTests {
     for (int i = 0; i < inside.count; ++i) {
       const UncertainInterval& interval = inside.list[static_cast<std::size_t>(i)];
       if (interval.begin.high > -UncertainInterval::inf)
-        space_.all_ends.push_back({condition, Way::in, interval.begin});
+        space_.all_ends.push_back({condition, CrossingDirection::entering, interval.begin});
       if (interval.end.low < UncertainInterval::inf)
-        space_.all_ends.push_back({condition, Way::out, interval.end});
+        space_.all_ends.push_back({condition, CrossingDirection::leaving, interval.end});
     }
   }
 
@@ -92,7 +92,8 @@ class PairTests {
   void add(const UncertainInterval& interval, bool is_instant) {
     const auto first_end = static_cast<std::uint32_t>(space_.ends.size());
     for (const EndpointCandidate<Condition>& end : space_.all_ends)
-      if (end.at.meets(end.way == Way::in ? interval.begin : interval.end)) space_.ends.push_back(end);
+      if (end.at.meets(end.direction == CrossingDirection::entering ? interval.begin : interval.end))
+        space_.ends.push_back(end);
     const auto count = static_cast<std::uint32_t>(space_.ends.size()) - first_end;
     space_.intervals.push_back({interval, first_end, count, is_instant});
   }

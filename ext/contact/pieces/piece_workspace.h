@@ -14,7 +14,7 @@ namespace foresee {
 template <class Condition>
 struct EndpointCandidate {
   Condition condition;
-  Way way;
+  CrossingDirection direction;
   Enclosure at;
 };
 

@@ -61,7 +61,7 @@ class UnionContact final : public Contact {
   }
 
  private:
-  using Way = PairWay<Kit>;
+  using Context = PairContext<Kit>;
   using Staged = UnionPair<Kit>;
 
   /// A pair of rows, and its stages.
@@ -74,10 +74,10 @@ class UnionContact final : public Contact {
     const Moments moments = moments_of(setup_, rows.a, rows.b);
     if (moments.none) return false;
     take_pieces(pair);
-    const Way way(setup_, rows.a, rows.b, a_, b_, moments, *steps_);
-    const PlainAnswer plain = plain_answer(way, false);
+    const Context context(setup_, rows.a, rows.b, a_, b_, moments, *steps_);
+    const PlainAnswer plain = plain_answer(context, false);
     if (plain.touches != Verdict::uncertain) return plain.touches == Verdict::yes;
-    Staged staged(way, false, space_);
+    Staged staged(context, false, space_);
     const Verdict touches = staged.touches();
     if (touches != Verdict::uncertain) return touches == Verdict::yes;
     return exactly_touches(rows, staged);
@@ -88,14 +88,14 @@ class UnionContact final : public Contact {
     const Moments moments = moments_of(setup_, rows.a, rows.b);
     if (moments.none) return {};
     take_pieces(pair);
-    const Way way(setup_, rows.a, rows.b, a_, b_, moments, *steps_);
-    const PlainAnswer plain = plain_answer(way, true);
+    const Context context(setup_, rows.a, rows.b, a_, b_, moments, *steps_);
+    const PlainAnswer plain = plain_answer(context, true);
     if (plain.touches == Verdict::no) return {};
     if (plain.all_along)
       return ContactTimes{moments.t_begin, moments.t_end, moments.dt_begin, moments.dt_end};
     if (plain.at_begin && wanted != TimesWanted::both)
       return ContactTimes{moments.t_begin, moments.t_begin, moments.dt_begin, moments.dt_begin};
-    Staged staged(way, true, space_);
+    Staged staged(context, true, space_);
     Instant begin;
     const Verdict touches = staged.first_contact(begin);
     if (touches == Verdict::no) return {};
@@ -118,8 +118,8 @@ class UnionContact final : public Contact {
   }
 
   /// Of windows none: they are as large as doubles go.
-  PlainAnswer plain_answer(const Way& way, bool times_wanted) const {
-    return setup_.window ? PlainAnswer{} : Kit::plain_answer(way, times_wanted);
+  PlainAnswer plain_answer(const Context& context, bool times_wanted) const {
+    return setup_.window ? PlainAnswer{} : Kit::plain_answer(context, times_wanted);
   }
 
   void take_pieces(const Pair& pair) {

@@ -18,20 +18,21 @@ namespace foresee {
 template <class Kit>
 class UnionPair : public PairIntervals<Kit> {
   using Base = PairIntervals<Kit>;
-  using Base::way_, Base::within_, Base::tests_;
+  using Base::context_, Base::within_, Base::tests_;
 
  public:
   /// As that of PairIntervals.
-  UnionPair(const PairWay<Kit>& way, bool times_wanted, typename Kit::Space& space)
-      : Base(way, times_wanted, space),
-        instants_(way.setup, way.row_a, way.row_b, way.relative, way.sizes, way.moments, way.asked),
+  UnionPair(const PairContext<Kit>& context, bool times_wanted, typename Kit::Space& space)
+      : Base(context, times_wanted, space),
+        instants_(context.setup, context.row_a, context.row_b, context.relative, context.sizes,
+                  context.moments, context.asked),
         seen_(space.seen) {}
 
   /// Is there a contact? Stops at the first that is certain. If it is uncertain, the pieces alone tell.
   Verdict touches() {
     if (Base::is_within_at_begin()) return Verdict::yes;
     Verdict touches = Verdict::no;
-    way_.walk.visit(
+    context_.walk.visit(
         Order::earlier_first, [&](const Period<double>&) { return touches != Verdict::yes; },
         [&](std::size_t a, std::size_t b, const Period<double>&) {
           for (const PieceInterval& interval : tests_.of(a, b))
@@ -44,11 +45,11 @@ class UnionPair : public PairIntervals<Kit> {
   Verdict first_contact(Instant& begin) {
     begins_within_ = Base::is_within_at_begin();
     if (begins_within_) {
-      met_by_ = way_.asked.begin.high, begin = {way_.moments.dt_begin, way_.moments.t_begin};
+      met_by_ = context_.asked.begin.high, begin = {context_.moments.dt_begin, context_.moments.t_begin};
       return Verdict::yes;
     }
     bool possible = false;
-    way_.walk.visit(
+    context_.walk.visit(
         Order::earlier_first,
         [this](const Period<double>& near) { return near.begin <= met_by_ && !begins_at_once(); },
         [&](std::size_t a, std::size_t b, const Period<double>&) {
@@ -69,7 +70,7 @@ class UnionPair : public PairIntervals<Kit> {
   /// Requires: the begin is known. `lasts_until_met_by`: that the contact does is known.
   Instant end_of_contact(bool lasts_until_met_by) {
     if (begins_within_)
-      last_ = way_.asked.begin;
+      last_ = context_.asked.begin;
     else if (lasts_until_met_by || !Kit::has_solids)  // stays of what fills its shape last a while
       go_on_from_met_by();
     else if (!enter(-UncertainInterval::inf))
@@ -85,7 +86,7 @@ class UnionPair : public PairIntervals<Kit> {
 
  private:
   /// They certainly touch when what is asked about begins.
-  bool begins_at_once() const { return met_by_ <= way_.asked.begin.low; }
+  bool begins_at_once() const { return met_by_ <= context_.asked.begin.low; }
 
   /// Of the stays found so far that may be the first, when they begin.
   void take_begins() {
@@ -101,7 +102,7 @@ class UnionPair : public PairIntervals<Kit> {
   }
 
   Instant earliest_begin() {
-    if (begins_at_once()) return {way_.moments.dt_begin, way_.moments.t_begin};
+    if (begins_at_once()) return {context_.moments.dt_begin, context_.moments.t_begin};
     take_begins();
     return unknown_from_ <= met_by_ ? unknown_instant() : earliest_;
   }
@@ -117,7 +118,7 @@ class UnionPair : public PairIntervals<Kit> {
   bool enter(double after) {
     double met_by = UncertainInterval::inf;
     seen_.clear(), all_seen_ = last_is_instant_ = false;
-    way_.walk.visit(
+    context_.walk.visit(
         Order::earlier_first,
         [&](const Period<double>& near) { return near.end > after && near.begin <= met_by; },
         [&](std::size_t a, std::size_t b, const Period<double>&) {
@@ -148,11 +149,12 @@ class UnionPair : public PairIntervals<Kit> {
     at_the_end([&](const PieceInterval& interval) { in_doubt |= may_continue_it(interval); });
     if (in_doubt) return false;
     all_seen_ = false;  // as others may be tested
-    const double next = Base::first_possible(last_.high), until = std::min(next, way_.asked.end.low);
+    const double next = Base::first_possible(last_.high), until = std::min(next, context_.asked.end.low);
     const double between = last_.high + (until - last_.high) / 2;
     end_in_doubt_ = !(last_.high < between && between < until);
     if (end_in_doubt_ || !within_.at(Dyadic(between))) return false;
-    if (next == UncertainInterval::inf) return last_ = {way_.asked.end.high, way_.asked.end.high}, true;
+    if (next == UncertainInterval::inf)
+      return last_ = {context_.asked.end.high, context_.asked.end.high}, true;
     end_in_doubt_ = !enter(last_.high);
     if (end_in_doubt_) last_ = {between, between};
     return !end_in_doubt_;
@@ -173,14 +175,14 @@ class UnionPair : public PairIntervals<Kit> {
         if (near.begin > last_.high) passed_by = std::min(passed_by, near.begin);
         return near.begin <= last_.high;
       };
-      way_.walk.visit(Order::later_first, wanted,
-                      [this, &forgotten](std::size_t a, std::size_t b, const Period<double>&) {
-                        if (tests_.is_full()) forgotten = std::min(forgotten, forget_seen());
-                        for (const PieceInterval& interval : tests_.of(a, b)) {
-                          if (is_joined(interval)) reach(interval.end);
-                          seen_.push_back(interval);
-                        }
-                      });
+      context_.walk.visit(Order::later_first, wanted,
+                          [this, &forgotten](std::size_t a, std::size_t b, const Period<double>&) {
+                            if (tests_.is_full()) forgotten = std::min(forgotten, forget_seen());
+                            for (const PieceInterval& interval : tests_.of(a, b)) {
+                              if (is_joined(interval)) reach(interval.end);
+                              seen_.push_back(interval);
+                            }
+                          });
       join_seen();
     } while (passed_by <= last_.high || forgotten <= last_.low);
   }
@@ -205,7 +207,7 @@ class UnionPair : public PairIntervals<Kit> {
     }
   }
 
-  bool lasts_to_the_end() const { return last_.low >= way_.asked.end.high; }
+  bool lasts_to_the_end() const { return last_.low >= context_.asked.end.high; }
 
   bool is_joined(const PieceInterval& interval) const {
     if (interval.is_instant && last_is_instant_ && interval.end.low == last_.low &&
@@ -225,7 +227,7 @@ class UnionPair : public PairIntervals<Kit> {
   template <class Use>
   void at_the_end(Use&& use) {
     if (all_seen_) return static_cast<void>(std::for_each(seen_.begin(), seen_.end(), use));
-    way_.walk.visit(
+    context_.walk.visit(
         Order::later_first,
         [this](const Period<double>& near) { return near.begin <= last_.high && near.end >= last_.low; },
         [this, &use](std::size_t a, std::size_t b, const Period<double>&) {
@@ -257,10 +259,10 @@ class UnionPair : public PairIntervals<Kit> {
   }
 
   bool ends_at_a_cut(const PieceInterval& interval) const {
-    if (way_.asked.end.meets(interval.end)) return false;
+    if (context_.asked.end.meets(interval.end)) return false;
     const EndpointCandidate<typename Kit::Condition>* only = nullptr;
     for (const auto& end : tests_.ends(interval)) {
-      if (end.way == Way::in) continue;
+      if (end.direction == CrossingDirection::entering) continue;
       if (only) return false;
       only = &end;
     }
@@ -268,7 +270,7 @@ class UnionPair : public PairIntervals<Kit> {
   }
 
   Instant latest_end() {
-    if (lasts_to_the_end()) return {way_.moments.dt_end, way_.moments.t_end};
+    if (lasts_to_the_end()) return {context_.moments.dt_end, context_.moments.t_end};
     if (end_in_doubt_) return unknown_instant();
     Instant latest{-UncertainInterval::inf, -UncertainInterval::inf};
     at_the_end([this, &latest](const PieceInterval& interval) {

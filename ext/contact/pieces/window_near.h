@@ -36,10 +36,12 @@ Box<D> window_near(const Setup& setup, const double* row_b) {
   for (int axis = 0; axis < D; ++axis) {
     const auto j = static_cast<std::size_t>(axis);
     const AxisMotion<double> b = axis_motion(setup.b, row_b, axis);
-    const double way = std::abs(b.x) + ago * (std::abs(b.v) + ago * std::abs(b.a)) +
-                       h * std::abs(faces.velocity[j]) + size(axis) + std::abs(faces.reference(axis));
+    const double distance = std::abs(b.x) + ago * (std::abs(b.v) + ago * std::abs(b.a)) +
+                            h * std::abs(faces.velocity[j]) + size(axis) + std::abs(faces.reference(axis));
     constexpr double most = std::numeric_limits<double>::max();
-    const double far = way == 0 ? 1 : 2 * way < most ? 2 * way : most;  // also where `way` is no number
+    const double far = distance == 0         ? 1
+                       : 2 * distance < most ? 2 * distance
+                                             : most;  // also where `distance` is no number
     box.lower[axis] = faces.has_lower(axis) ? faces.lower[j] : -far;
     box.upper[axis] = faces.has_upper(axis) ? faces.upper[j] : far;
   }

@@ -21,9 +21,9 @@ constexpr std::size_t pairs_at_once = 4096;
 /// The distance of the centres never shrinks: on straight paths its slope grows, so that the first decides.
 template <int D>
 bool separates_exactly(const Setup& setup, const double* own, const double* other) {
-  const auto way = relative_motion_of<Dyadic, D>(setup, own, other);
+  const auto relative = relative_motion_of<Dyadic, D>(setup, own, other);
   Dyadic slope;
-  for (int axis = 0; axis < D; ++axis) slope = slope + way.x[axis] * way.v[axis];
+  for (int axis = 0; axis < D; ++axis) slope = slope + relative.x[axis] * relative.v[axis];
   return slope.sign() >= 0;
 }
 

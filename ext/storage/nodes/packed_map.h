@@ -60,8 +60,8 @@ class PackedMap {
   std::size_t place_of(std::int64_t id) const {
     if (ids_.empty() || id < ids_.front() || id > ids_.back()) return ids_.size();
     const std::size_t last = ids_.size() - 1;
-    const double from = number(ids_.front()), way = std::max(number(ids_.back()) - from, 1.0);
-    std::size_t low = std::min(last, static_cast<std::size_t>((number(id) - from) / way * number(last)));
+    const double from = number(ids_.front()), range = std::max(number(ids_.back()) - from, 1.0);
+    std::size_t low = std::min(last, static_cast<std::size_t>((number(id) - from) / range * number(last)));
     std::size_t high = low;  // until ids_[low] <= id <= ids_[high]
     for (std::size_t step = 1; ids_[low] > id; step *= 2) high = low, low -= std::min(low, step);
     for (std::size_t step = 1; ids_[high] < id; step *= 2) low = high, high += std::min(last - high, step);

@@ -24,8 +24,8 @@ struct StagedScene {
   StagedScene(const StagedScene&) = delete;
 
   UnionPair<FlatKit<2, 1>> pair(bool times_wanted) {
-    way.emplace(setup, row_a.data(), row_b.data(), a, b, moments, steps);
-    return {*way, times_wanted, space};
+    context.emplace(setup, row_a.data(), row_b.data(), a, b, moments, steps);
+    return {*context, times_wanted, space};
   }
 
   const std::vector<double> row_a, row_b;
@@ -36,7 +36,7 @@ struct StagedScene {
   FlatSpace space;
   NeverInterrupt never;
   Steps steps{never};
-  std::optional<PairWay<FlatKit<2, 1>>> way;  ///< of the pair asked for last
+  std::optional<PairContext<FlatKit<2, 1>>> context;  ///< of the pair asked for last
 };
 
 }  // namespace foresee::testing_by_hand

@@ -1,8 +1,8 @@
 // How do two objects move past each other that are unions of pieces, and when could they touch at most? What
 // all stages of a pair begin with.
 //
-//   const PairWay<FlatKit<2, 1>> way(setup, row_a, row_b, a, b, moments, steps);
-//   if (way.walk.near().begin > way.walk.near().end) …              // they never touch
+//   const PairContext<FlatKit<2, 1>> context(setup, row_a, row_b, a, b, moments, steps);
+//   if (context.walk.near().begin > context.walk.near().end) …              // they never touch
 //
 // A Kit says what the pieces are. It has `axes` and `degree` of the motion, the types Pieces (of one object,
 // under a tree), Condition, Sizes<T>, Space, Tests (pair_tests.h) and NodeTests (tree_walk.h), sizes_of<T>()
@@ -18,13 +18,13 @@
 namespace foresee {
 
 template <class Kit>
-struct PairWay {
+struct PairContext {
   using Pieces = typename Kit::Pieces;
 
   /// The moments must not be none. What is given must outlive this. An interrupt is heeded at each of the
   /// `steps`.
-  PairWay(const Setup& setup, const double* row_a, const double* row_b, const Pieces& a, const Pieces& b,
-          const Moments& moments, Steps& steps)
+  PairContext(const Setup& setup, const double* row_a, const double* row_b, const Pieces& a, const Pieces& b,
+              const Moments& moments, Steps& steps)
       : setup(setup),
         row_a(row_a),
         row_b(row_b),
@@ -37,8 +37,8 @@ struct PairWay {
         sizes(Kit::template sizes_of<Bounded>(setup, row_a, row_b)),
         walk(a, b, relative, {asked.begin.low, asked.end.high}, sizes, steps) {}
 
-  PairWay(const PairWay&) = delete;
-  PairWay& operator=(const PairWay&) = delete;
+  PairContext(const PairContext&) = delete;
+  PairContext& operator=(const PairContext&) = delete;
 
   const Setup& setup;
   const double *const row_a, *const row_b;
