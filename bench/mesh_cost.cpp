@@ -79,7 +79,7 @@ struct Fleet final : MeshRows {
     }
   }
 
-  const TriangleTree* triangles(std::size_t row, OwnPieces<TriangleTree>&) const override {
+  const TriangleTree* triangles(std::size_t row, ScratchPieces<TriangleTree>&) const override {
     return &trees[row];
   }
   Bodies bodies() const { return {{.axes = 3, .law = Law::uniform}, rows.data(), rows.size() / 6}; }

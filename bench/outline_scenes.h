@@ -19,7 +19,7 @@ struct OutlineFleet final : OutlineRows {
   std::vector<Outline> outlines;
   std::vector<ConvexPieces> cut;
 
-  const ConvexPieces* pieces(std::size_t row, OwnPieces<ConvexPieces>&) const override {
+  const ConvexPieces* pieces(std::size_t row, ScratchPieces<ConvexPieces>&) const override {
     return cut.empty() ? nullptr : &cut[row];
   }
   Bodies bodies() const { return {{.axes = 2, .law = Law::uniform}, rows.data(), rows.size() / 4}; }

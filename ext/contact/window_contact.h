@@ -41,7 +41,7 @@ class MovingWindow {
  private:
   /// The one row of a zone.
   struct Zone final : OutlineRows {
-    const ConvexPieces* pieces(std::size_t, OwnPieces<ConvexPieces>&) const override {
+    const ConvexPieces* pieces(std::size_t, ScratchPieces<ConvexPieces>&) const override {
       return &outline->pieces();
     }
     std::shared_ptr<const CutOutline> outline;

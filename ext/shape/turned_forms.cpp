@@ -28,7 +28,7 @@ void TurnedForms<KindOfForm>::assign(const Bodies& bodies, FormSource& source, I
 
 template <class KindOfForm>
 const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::pieces(std::size_t row,
-                                                                   OwnPieces<Pieces>& own) const {
+                                                                   ScratchPieces<Pieces>& own) const {
   const KindOfForm* const form = forms_[row];
   const Lie lie{form, heading(row)};
   if (!form || lie.heading == 0) return form ? &form->pieces() : nullptr;
@@ -48,7 +48,7 @@ const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::kept(const Lie& lie)
 
 template <class KindOfForm>
 const typename KindOfForm::Pieces* TurnedForms<KindOfForm>::made_for(std::size_t row, const Lie& lie,
-                                                                     OwnPieces<Pieces>& own) const {
+                                                                     ScratchPieces<Pieces>& own) const {
   if (own.are_of(lie.form, lie.heading)) return own.pieces.get();
   auto made = std::make_unique<const Pieces>(lie.form->pieces_as_it_lies(lie.heading));
   if (const Pieces* const shared = keep(lie, made)) return shared;

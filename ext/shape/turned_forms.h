@@ -3,7 +3,7 @@
 //
 //   TurnedForms<CutOutline> forms;
 //   forms.assign(ships, source, interrupt);               // looks every number up
-//   OwnPieces<ConvexPieces> own;
+//   ScratchPieces<ConvexPieces> own;
 //   if (const ConvexPieces* hull = forms.pieces(row, own)) …   // turned by the row's heading
 //
 // Rows of one form and one heading share its pieces. Those of a heading are made when a row of it is first
@@ -21,7 +21,7 @@
 #include "base/error.h"
 #include "shape/bodies.h"
 #include "shape/form.h"
-#include "shape/own_pieces.h"
+#include "shape/scratch_pieces.h"
 
 namespace foresee {
 
@@ -43,7 +43,7 @@ class TurnedForms {
 
   /// Which live as long as this, or are in `own`; null: the row has no form. Throws Error where the form,
   /// turned, is none: no row that was accepted has such a heading.
-  const Pieces* pieces(std::size_t row, OwnPieces<Pieces>& own) const;
+  const Pieces* pieces(std::size_t row, ScratchPieces<Pieces>& own) const;
 
   /// Bytes, some of them an estimate: it grows as rows are asked for.
   std::size_t memory() const;
@@ -67,7 +67,7 @@ class TurnedForms {
   const Pieces* kept(const Lie& lie) const;
   /// Null: there is no room.
   const Pieces* keep(const Lie& lie, std::unique_ptr<const Pieces>& made) const;
-  const Pieces* made_for(std::size_t row, const Lie& lie, OwnPieces<Pieces>& own) const;
+  const Pieces* made_for(std::size_t row, const Lie& lie, ScratchPieces<Pieces>& own) const;
   double heading(std::size_t row) const { return value_or(bodies_.row(row), bodies_.at.heading, 0); }
 
   Bodies bodies_;

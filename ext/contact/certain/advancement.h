@@ -10,7 +10,7 @@
 #include <cstdint>
 
 #include "contact/certain/certain_set.h"
-#include "contact/certain/leaps.h"
+#include "contact/certain/root_bracketing.h"
 
 namespace foresee {
 
@@ -79,7 +79,7 @@ class Advancement {
   /// CertainSet::apart(), up to near_end_.
   double apart(double tau) { return certain_.apart(tau, room_from(tau, near_end_)); }
 
-  /// leaps.h, up to the moments that certainly count.
+  /// root_bracketing.h, up to the moments that certainly count.
   template <class Ask>
   bool witness(Ask&& ask, Bracket& bracket, double earliest) const {
     return foresee::witness(ask, bracket, earliest, inner_end_);

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "contact/certain/certain_motion.h"
-#include "contact/certain/certified.h"
+#include "contact/certain/positive_duration.h"
 #include "contact/set/contact_set.h"
 
 namespace foresee {
@@ -37,7 +37,7 @@ class CertainSet {
 
   /// From tau on the set is certainly not met for so long, or not_certain. Beyond `room` only as for_ever.
   double apart(double tau, double room) {
-    look_from(tau);
+    expand_at(tau);
     forget();
     double least = for_ever;
     for (const ContactSet::Piece& piece : set_.pieces()) {
@@ -51,7 +51,7 @@ class CertainSet {
 
   /// The same for certain contact.
   double within(double tau, double room) {
-    look_from(tau);
+    expand_at(tau);
     forget();
     double greatest = not_certain;
     for (const ContactSet::Piece& piece : set_.pieces())
@@ -61,7 +61,7 @@ class CertainSet {
 
   /// The set is certainly met at tau.
   bool now_within(double tau) {
-    look_from(tau);
+    expand_at(tau);
     forget();
     return std::any_of(set_.pieces().begin(), set_.pieces().end(), [this](const ContactSet::Piece& piece) {
       const auto all = set_.members(piece.all);
@@ -71,7 +71,7 @@ class CertainSet {
 
   /// The set is certainly not met at tau.
   bool now_apart(double tau) {
-    look_from(tau);
+    expand_at(tau);
     forget();
     return std::all_of(set_.pieces().begin(), set_.pieces().end(), [this](const ContactSet::Piece& piece) {
       const auto all = set_.members(piece.all);
@@ -80,7 +80,7 @@ class CertainSet {
   }
 
   /// From now on, what is asked about single primitives is as seen from tau.
-  [[gnu::always_inline]] void look_from(double tau) {
+  [[gnu::always_inline]] void expand_at(double tau) {
     tau_ = tau;
     for (int j = 0; j < D; ++j) {
       const AxisView<> view = view_from<Degree>(relative_.axis[j], tau, relative_.underflow);

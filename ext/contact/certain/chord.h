@@ -12,7 +12,7 @@
 #include <cmath>
 
 #include "contact/certain/certain_axis_motion.h"
-#include "contact/certain/certified.h"
+#include "contact/certain/positive_duration.h"
 #include "contact/set/contact_set.h"
 
 namespace foresee {

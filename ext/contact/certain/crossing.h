@@ -45,7 +45,7 @@ class Crossing {
            CrossingScratch& scratch)
       : certain_(certain), lengths_(lengths), scratch_(scratch), base_(bracket.before), now_(now) {
     width_ = (bracket.after - bracket.before) * (1 + 4 * unit_roundoff);
-    certain.look_from(base_);
+    certain.expand_at(base_);
     const DoubleDouble tau{base_, 0};
     for (int j = 0; j < D; ++j)
       place_[j][0] = Degree < 2 ? relative.x[j] + tau * relative.v[j]

@@ -3,16 +3,16 @@
 #include <algorithm>
 
 #include "contact/exact/pair_polynomials.h"
+#include "contact/mesh/containment.h"
 #include "contact/mesh/plate_tests.h"
 #include "contact/mesh/round_parts.h"
 #include "contact/mesh/space_condition.h"
 #include "contact/mesh/space_tests.h"
-#include "contact/mesh/within.h"
+#include "contact/pieces/bounded_window.h"
+#include "contact/pieces/filter_answer.h"
 #include "contact/pieces/pair_context.h"
-#include "contact/pieces/plain_answer.h"
 #include "contact/pieces/tested_pairs.h"
 #include "contact/pieces/union_contact.h"
-#include "contact/pieces/window_near.h"
 
 namespace foresee {
 
@@ -114,7 +114,7 @@ Polynomial SpacePolynomials::exact_polynomial(int primitive) const {
 // What contact of meshes is made of (pieces/union_pair.h): triangles, boxes and points in space.
 
 template <int Degree>
-struct SpaceKit {
+struct SpaceTraits {
   static constexpr int axes = 3, degree = Degree;
   static constexpr bool has_solids = true;
   using Tables = MeshTables;
@@ -125,7 +125,7 @@ struct SpaceKit {
   using Space = PieceWorkspace<SpaceCondition>;
   using Tests = SpaceTests<Degree>;
   using NodeTests = PlateTests;
-  using Within = foresee::Within;
+  using Containment = foresee::Containment;
   using Polynomials = SpacePolynomials;
 
   template <class T>
@@ -133,7 +133,7 @@ struct SpaceKit {
     return {radius_of<T>(setup, row_a, row_b), steady_axes_of(setup, row_a, row_b)};
   }
   /// None: triangles are many, and asked one by one (space_tests.h).
-  static PlainAnswer plain_answer(const PairContext<SpaceKit>&, bool) { return {}; }
+  static FilterAnswer filter_answer(const PairContext<SpaceTraits>&, bool) { return {}; }
   static constexpr bool is_cut(const SpaceCondition&) { return false; }
   /// What the rows of a pair look like.
   static void take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables, const Pair& pair);
@@ -160,18 +160,18 @@ void take_row(SpacePieces& pieces, const Bodies& bodies, const MeshRows* meshes,
 }  // namespace
 
 template <int Degree>
-void SpaceKit<Degree>::take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables,
-                            const Pair& pair) {
+void SpaceTraits<Degree>::take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables,
+                               const Pair& pair) {
   if (setup.window)
-    a.take_box(window_near<3>(setup, setup.b.row(pair.b)));
+    a.take_box(bounded_window<3>(setup, setup.b.row(pair.b)));
   else
     take_row(a, setup.a, tables.a, pair.a);
   take_row(b, setup.b, tables.b, pair.b);
 }
 
 std::unique_ptr<Contact> make_mesh_contact(const Setup& setup, const MeshTables& meshes, int degree) {
-  if (degree < 2) return std::make_unique<UnionContact<SpaceKit<1>>>(setup, meshes);
-  return std::make_unique<UnionContact<SpaceKit<2>>>(setup, meshes);
+  if (degree < 2) return std::make_unique<UnionContact<SpaceTraits<1>>>(setup, meshes);
+  return std::make_unique<UnionContact<SpaceTraits<2>>>(setup, meshes);
 }
 
 }  // namespace foresee

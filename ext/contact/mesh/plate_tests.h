@@ -26,7 +26,7 @@ class PlateTests {
   Period<double> near(Node a, Node b, const Period<double>& asked) const {
     if (!a_) return boxes_.near(a, b, asked);
     const Plate &one = a_->of(a), &other = b_->of(b);
-    const Period<double> near = boxes_.boxes().plainly_between(one, other, asked);
+    const Period<double> near = boxes_.boxes().quickly_between(one, other, asked);
     return near.begin <= near.end ? cut(one, other, near) : near;
   }
   bool is_larger(Node a, Node b) const {

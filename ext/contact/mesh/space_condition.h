@@ -13,7 +13,7 @@
 #include "contact/set/primitive.h"
 #include "contact/set/relative_motion.h"
 #include "shape/mesh/triangle_tree.h"
-#include "shape/own_pieces.h"
+#include "shape/scratch_pieces.h"
 
 namespace foresee {
 
@@ -75,7 +75,7 @@ class SpacePieces {
 
   void take(const TriangleTree& triangles) { triangles_ = &triangles; }
   /// For triangles that nobody else keeps.
-  OwnPieces<TriangleTree>& own() { return own_; }
+  ScratchPieces<TriangleTree>& own() { return own_; }
   void take_box(const Box<3>& box);
   void take_point() { take_box({Vec<3>::Zero(), Vec<3>::Zero()}); }
 
@@ -104,7 +104,7 @@ class SpacePieces {
   const TriangleTree* triangles_ = nullptr;  ///< none: the box
   std::array<SpaceCorner, 8> corners_;
   Box<3> box_;
-  OwnPieces<TriangleTree> own_;
+  ScratchPieces<TriangleTree> own_;
 };
 
 /// A direction in space, not 0: that of a run, square to two runs, or square to such a one and a third run.
@@ -137,7 +137,7 @@ struct SpaceSizes {
 
 /// They do not change.
 template <class T>
-const SpaceSizes<T>& seen_from(const SpaceSizes<T>& sizes, double /*tau*/) {
+const SpaceSizes<T>& expanded_at(const SpaceSizes<T>& sizes, double /*tau*/) {
   return sizes;
 }
 

@@ -107,14 +107,14 @@ class Passing {
   std::size_t count_ = 0;
 };
 
-constexpr PlainPassing apart{{1, 0}, 0};
+constexpr TriangleFilter apart{{1, 0}, 0};
 constexpr unsigned all_axes = ~0U;
 
 }  // namespace
 
-PlainPassing plain_passing(const SpacePiece& a, const SpacePiece& b,
-                           const std::array<Powers<Bounded, 2>, 3>& x, const Bounded& radius,
-                           const UncertainInterval& asked) {
+TriangleFilter filter_triangles(const SpacePiece& a, const SpacePiece& b,
+                                const std::array<Powers<Bounded, 2>, 3>& x, const Bounded& radius,
+                                const UncertainInterval& asked) {
   const Corners corners_a(a), corners_b(b);
   Passing passing(corners_a, corners_b, x, radius, asked);
   for (const Corners* corners : {&corners_a, &corners_b})

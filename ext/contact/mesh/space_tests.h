@@ -10,11 +10,11 @@
 #pragma once
 
 #include "contact/certain/certain_motion.h"
-#include "contact/certain/certified.h"
+#include "contact/certain/positive_duration.h"
 #include "contact/mesh/round_parts.h"
 #include "contact/mesh/space_condition.h"
+#include "contact/pieces/motion_expansion.h"
 #include "contact/pieces/pair_tests.h"
-#include "contact/pieces/seen_from.h"
 #include "contact/pieces/uncertain_interval.h"
 
 namespace foresee {
@@ -22,7 +22,7 @@ namespace foresee {
 // What do plain doubles tell of two triangles that pass each other? The first question about a pair of them,
 // which lets most go, and saves the rest most of what is asked with error bounds.
 //
-//   const PlainPassing passing = plain_passing(a, b, x, radius, asked);
+//   const TriangleFilter passing = filter_triangles(a, b, x, radius, asked);
 //   if (passing.is_apart() || passing.near.begin > by) return;      // else they may touch by then
 //   SpaceHull(a, b).for_each(take, passing.axes);                   // the planes that matter
 //
@@ -32,7 +32,7 @@ namespace foresee {
 // (chord.h). What lies between both by more than the slack, and the roundings of n, as long as the other axes
 // let them touch has no say in when they do. Cost: some hundred nanoseconds.
 
-struct PlainPassing {
+struct TriangleFilter {
   Period<double> near;  ///< they touch at no other moments
   unsigned axes;        ///< a bit for each that may say when they touch: numbered as SpaceHull has them
 
@@ -40,9 +40,9 @@ struct PlainPassing {
 };
 
 /// `x`: d by powers of the time from now on. Requires: two triangles.
-PlainPassing plain_passing(const SpacePiece& a, const SpacePiece& b,
-                           const std::array<Powers<Bounded, 2>, 3>& x, const Bounded& radius,
-                           const UncertainInterval& asked);
+TriangleFilter filter_triangles(const SpacePiece& a, const SpacePiece& b,
+                                const std::array<Powers<Bounded, 2>, 3>& x, const Bounded& radius,
+                                const UncertainInterval& asked);
 
 template <int Degree>
 class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
@@ -71,7 +71,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
 
   static std::array<Powers<Bounded, Degree>, 3> from_now(const CertainMotion<3>& relative,
                                                          const SpaceSizes<Bounded>& sizes) {
-    auto x = seen_from<Degree>(relative, 0);
+    auto x = expanded_at<Degree>(relative, 0);
     for (std::size_t j = 0; j < 3; ++j)
       if (sizes.steady[j]) x[j] = {}, x[j][0] = Bounded{*sizes.steady[j]};
     return x;
@@ -83,7 +83,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     const SpacePiece a = a_.piece(pair.a), b = b_.piece(pair.b);
     unsigned axes = ~0U;
     if (!a.is_box() && !b.is_box()) {
-      const PlainPassing passing = plain_passing(a, b, plain_x_, radius_, asked_);
+      const TriangleFilter passing = filter_triangles(a, b, plain_x_, radius_, asked_);
       if (passing.is_apart()) return true;
       if (passing.near.begin > by) return false;
       axes = passing.axes;
@@ -199,7 +199,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   }
 
   Powers<Bounded, 4> polynomial_at(const SpaceCondition& round, double tau) const {
-    return round_polynomial<2>(round, seen_from<2>(relative_, tau), radius_);
+    return round_polynomial<2>(round, expanded_at<2>(relative_, tau), radius_);
   }
 
   const SpacePieces &a_, &b_;

@@ -8,7 +8,7 @@
 
 #include "contact/outline/convex_sum.h"
 #include "contact/pieces/moving_size.h"
-#include "contact/set/sizes_of_both.h"
+#include "contact/set/combined_sizes.h"
 #include "contact/set/window_faces.h"
 
 namespace foresee {
@@ -71,8 +71,8 @@ PairSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row
 }
 
 template <class T>
-PairSizes<T> seen_from(const PairSizes<T>& sizes, double tau) {
-  return {seen_from(sizes.radius, tau), seen_from(sizes.below, tau), seen_from(sizes.above, tau),
+PairSizes<T> expanded_at(const PairSizes<T>& sizes, double tau) {
+  return {expanded_at(sizes.radius, tau), expanded_at(sizes.below, tau), expanded_at(sizes.above, tau),
           sizes.has_below, sizes.has_above};
 }
 
@@ -85,10 +85,10 @@ Powers<T, 2 * K> round_polynomial(const Condition& condition, const Powers<T, K>
     const Powers<T, K> line = beyond<K>(condition.edge, x);
     p[0] = square(line[0]);
     add_square_above<K>(p, line);
-    subtract_square_times<2 * K>(p, radius, squared_length<T>(condition.edge));
+    subtract_square_multiple<2 * K>(p, radius, squared_length<T>(condition.edge));
     return p;
   }
-  subtract_square_times<2 * K>(p, radius, Once{});
+  subtract_square_multiple<2 * K>(p, radius, Once{});
   for (int j = 0; j < 2; ++j) {
     Powers<T, K> gap = x[j];
     gap[0] = gap[0] - begin_of<T>(condition.edge, j);
@@ -112,7 +112,7 @@ auto with_polynomial(const Condition& condition, const std::array<Powers<T, K>, 
       Powers<T, K> p = x[D - 1];
       if (condition.sign < 0)
         for (T& c : p) c = -c;
-      subtract_times<K>(p, condition.sign < 0 ? sizes.below : sizes.above, Once{});
+      subtract_multiple<K>(p, condition.sign < 0 ? sizes.below : sizes.above, Once{});
       return take(p);
     }
     default:

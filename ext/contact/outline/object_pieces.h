@@ -45,7 +45,7 @@ class ObjectPieces {
   std::array<Corner, 4> corners_;
   Box<2> box_;
   bool is_point_ = false;
-  OwnPieces<ConvexPieces> own_;
+  ScratchPieces<ConvexPieces> own_;
 };
 
 }  // namespace foresee

@@ -2,17 +2,17 @@
 
 #include <algorithm>
 
-#include "contact/outline/flat_kit.h"
+#include "contact/outline/flat_traits.h"
+#include "contact/pieces/bounded_window.h"
 #include "contact/pieces/union_contact.h"
-#include "contact/pieces/window_near.h"
 
 namespace foresee {
 
 template <int D, int Degree>
-void FlatKit<D, Degree>::take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables,
-                              const Pair& pair) {
+void FlatTraits<D, Degree>::take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables,
+                                 const Pair& pair) {
   if (setup.window && !tables.a)
-    a.take_box(window_near<2>(setup, setup.b.row(pair.b)));
+    a.take_box(bounded_window<2>(setup, setup.b.row(pair.b)));
   else
     a.take_row(setup.a, tables.a, pair.a);
   b.take_row(setup.b, tables.b, pair.b);
@@ -20,7 +20,7 @@ void FlatKit<D, Degree>::take(Pieces& a, Pieces& b, const Setup& setup, const Ta
 }
 
 template <int D, int Degree>
-PlainAnswer FlatKit<D, Degree>::plain_answer(const PairContext<FlatKit>& context, bool times_wanted) {
+FilterAnswer FlatTraits<D, Degree>::filter_answer(const PairContext<FlatTraits>& context, bool times_wanted) {
   constexpr std::size_t few = 8, some = 16;
   if (context.a.count() * context.b.count() > some) return {};
   const double first = context.moments.dt_begin, last = context.moments.dt_end, length = last - first;
@@ -47,23 +47,23 @@ PlainAnswer FlatKit<D, Degree>::plain_answer(const PairContext<FlatKit>& context
   take_axis(context.relative.axis[1], plain.begin.y, plain.end.y);
   // Anything between its first size and its last.
   const MovingSize<Bounded>& grown = context.sizes.radius;
-  Bounded radius = seen_from(grown, first).value;
+  Bounded radius = expanded_at(grown, first).value;
   if (grown.moves) {
     const Bounded more = Bounded{0.5 * length} * grown.rate;
     radius = radius + more, radius.error += more.value * (1 + 0x1p-40) + more.error;
   }
-  const PlainAnswer answer = plainly_near(plain, context.a, context.b, std::span(pairs).first(count), radius,
-                                          D == 2 && times_wanted);
-  return D == 2 || answer.touches == Verdict::no ? answer : PlainAnswer{};
+  const FilterAnswer answer = filter_outlines(plain, context.a, context.b, std::span(pairs).first(count),
+                                              radius, D == 2 && times_wanted);
+  return D == 2 || answer.touches == Verdict::no ? answer : FilterAnswer{};
 }
 
 std::unique_ptr<Contact> make_outline_contact(const Setup& setup, const OutlineTables& outlines, int degree) {
   if (setup.a.layout.axes < 3) {
-    if (degree < 2) return std::make_unique<UnionContact<FlatKit<2, 1>>>(setup, outlines);
-    return std::make_unique<UnionContact<FlatKit<2, 2>>>(setup, outlines);
+    if (degree < 2) return std::make_unique<UnionContact<FlatTraits<2, 1>>>(setup, outlines);
+    return std::make_unique<UnionContact<FlatTraits<2, 2>>>(setup, outlines);
   }
-  if (degree < 2) return std::make_unique<UnionContact<FlatKit<3, 1>>>(setup, outlines);
-  return std::make_unique<UnionContact<FlatKit<3, 2>>>(setup, outlines);
+  if (degree < 2) return std::make_unique<UnionContact<FlatTraits<3, 1>>>(setup, outlines);
+  return std::make_unique<UnionContact<FlatTraits<3, 2>>>(setup, outlines);
 }
 
 }  // namespace foresee

@@ -8,19 +8,19 @@
 #include <optional>
 
 #include "contact/certain/crossing.h"
+#include "contact/pieces/motion_expansion.h"
 #include "contact/pieces/piece_workspace.h"
-#include "contact/pieces/seen_from.h"
 #include "contact/set/relative_motion.h"
 
 namespace foresee {
 
-/// `Kit`: what the pieces are (union_pair.h).
-template <class Kit>
+/// `Traits`: what the pieces are (union_pair.h).
+template <class Traits>
 class EndpointRounding {
-  static constexpr int D = Kit::axes, Degree = Kit::degree;
-  using Condition = typename Kit::Condition;
+  static constexpr int D = Traits::axes, Degree = Traits::degree;
+  using Condition = typename Traits::Condition;
   template <class T>
-  using Sizes = typename Kit::template Sizes<T>;
+  using Sizes = typename Traits::template Sizes<T>;
 
  public:
   EndpointRounding(const Setup& setup, const double* row_a, const double* row_b,
@@ -58,10 +58,10 @@ class EndpointRounding {
     const double width = (end.at.high - end.at.low) * (1 + 4 * unit_roundoff);
     const double base = std::clamp(end.at.low + 0.5 * width, 0.0, asked_.end.high);
     const auto place = place_at(base);
-    const DoubleDouble value = with_polynomial<0>(end.condition, place, seen_from(*fine_sizes_, base),
+    const DoubleDouble value = with_polynomial<0>(end.condition, place, expanded_at(*fine_sizes_, base),
                                                   [](const auto& p) { return p[0]; });
     return with_polynomial<Degree>(
-        end.condition, seen_from<Degree>(certain_, base), seen_from(sizes_, base), [&](const auto& p) {
+        end.condition, expanded_at<Degree>(certain_, base), expanded_at(sizes_, base), [&](const auto& p) {
           const double lost = certain_.underflow + 0x1p-1060, slope = p[1].value;
           // DoubleDouble loses at most 2^-97 of what the double bound counts in 2^-53.
           const double error = p[0].error_bound(lost) * 0x1p-44 + certain_.underflow;
@@ -82,7 +82,7 @@ class EndpointRounding {
 
   std::array<Powers<DoubleDouble, 0>, D> place_at(double tau) {
     if (!fine_sizes_) {
-      fine_sizes_ = Kit::template sizes_of<DoubleDouble>(setup_, row_a_, row_b_);
+      fine_sizes_ = Traits::template sizes_of<DoubleDouble>(setup_, row_a_, row_b_);
       relative_ = relative_motion_of<DoubleDouble, D>(setup_, row_a_, row_b_);
     }
     std::array<Powers<DoubleDouble, 0>, D> place;

@@ -1,7 +1,7 @@
 // A size that may grow with time, in any number type: what the conditions of pieces are about.
 //
 //   const MovingSize<Bounded> radius{r, growth};
-//   seen_from(radius, 600).value                  // 600 s later
+//   expanded_at(radius, 600).value                  // 600 s later
 //
 // What cannot move costs one test. A plain number is a size that does not.
 #pragma once
@@ -18,14 +18,14 @@ struct MovingSize {
 };
 
 template <class T>
-MovingSize<T> seen_from(const MovingSize<T>& size, double tau) {
+MovingSize<T> expanded_at(const MovingSize<T>& size, double tau) {
   if (!size.moves) return size;
   return {size.value + T{tau} * size.rate, size.rate, true};
 }
 
 /// The size when it is largest.
 inline Bounded largest(const MovingSize<Bounded>& size, double end) {
-  return seen_from(size, end).value;
+  return expanded_at(size, end).value;
 }
 inline Bounded largest(const Bounded& size, double /*end*/) {
   return size;
@@ -49,8 +49,8 @@ struct Once {
 
 /// Subtracts from a polynomial the size times a factor.
 template <int K, class T, class Factor>
-[[gnu::always_inline]] inline void subtract_times(Powers<T, K>& p, const MovingSize<T>& size,
-                                                  const Factor& factor) {
+[[gnu::always_inline]] inline void subtract_multiple(Powers<T, K>& p, const MovingSize<T>& size,
+                                                     const Factor& factor) {
   p[0] = p[0] - size.value * factor;
   if constexpr (K > 0)
     if (size.moves) p[1] = p[1] - size.rate * factor;
@@ -58,8 +58,8 @@ template <int K, class T, class Factor>
 
 /// Subtracts its square times a factor.
 template <int K, class T, class Factor>
-[[gnu::always_inline]] inline void subtract_square_times(Powers<T, K>& p, const MovingSize<T>& size,
-                                                         const Factor& factor) {
+[[gnu::always_inline]] inline void subtract_square_multiple(Powers<T, K>& p, const MovingSize<T>& size,
+                                                            const Factor& factor) {
   p[0] = p[0] - square(size.value) * factor;
   if constexpr (K > 1)
     if (size.moves) {

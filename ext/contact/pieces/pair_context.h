@@ -1,7 +1,7 @@
 // How do two objects move past each other that are unions of pieces, and when could they touch at most? What
 // all stages of a pair begin with.
 //
-//   const PairContext<FlatKit<2, 1>> context(setup, row_a, row_b, a, b, moments, steps);
+//   const PairContext<FlatTraits<2, 1>> context(setup, row_a, row_b, a, b, moments, steps);
 //   if (context.walk.near().begin > context.walk.near().end) …              // they never touch
 //
 // A Kit says what the pieces are. It has `axes` and `degree` of the motion, the types Pieces (of one object,
@@ -17,9 +17,9 @@
 
 namespace foresee {
 
-template <class Kit>
+template <class Traits>
 struct PairContext {
-  using Pieces = typename Kit::Pieces;
+  using Pieces = typename Traits::Pieces;
 
   /// The moments must not be none. What is given must outlive this. An interrupt is heeded at each of the
   /// `steps`.
@@ -32,9 +32,9 @@ struct PairContext {
         b(b),
         moments(moments),
         steps(steps),
-        relative(certain_motion_of<Kit::axes, Kit::degree>(setup, row_a, row_b)),
+        relative(certain_motion_of<Traits::axes, Traits::degree>(setup, row_a, row_b)),
         asked(asked_of(moments)),
-        sizes(Kit::template sizes_of<Bounded>(setup, row_a, row_b)),
+        sizes(Traits::template sizes_of<Bounded>(setup, row_a, row_b)),
         walk(a, b, relative, {asked.begin.low, asked.end.high}, sizes, steps) {}
 
   PairContext(const PairContext&) = delete;
@@ -45,10 +45,10 @@ struct PairContext {
   const Pieces &a, &b;
   const Moments& moments;
   Steps& steps;
-  const CertainMotion<Kit::axes> relative;
+  const CertainMotion<Traits::axes> relative;
   const UncertainInterval asked;  ///< the moments, enclosed
-  const typename Kit::template Sizes<Bounded> sizes;
-  const TreeWalk<Kit::axes, Pieces, typename Kit::NodeTests> walk;
+  const typename Traits::template Sizes<Bounded> sizes;
+  const TreeWalk<Traits::axes, Pieces, typename Traits::NodeTests> walk;
 
  private:
   /// Outward and inward.

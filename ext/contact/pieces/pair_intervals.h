@@ -12,15 +12,15 @@
 
 namespace foresee {
 
-/// `Kit`: what the pieces are (pair_context.h).
-template <class Kit>
+/// `Traits`: what the pieces are (pair_context.h).
+template <class Traits>
 class PairIntervals {
  public:
   /// `times_wanted`: more is asked than whether they touch.
-  PairIntervals(const PairContext<Kit>& context, bool times_wanted, typename Kit::Space& space)
+  PairIntervals(const PairContext<Traits>& context, bool times_wanted, typename Traits::Space& space)
       : context_(context),
-        within_(context.setup, context.row_a, context.row_b, context.a, context.b, context.relative,
-                context.steps),
+        containment_(context.setup, context.row_a, context.row_b, context.a, context.b, context.relative,
+                     context.steps),
         tests_(context.a, context.b, context.relative, context.asked, context.sizes, times_wanted, space) {}
 
   PairIntervals(const PairIntervals&) = delete;
@@ -84,13 +84,13 @@ class PairIntervals {
   /// say anything.
   bool is_within_at_begin() {
     const Period<double>& near = context_.walk.near();
-    return within_.may_be() && near.begin <= context_.asked.begin.high && near.begin <= near.end &&
-           within_.at_begin();
+    return containment_.may_be() && near.begin <= context_.asked.begin.high && near.begin <= near.end &&
+           containment_.at_begin();
   }
   bool is_grown() const { return is_of_size(context_.sizes.radius); }  ///< near counts as touching
 
   /// Whether one lies within the other. Requires: their surfaces do not touch then.
-  bool is_within_at(const Dyadic& moment) { return within_.at(moment); }
+  bool is_within_at(const Dyadic& moment) { return containment_.at(moment); }
 
  protected:
   /// At no other moment may they touch; never if the end is before the begin.
@@ -98,9 +98,9 @@ class PairIntervals {
     return {std::max(interval.begin.low, near.begin), std::min(interval.end.high, near.end)};
   }
 
-  const PairContext<Kit>& context_;
-  typename Kit::Within within_;
-  typename Kit::Tests tests_;
+  const PairContext<Traits>& context_;
+  typename Traits::Containment containment_;
+  typename Traits::Tests tests_;
 };
 
 }  // namespace foresee

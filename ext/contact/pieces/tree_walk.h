@@ -46,13 +46,13 @@ class BoxChord {
 
   /// Of `asked`.
   Period<double> between(const Box<axes>& a, const Box<axes>& b, const Period<double>& asked) const {
-    return is_plain_ ? plainly_between(a, b, asked) : carefully_between(a, b, asked);
+    return is_plain_ ? quickly_between(a, b, asked) : carefully_between(a, b, asked);
   }
 
   bool is_plain() const { return is_plain_; }
   /// Also of boxes of floats. Requires: is_plain().
   template <class AnyBox>
-  Period<double> plainly_between(const AnyBox& a, const AnyBox& b, Period<double> asked) const {
+  Period<double> quickly_between(const AnyBox& a, const AnyBox& b, Period<double> asked) const {
     const auto gap = [](double to, double from) { return to - from; };
     for (int i = 0; i < axes; ++i) {
       const auto j = static_cast<decltype(a.lower.size())>(i);

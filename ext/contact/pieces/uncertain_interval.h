@@ -15,7 +15,7 @@
 #include <limits>
 #include <vector>
 
-#include "contact/certain/leaps.h"
+#include "contact/certain/root_bracketing.h"
 #include "numbers/powers.h"
 
 namespace foresee {

@@ -1,6 +1,6 @@
 // Contact of what is a union of pieces, behind the room's door: the stages of a pair, one after the other.
 //
-//   return std::make_unique<UnionContact<FlatKit<2, 1>>>(setup, tables);
+//   return std::make_unique<UnionContact<FlatTraits<2, 1>>>(setup, tables);
 //
 // What plain doubles tell at once comes first. Trees of boxes, pieces in doubles with error bounds and the
 // crossing in DoubleDouble are those of union_pair.h. What these leave open is asked of exact numbers: the
@@ -15,17 +15,17 @@
 #include "contact/closest_approach.h"
 #include "contact/contact.h"
 #include "contact/exact/exact_contact.h"
-#include "contact/pieces/plain_answer.h"
+#include "contact/pieces/filter_answer.h"
 #include "contact/pieces/union_pair.h"
 
 namespace foresee {
 
-/// `Kit`: as for UnionPair, with the type Tables of what the rows of both tables look like, take(), which
-/// gives the pieces of a pair, plain_answer(), and the type Polynomials of some pairs of pieces.
-template <class Kit>
+/// `Traits`: as for UnionPair, with the type Tables of what the rows of both tables look like, take(), which
+/// gives the pieces of a pair, filter_answer(), and the type Polynomials of some pairs of pieces.
+template <class Traits>
 class UnionContact final : public Contact {
  public:
-  using Tables = typename Kit::Tables;
+  using Tables = typename Traits::Tables;
 
   UnionContact(const Setup& setup, const Tables& tables) : setup_(setup), tables_(tables) {}
 
@@ -57,12 +57,12 @@ class UnionContact final : public Contact {
   void closest_approach(std::span<const Pair> hits, std::span<ClosestApproach> out) override {
     const FloatEnvironment environment;
     for (std::size_t i = 0; i < hits.size(); ++i)
-      out[i] = closest_approach_of<Kit::axes>(setup_, setup_.a.row(hits[i].a), setup_.b.row(hits[i].b));
+      out[i] = closest_approach_of<Traits::axes>(setup_, setup_.a.row(hits[i].a), setup_.b.row(hits[i].b));
   }
 
  private:
-  using Context = PairContext<Kit>;
-  using Staged = UnionPair<Kit>;
+  using Context = PairContext<Traits>;
+  using Staged = UnionPair<Traits>;
 
   /// A pair of rows, and its stages.
   struct Rows {
@@ -75,7 +75,7 @@ class UnionContact final : public Contact {
     if (moments.none) return false;
     take_pieces(pair);
     const Context context(setup_, rows.a, rows.b, a_, b_, moments, *steps_);
-    const PlainAnswer plain = plain_answer(context, false);
+    const FilterAnswer plain = filter_answer(context, false);
     if (plain.touches != Verdict::uncertain) return plain.touches == Verdict::yes;
     Staged staged(context, false, space_);
     const Verdict touches = staged.touches();
@@ -89,7 +89,7 @@ class UnionContact final : public Contact {
     if (moments.none) return {};
     take_pieces(pair);
     const Context context(setup_, rows.a, rows.b, a_, b_, moments, *steps_);
-    const PlainAnswer plain = plain_answer(context, true);
+    const FilterAnswer plain = filter_answer(context, true);
     if (plain.touches == Verdict::no) return {};
     if (plain.all_along)
       return ContactTimes{moments.t_begin, moments.t_end, moments.dt_begin, moments.dt_end};
@@ -118,12 +118,12 @@ class UnionContact final : public Contact {
   }
 
   /// Of windows none: they are as large as doubles go.
-  PlainAnswer plain_answer(const Context& context, bool times_wanted) const {
-    return setup_.window ? PlainAnswer{} : Kit::plain_answer(context, times_wanted);
+  FilterAnswer filter_answer(const Context& context, bool times_wanted) const {
+    return setup_.window ? FilterAnswer{} : Traits::filter_answer(context, times_wanted);
   }
 
   void take_pieces(const Pair& pair) {
-    Kit::take(a_, b_, setup_, tables_, pair);
+    Traits::take(a_, b_, setup_, tables_, pair);
     ++pairs_, pieces_ += a_.count() + b_.count();
   }
 
@@ -210,7 +210,7 @@ class UnionContact final : public Contact {
     until = period.end;
     Polynomials polynomials = polynomials_of(rows, staged, pairs);
     polynomials.all().heed(*steps_);
-    if constexpr (Kit::has_solids)
+    if constexpr (Traits::has_solids)
       return exact_times_of_solids(polynomials.all(), moments,
                                    [&staged](const Dyadic& moment) { return staged.is_within_at(moment); });
     return exact_times(polynomials.all(), moments);
@@ -260,15 +260,15 @@ class UnionContact final : public Contact {
     return found;
   }
 
-  using Polynomials = typename Kit::Polynomials;
+  using Polynomials = typename Traits::Polynomials;
   Polynomials polynomials_of(const Rows& rows, const Staged& staged, std::span<const PiecePair> pairs) {
     return {setup_, rows.a, rows.b, a_, b_, pairs, staged.is_grown()};
   }
 
   const Setup setup_;
   const Tables tables_;
-  typename Kit::Pieces a_, b_;
-  typename Kit::Space space_;
+  typename Traits::Pieces a_, b_;
+  typename Traits::Space space_;
   NeverInterrupt never_;
   std::optional<Steps> steps_{never_};
   std::uint64_t pairs_ = 0, pieces_ = 0;  ///< that were asked about, and what they have together

@@ -15,14 +15,14 @@
 
 namespace foresee {
 
-template <class Kit>
-class UnionPair : public PairIntervals<Kit> {
-  using Base = PairIntervals<Kit>;
-  using Base::context_, Base::within_, Base::tests_;
+template <class Traits>
+class UnionPair : public PairIntervals<Traits> {
+  using Base = PairIntervals<Traits>;
+  using Base::context_, Base::containment_, Base::tests_;
 
  public:
   /// As that of PairIntervals.
-  UnionPair(const PairContext<Kit>& context, bool times_wanted, typename Kit::Space& space)
+  UnionPair(const PairContext<Traits>& context, bool times_wanted, typename Traits::Space& space)
       : Base(context, times_wanted, space),
         instants_(context.setup, context.row_a, context.row_b, context.relative, context.sizes,
                   context.moments, context.asked),
@@ -71,7 +71,7 @@ class UnionPair : public PairIntervals<Kit> {
   Instant end_of_contact(bool lasts_until_met_by) {
     if (begins_within_)
       last_ = context_.asked.begin;
-    else if (lasts_until_met_by || !Kit::has_solids)  // stays of what fills its shape last a while
+    else if (lasts_until_met_by || !Traits::has_solids)  // stays of what fills its shape last a while
       go_on_from_met_by();
     else if (!enter(-UncertainInterval::inf))
       return unknown_instant();
@@ -143,8 +143,8 @@ class UnionPair : public PairIntervals<Kit> {
 
   /// One lies within the other when the stays so far have ended: contact lasts until the next.
   bool goes_on_within() {
-    if constexpr (!Kit::has_solids) return false;
-    if (!within_.may_be()) return false;
+    if constexpr (!Traits::has_solids) return false;
+    if (!containment_.may_be()) return false;
     bool in_doubt = false;
     at_the_end([&](const PieceInterval& interval) { in_doubt |= may_continue_it(interval); });
     if (in_doubt) return false;
@@ -152,7 +152,7 @@ class UnionPair : public PairIntervals<Kit> {
     const double next = Base::first_possible(last_.high), until = std::min(next, context_.asked.end.low);
     const double between = last_.high + (until - last_.high) / 2;
     end_in_doubt_ = !(last_.high < between && between < until);
-    if (end_in_doubt_ || !within_.at(Dyadic(between))) return false;
+    if (end_in_doubt_ || !containment_.at(Dyadic(between))) return false;
     if (next == UncertainInterval::inf)
       return last_ = {context_.asked.end.high, context_.asked.end.high}, true;
     end_in_doubt_ = !enter(last_.high);
@@ -238,7 +238,7 @@ class UnionPair : public PairIntervals<Kit> {
   /// What leaves a piece through a cut of its outline, and nowhere else, is in a neighbour: whoever begins
   /// then continues it, and no comparison is needed.
   bool goes_through_a_cut() {
-    if constexpr (Kit::has_solids) return false;
+    if constexpr (Traits::has_solids) return false;
     int ending = 0;
     bool at_a_cut = false;
     double latest_begin = -UncertainInterval::inf, earliest_end = UncertainInterval::inf;
@@ -260,13 +260,13 @@ class UnionPair : public PairIntervals<Kit> {
 
   bool ends_at_a_cut(const PieceInterval& interval) const {
     if (context_.asked.end.meets(interval.end)) return false;
-    const EndpointCandidate<typename Kit::Condition>* only = nullptr;
+    const EndpointCandidate<typename Traits::Condition>* only = nullptr;
     for (const auto& end : tests_.ends(interval)) {
       if (end.direction == CrossingDirection::entering) continue;
       if (only) return false;
       only = &end;
     }
-    return only && Kit::is_cut(only->condition);
+    return only && Traits::is_cut(only->condition);
   }
 
   Instant latest_end() {
@@ -281,7 +281,7 @@ class UnionPair : public PairIntervals<Kit> {
     return latest;
   }
 
-  EndpointRounding<Kit> instants_;
+  EndpointRounding<Traits> instants_;
   std::vector<PieceInterval>& seen_;  ///< by the last walk of follow()
   bool all_seen_ = false;             ///< and known still
   bool begins_within_ = false;        ///< one in the other

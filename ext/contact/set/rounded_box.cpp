@@ -2,7 +2,7 @@
 
 #include <bit>
 
-#include "contact/set/sizes_of_both.h"
+#include "contact/set/combined_sizes.h"
 #include "contact/set/window_faces.h"
 
 namespace foresee {

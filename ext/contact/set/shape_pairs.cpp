@@ -1,7 +1,7 @@
 #include "contact/set/shape_pairs.h"
 
+#include "contact/set/combined_sizes.h"
 #include "contact/set/rounded_box.h"
-#include "contact/set/sizes_of_both.h"
 
 namespace foresee {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "shape/mesh/triangle_tree.h"
-#include "shape/own_pieces.h"
+#include "shape/scratch_pieces.h"
 
 namespace foresee {
 
@@ -12,7 +12,7 @@ class MeshRows {
   virtual ~MeshRows() = default;
   /// The triangles of this row's mesh as it lies, which live as long as this, or are in `own`; null: it has
   /// none, and is the point or ball that its radius says.
-  virtual const TriangleTree* triangles(std::size_t row, OwnPieces<TriangleTree>& own) const = 0;
+  virtual const TriangleTree* triangles(std::size_t row, ScratchPieces<TriangleTree>& own) const = 0;
 };
 
 }  // namespace foresee

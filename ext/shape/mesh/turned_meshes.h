@@ -1,7 +1,7 @@
 // What do the meshes of many rows look like, as they lie?
 //
 //   const TurnedMeshes meshes(drones, source, interrupt);               // looks every number up
-//   OwnPieces<TriangleTree> own;
+//   ScratchPieces<TriangleTree> own;
 //   if (const TriangleTree* hull = meshes.triangles(row, own)) …             // turned by the row's heading
 //
 // Cost (turned_forms.h): a look-up a row; later a microsecond a heading and some 200 ns a corner, once as a
@@ -25,7 +25,7 @@ class TurnedMeshes final : public MeshRows {
   void assign(const Bodies& bodies, FormSource& source, Interrupt& interrupt) {
     forms_.assign(bodies, source, interrupt);
   }
-  const TriangleTree* triangles(std::size_t row, OwnPieces<TriangleTree>& own) const override {
+  const TriangleTree* triangles(std::size_t row, ScratchPieces<TriangleTree>& own) const override {
     return forms_.pieces(row, own);
   }
   std::size_t memory() const { return forms_.memory(); }

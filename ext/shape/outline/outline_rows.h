@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "shape/outline/convex_pieces.h"
-#include "shape/own_pieces.h"
+#include "shape/scratch_pieces.h"
 
 namespace foresee {
 
@@ -14,7 +14,7 @@ class OutlineRows {
   virtual ~OutlineRows() = default;
   /// The pieces of this row's outline as it lies, which live as long as this, or are in `own`; null: it has
   /// none, and is the point, disc or cylinder that its sizes say.
-  virtual const ConvexPieces* pieces(std::size_t row, OwnPieces<ConvexPieces>& own) const = 0;
+  virtual const ConvexPieces* pieces(std::size_t row, ScratchPieces<ConvexPieces>& own) const = 0;
 };
 
 }  // namespace foresee

@@ -1,7 +1,7 @@
 // What do the outlines of many rows look like, as they lie?
 //
 //   const TurnedOutlines outlines(ships, source, interrupt);      // looks every number up
-//   OwnPieces<ConvexPieces> own;
+//   ScratchPieces<ConvexPieces> own;
 //   if (const ConvexPieces* hull = outlines.pieces(row, own)) …        // turned by the row's heading
 //
 // Cost (turned_forms.h): a look-up a row; later a microsecond a heading, some 50 ns a corner and 200 where it
@@ -25,7 +25,7 @@ class TurnedOutlines final : public OutlineRows {
   void assign(const Bodies& bodies, FormSource& source, Interrupt& interrupt) {
     forms_.assign(bodies, source, interrupt);
   }
-  const ConvexPieces* pieces(std::size_t row, OwnPieces<ConvexPieces>& own) const override {
+  const ConvexPieces* pieces(std::size_t row, ScratchPieces<ConvexPieces>& own) const override {
     return forms_.pieces(row, own);
   }
   std::size_t memory() const { return forms_.memory(); }

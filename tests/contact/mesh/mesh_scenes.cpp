@@ -14,7 +14,7 @@ class OneMesh final : public MeshRows {
   explicit OneMesh(const Mesh& mesh) {
     if (!mesh.triangles().empty()) tree_ = TriangleTree(mesh);
   }
-  const TriangleTree* triangles(std::size_t /*row*/, OwnPieces<TriangleTree>& /*own*/) const override {
+  const TriangleTree* triangles(std::size_t /*row*/, ScratchPieces<TriangleTree>& /*own*/) const override {
     return tree_.count() > 0 ? &tree_ : nullptr;
   }
 

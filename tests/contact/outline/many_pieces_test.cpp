@@ -42,7 +42,7 @@ TEST(ManyPieces, OfAPairTakeBoundedMemory) {
   for (const bool times_wanted : {false, true}) {
     StagedScene staged(interleaved(190, 1));
     const FlatSpace& space = staged.space;
-    UnionPair<FlatKit<2, 1>> pair = staged.pair(times_wanted);
+    UnionPair<FlatTraits<2, 1>> pair = staged.pair(times_wanted);
     Instant begin;
     if (times_wanted) {
       EXPECT_EQ(pair.first_contact(begin), Verdict::yes);

@@ -104,7 +104,7 @@ TEST(OutlineContact, OfRandomPairsIsToldByDoubles) {
   int contacts = 0, in_doubt = 0;
   for (int seed = 0; seed < 1000; ++seed) {
     StagedScene staged(draw_scene(any, OutlinePairing::outlines, static_cast<std::uint64_t>(seed)));
-    UnionPair<FlatKit<2, 1>> pair = staged.pair(true);
+    UnionPair<FlatTraits<2, 1>> pair = staged.pair(true);
     Instant begin;
     const Verdict touches = pair.first_contact(begin);
     contacts += touches == Verdict::yes;

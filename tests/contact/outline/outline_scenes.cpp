@@ -16,7 +16,7 @@ class OneOutline final : public OutlineRows {
   explicit OneOutline(const Outline& outline) {
     if (outline.rings() > 0) pieces_ = convex_pieces(outline);
   }
-  const ConvexPieces* pieces(std::size_t /*row*/, OwnPieces<ConvexPieces>& /*own*/) const override {
+  const ConvexPieces* pieces(std::size_t /*row*/, ScratchPieces<ConvexPieces>& /*own*/) const override {
     return pieces_.count() > 0 ? &pieces_ : nullptr;
   }
 

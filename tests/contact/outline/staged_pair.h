@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "contact/outline/flat_kit.h"
+#include "contact/outline/flat_traits.h"
 #include "contact/outline/outline_scenes.h"
 #include "contact/pieces/union_pair.h"
 
@@ -23,7 +23,7 @@ struct StagedScene {
   }
   StagedScene(const StagedScene&) = delete;
 
-  UnionPair<FlatKit<2, 1>> pair(bool times_wanted) {
+  UnionPair<FlatTraits<2, 1>> pair(bool times_wanted) {
     context.emplace(setup, row_a.data(), row_b.data(), a, b, moments, steps);
     return {*context, times_wanted, space};
   }
@@ -36,7 +36,7 @@ struct StagedScene {
   FlatSpace space;
   NeverInterrupt never;
   Steps steps{never};
-  std::optional<PairContext<FlatKit<2, 1>>> context;  ///< of the pair asked for last
+  std::optional<PairContext<FlatTraits<2, 1>>> context;  ///< of the pair asked for last
 };
 
 }  // namespace foresee::testing_by_hand

@@ -33,7 +33,7 @@ TEST(TurnedMeshes, AreSharedUnlessTheyAreTurned) {
   const auto rows = rows_of({{1, 0}, {0, 30}, {1, 90}, {2, 0}, {1, 0}});
   Rack rack;
   NeverInterrupt never;
-  OwnPieces<TriangleTree> own;
+  ScratchPieces<TriangleTree> own;
   const TurnedMeshes meshes(Bodies(drones, rows.data(), 5), rack, never);
   EXPECT_EQ(rack.asked, 2);
   EXPECT_EQ(meshes.triangles(1, own), nullptr);
@@ -57,7 +57,7 @@ TEST(TurnedMeshes, ManyThreadsGetTheSameTriangles) {
   std::vector<std::thread> threads;
   for (auto& mine : seen)
     threads.emplace_back([&] {
-      OwnPieces<TriangleTree> own;
+      ScratchPieces<TriangleTree> own;
       for (std::size_t i = 0; i < 64; ++i) mine.push_back(meshes.triangles(i, own));
     });
   for (std::thread& thread : threads) thread.join();
@@ -71,7 +71,7 @@ TEST(TurnedMeshes, OfMoreHeadingsThanThereIsRoomForAreMadeAgain) {
     for (const double value : rows_of({{1, 1 + i}})) rows.push_back(value);
   Rack rack;
   NeverInterrupt never;
-  OwnPieces<TriangleTree> own;
+  ScratchPieces<TriangleTree> own;
   TurnedMeshes meshes(budget);
   meshes.assign(Bodies(drones, rows.data(), 200), rack, never);
   const std::size_t before = meshes.memory();

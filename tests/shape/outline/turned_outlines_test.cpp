@@ -38,7 +38,7 @@ TEST(TurnedOutlines, AreSharedUnlessTheyAreTurned) {
   const auto rows = rows_of({row(1, 0), row(0, 30), row(1, 90), row(2, 0), row(1, 0)});
   Shelf shelf;
   NeverInterrupt never;
-  OwnPieces<ConvexPieces> own;
+  ScratchPieces<ConvexPieces> own;
   const TurnedOutlines outlines(Bodies(ships, rows.data(), 5), shelf, never);
   EXPECT_EQ(shelf.asked, 2);
   EXPECT_EQ(outlines.pieces(1, own), nullptr);
@@ -53,7 +53,7 @@ TEST(TurnedOutlines, OfOneHeadingAreShared) {
   const auto rows = rows_of({row(1, 90), row(2, 90), row(1, 90), row(1, 91)});
   Shelf shelf;
   NeverInterrupt never;
-  OwnPieces<ConvexPieces> own;
+  ScratchPieces<ConvexPieces> own;
   const TurnedOutlines outlines(Bodies(ships, rows.data(), 4), shelf, never);
   EXPECT_EQ(outlines.pieces(0, own), outlines.pieces(2, own));
   EXPECT_NE(outlines.pieces(0, own), outlines.pieces(1, own));
@@ -68,7 +68,7 @@ TEST(TurnedOutlines, OfMoreHeadingsThanThereIsRoomForAreMadeAgainAndAreTheSame) 
     for (const double number : row(1 + i % 2, 1.0 + static_cast<double>(i))) rows.push_back(number);
   Shelf shelf;
   NeverInterrupt never;
-  OwnPieces<ConvexPieces> own, unused;
+  ScratchPieces<ConvexPieces> own, unused;
   TurnedOutlines few(budget), all;
   for (TurnedOutlines* outlines : {&few, &all})
     outlines->assign(Bodies(ships, rows.data(), count), shelf, never);
@@ -93,7 +93,7 @@ TEST(TurnedOutlines, SayWhatMemoryTheyTake) {
   const auto rows = rows_of({row(1, 0), row(1, 90), row(2, 90)});
   Shelf shelf;
   NeverInterrupt never;
-  OwnPieces<ConvexPieces> own;
+  ScratchPieces<ConvexPieces> own;
   const TurnedOutlines outlines(Bodies(ships, rows.data(), 3), shelf, never);
   const std::size_t before = outlines.memory();
   outlines.pieces(0, own);
@@ -114,7 +114,7 @@ TEST(TurnedOutlines, ManyThreadsGetTheSamePieces) {
   std::vector<std::thread> threads;
   for (auto& mine : seen)
     threads.emplace_back([&] {
-      OwnPieces<ConvexPieces> own;
+      ScratchPieces<ConvexPieces> own;
       for (int i = 0; i < count; ++i) mine.push_back(outlines.pieces(static_cast<std::size_t>(i), own));
     });
   for (std::thread& thread : threads) thread.join();
@@ -126,7 +126,7 @@ TEST(TurnedOutlines, AreMadeAnewForOtherRows) {
   auto rows = row(1, 90);
   Shelf shelf;
   NeverInterrupt never;
-  OwnPieces<ConvexPieces> own;
+  ScratchPieces<ConvexPieces> own;
   TurnedOutlines outlines;
   outlines.assign(Bodies(ships, rows.data(), 1), shelf, never);
   EXPECT_EQ(outlines.pieces(0, own)->bounds(0).lower[1], -4);

@@ -1,4 +1,4 @@
-#include "contact/outline/plainly_near.h"
+#include "contact/outline/outline_filter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,9 +31,9 @@ Corner extreme(std::span<const Corner> corners, const Corner& n) {
 }
 
 /// A + (-B), seen from a stretch of d's way.
-class Seen {
+class SumAlongPath {
  public:
-  Seen(const ConvexPiece& a, const ConvexPiece& b, const Corner& from, const Corner& to)
+  SumAlongPath(const ConvexPiece& a, const ConvexPiece& b, const Corner& from, const Corner& to)
       : a_(a.corners), b_(b.corners), path_{from, to} {
     for (const auto& corners : {a_, b_, std::span<const Corner>(path_)}) {
       double most = 0;
@@ -107,22 +107,22 @@ class Seen {
 
 Verdict is_near(const ConvexPiece& a, const ConvexPiece& b, const Corner& from, const Corner& to,
                 const Bounded& radius, double slack) {
-  Seen seen(a, b, from, to);
+  SumAlongPath seen(a, b, from, to);
   return seen.is_near(radius, slack + seen.slack());
 }
 
 }  // namespace
 
-PlainAnswer plainly_near(const LinearPath& path, const ObjectPieces& a, const ObjectPieces& b,
-                         std::span<const BoxedPair> pairs, const Bounded& radius, bool times_wanted) {
-  PlainAnswer all{.touches = Verdict::no};
+FilterAnswer filter_outlines(const LinearPath& path, const ObjectPieces& a, const ObjectPieces& b,
+                             std::span<const BoxedPair> pairs, const Bounded& radius, bool times_wanted) {
+  FilterAnswer all{.touches = Verdict::no};
   for (const BoxedPair& pair : pairs) {
     const ConvexPiece one = a.piece(pair.a), other = b.piece(pair.b);
     const Verdict near = is_near(one, other, path.begin, path.end, radius, path.slack + path.bend);
     if (near == Verdict::no) continue;
     if (all.touches != Verdict::yes) all.touches = near;
     if (!times_wanted && near == Verdict::yes) return all;
-    if (!times_wanted || !pair.may_be_at_begin ||
+    if (!times_wanted || !pair.may_touch_at_start ||
         is_near(one, other, path.begin, path.begin, radius, path.slack) != Verdict::yes)
       continue;
     all.touches = Verdict::yes, all.at_begin = true;

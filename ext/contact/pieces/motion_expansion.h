@@ -10,7 +10,7 @@ namespace foresee {
 
 /// By powers of the time after tau.
 template <int Degree, int D>
-std::array<Powers<Bounded, Degree>, D> seen_from(const CertainMotion<D>& relative, double tau) {
+std::array<Powers<Bounded, Degree>, D> expanded_at(const CertainMotion<D>& relative, double tau) {
   std::array<Powers<Bounded, Degree>, D> x;
   for (std::size_t j = 0; j < D; ++j) {
     const AxisView<> view = view_from<Degree>(relative.axis[j], tau, relative.underflow);

@@ -2,7 +2,7 @@
 // farther off than the object can come: as good as none. (At the largest double, for what comes farther than
 // that: a position that no double holds is outside then.)
 //
-//   pieces.take_box(window_near<2>(setup, row_b));                 // its first two axes
+//   pieces.take_box(bounded_window<2>(setup, row_b));                 // its first two axes
 //
 // Requires: the setup has a window, whose body is where the axes meet when the horizon begins.
 #pragma once
@@ -19,7 +19,7 @@
 namespace foresee {
 
 template <int D>
-Box<D> window_near(const Setup& setup, const double* row_b) {
+Box<D> bounded_window(const Setup& setup, const double* row_b) {
   const WindowFaces& faces = *setup.window;
   const double h = setup.horizon.h;
   const double ago = std::abs(setup.horizon.now - value_or(row_b, setup.b.at.t, 0)) + h;

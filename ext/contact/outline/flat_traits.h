@@ -8,11 +8,11 @@
 #include "contact/outline/condition.h"
 #include "contact/outline/critical_pieces.h"
 #include "contact/outline/object_pieces.h"
-#include "contact/outline/plainly_near.h"
+#include "contact/outline/outline_filter.h"
 #include "contact/outline_contact.h"
+#include "contact/pieces/motion_expansion.h"
 #include "contact/pieces/pair_context.h"
 #include "contact/pieces/pair_tests.h"
-#include "contact/pieces/seen_from.h"
 
 namespace foresee {
 
@@ -47,7 +47,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
         sizes_(sizes),
         lost_(relative.underflow + 0x1p-1060),
         edges_(space.edges),
-        x_(seen_from<Degree>(relative, 0)),
+        x_(expanded_at<Degree>(relative, 0)),
         chord_(relative, asked.end.high) {}
 
  private:
@@ -151,13 +151,13 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
     if (side < 0)
       for (Bounded& c : p) c = -c;
     // R may be large: what underflow loses of the square counts before the product.
-    subtract_times<Degree>(p, sizes_.radius, sqrt(with_lost(squared_length<Bounded>(edge), 0x1p-1060)));
+    subtract_multiple<Degree>(p, sizes_.radius, sqrt(with_lost(squared_length<Bounded>(edge), 0x1p-1060)));
     return times_inside(p, lost_, asked_.end.high);
   }
 
   Powers<Bounded, 4> around_corner(const Condition& condition, double tau) const {
-    const auto x = seen_from<Degree>(relative_, tau);
-    const auto p = round_polynomial<Degree>(condition, x.data(), seen_from(sizes_.radius, tau));
+    const auto x = expanded_at<Degree>(relative_, tau);
+    const auto p = round_polynomial<Degree>(condition, x.data(), expanded_at(sizes_.radius, tau));
     Powers<Bounded, 4> all{};
     std::copy(p.begin(), p.end(), all.begin());
     return all;
@@ -173,7 +173,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
 };
 
 template <int D, int Degree>
-struct FlatKit {
+struct FlatTraits {
   static constexpr int axes = D, degree = Degree;
   static constexpr bool has_solids = false;
   using Tables = OutlineTables;
@@ -186,9 +186,9 @@ struct FlatKit {
   using NodeTests = BoxTests<D, ObjectPieces>;
 
   /// Pieces fill their outline.
-  struct Within {
-    Within(const Setup&, const double*, const double*, const Pieces&, const Pieces&, const CertainMotion<D>&,
-           Steps&) {}
+  struct Containment {
+    Containment(const Setup&, const double*, const double*, const Pieces&, const Pieces&,
+                const CertainMotion<D>&, Steps&) {}
     static constexpr bool may_be() { return false; }
     static constexpr bool at_begin() { return false; }
     static constexpr bool at(const Dyadic&) { return false; }
@@ -214,7 +214,7 @@ struct FlatKit {
     return foresee::sizes_of<T>(setup, row_a, row_b);
   }
   /// Of prisms only that their outlines are apart.
-  static PlainAnswer plain_answer(const PairContext<FlatKit>& context, bool times_wanted);
+  static FilterAnswer filter_answer(const PairContext<FlatTraits>& context, bool times_wanted);
   /// What leaves a piece there is in its neighbour. (Around a corner R ends beside the cut that begins there,
   /// not beyond it.)
   static bool is_cut(const Condition& condition) {

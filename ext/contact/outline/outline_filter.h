@@ -1,7 +1,7 @@
 // Do two outlines come near each other, few pieces of which the boxes around them leave, as plain doubles
 // tell? What is surely apart all along, near when the time begins, or near all along needs nothing else.
 //
-//   const PlainAnswer plain = plainly_near(path, a, b, pairs, radius, true);
+//   const FilterAnswer plain = filter_outlines(path, a, b, pairs, radius, true);
 //
 // The distance between A and B + d is that of the convex A + (-B) from d; where d moves on a line, that from
 // the stretch which it covers. It is enclosed by the algorithm of E. G. Gilbert, D. W. Johnson and S. S.
@@ -14,7 +14,7 @@
 #include <array>
 
 #include "contact/outline/object_pieces.h"
-#include "contact/pieces/plain_answer.h"
+#include "contact/pieces/filter_answer.h"
 #include "numbers/bounded.h"
 
 namespace foresee {
@@ -29,12 +29,12 @@ struct LinearPath {
 /// A pair of pieces, and whether it may be near when the time begins.
 struct BoxedPair {
   std::size_t a, b;
-  bool may_be_at_begin;
+  bool may_touch_at_start;
 };
 
 /// `pairs`: no others come near. `radius`: how near counts as touching. `times_wanted`: more is asked than
 /// whether they touch.
-PlainAnswer plainly_near(const LinearPath& path, const ObjectPieces& a, const ObjectPieces& b,
-                         std::span<const BoxedPair> pairs, const Bounded& radius, bool times_wanted);
+FilterAnswer filter_outlines(const LinearPath& path, const ObjectPieces& a, const ObjectPieces& b,
+                             std::span<const BoxedPair> pairs, const Bounded& radius, bool times_wanted);
 
 }  // namespace foresee

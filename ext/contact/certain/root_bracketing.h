@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "contact/certain/certified.h"
+#include "contact/certain/positive_duration.h"
 
 namespace foresee {
 

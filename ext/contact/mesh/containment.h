@@ -1,10 +1,10 @@
 // Does one object lie within the other, a solid, without touching its surface? What the pieces of a mesh, its
 // triangles, leave out.
 //
-//   Within within(setup, row_a, row_b, a, b, relative, steps);
+//   Containment within(setup, row_a, row_b, a, b, relative, steps);
 //   within.may_be() && within.at(Dyadic(12.5))              // 12.5 after now
 //
-// One corner stands for each part that hangs together (within.h). Cost: that of a ray a part.
+// One corner stands for each part that hangs together (containment.h). Cost: that of a ray a part.
 #pragma once
 
 #include <optional>
@@ -69,11 +69,11 @@ class SeenCorner {
 /// Each node looked at is a step. Requires: the corner is not on the surface; there it may say anything.
 bool is_enclosed(const TriangleTree& solid, SeenCorner& corner, Steps& steps);
 
-class Within {
+class Containment {
  public:
   /// What is given must outlive this.
-  Within(const Setup& setup, const double* row_a, const double* row_b, const SpacePieces& a,
-         const SpacePieces& b, const CertainMotion<3>& relative, Steps& steps)
+  Containment(const Setup& setup, const double* row_a, const double* row_b, const SpacePieces& a,
+              const SpacePieces& b, const CertainMotion<3>& relative, Steps& steps)
       : setup_(setup), row_a_(row_a), row_b_(row_b), a_(a), b_(b), relative_(relative), steps_(steps) {}
 
   /// Whether one of the two has an inside.

@@ -1,4 +1,4 @@
-#include "contact/set/sizes_of_both.h"
+#include "contact/set/combined_sizes.h"
 
 #include "shape/shapes.h"
 

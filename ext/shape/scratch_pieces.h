@@ -1,7 +1,7 @@
 // The pieces of one turned form that nobody else keeps: for whoever asks about row after row
 // (turned_forms.h).
 //
-//   OwnPieces<ConvexPieces> own;
+//   ScratchPieces<ConvexPieces> own;
 //   const ConvexPieces* hull = rows.pieces(7, own);       // perhaps in `own`, until it is used again
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace foresee {
 
 template <class Pieces>
-struct OwnPieces {
+struct ScratchPieces {
   std::shared_ptr<const void> form = nullptr;  ///< kept, so that no other has its address
   double heading = 0;
   std::unique_ptr<const Pieces> pieces = nullptr;

@@ -1,5 +1,5 @@
 // What plain doubles tell of two outlines: only what is sure by far.
-#include "contact/outline/plainly_near.h"
+#include "contact/outline/outline_filter.h"
 
 #include <gtest/gtest.h>
 
@@ -13,16 +13,16 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr BoxedPair only_pair[] = {{0, 0, true}};
 
 /// Of two squares, ten wide, of which b moves.
-PlainAnswer squares(const Corner& from, const Corner& to, double radius, double bend = 0,
-                    bool times_wanted = true) {
+FilterAnswer squares(const Corner& from, const Corner& to, double radius, double bend = 0,
+                     bool times_wanted = true) {
   ObjectPieces a, b;
   a.take_box(5, 5), b.take_box(5, 5);
-  return plainly_near({from, to, 0x1p-40, bend}, a, b, only_pair, Bounded{radius}, times_wanted);
+  return filter_outlines({from, to, 0x1p-40, bend}, a, b, only_pair, Bounded{radius}, times_wanted);
 }
 
 TEST(PlainlyNear, TellsOfTwoAtRest) {
   for (const double x : {-3.0, 0.0, 7.5, 14.0}) {
-    const PlainAnswer near = squares({x, 9}, {x, 9}, 5);
+    const FilterAnswer near = squares({x, 9}, {x, 9}, 5);
     EXPECT_EQ(near.touches, Verdict::yes) << x;
     EXPECT_TRUE(near.at_begin && near.all_along) << x;
   }
@@ -41,10 +41,10 @@ TEST(PlainlyNear, LeavesTouchesOpen) {
 TEST(PlainlyNear, TellsOfThoseThatMove) {
   EXPECT_EQ(squares({-30, 16}, {30, 16}, 5).touches, Verdict::no);
   EXPECT_EQ(squares({-30, 30}, {0, 16}, 5).touches, Verdict::no);
-  const PlainAnswer through = squares({-30, 3}, {30, 3}, 5);
+  const FilterAnswer through = squares({-30, 3}, {30, 3}, 5);
   EXPECT_EQ(through.touches, Verdict::yes);
   EXPECT_FALSE(through.at_begin);
-  const PlainAnswer leaving = squares({12, 0}, {30, 0}, 5);
+  const FilterAnswer leaving = squares({12, 0}, {30, 0}, 5);
   EXPECT_TRUE(leaving.at_begin);
   EXPECT_FALSE(leaving.all_along);
   EXPECT_TRUE(squares({12, 0}, {-12, 1}, 5).all_along) << "near at both ends of a line";
@@ -55,7 +55,7 @@ TEST(PlainlyNear, LeavesRoomForWhatIsBesideTheChord) {
   EXPECT_EQ(squares({-30, 18}, {30, 18}, 5, 4).touches, Verdict::uncertain);
   EXPECT_EQ(squares({-30, 13}, {30, 13}, 5, 1).touches, Verdict::yes);
   EXPECT_EQ(squares({-30, 13}, {30, 13}, 5, 3).touches, Verdict::uncertain);
-  const PlainAnswer swings = squares({12, 0}, {12, 1}, 5, 4);
+  const FilterAnswer swings = squares({12, 0}, {12, 1}, 5, 4);
   EXPECT_TRUE(swings.at_begin);
   EXPECT_FALSE(swings.all_along);
 }
@@ -69,14 +69,14 @@ TEST(PlainlyNear, TellsNothingOfNumbersThatDoublesDoNotHold) {
   }
   ObjectPieces a, b;
   a.take_box(5, 5), b.take_box(5, 5);
-  EXPECT_EQ(plainly_near({{30, 0}, {40, 0}, 0, 0}, a, b, only_pair, Bounded{inf, inf}, true).touches,
+  EXPECT_EQ(filter_outlines({{30, 0}, {40, 0}, 0, 0}, a, b, only_pair, Bounded{inf, inf}, true).touches,
             Verdict::uncertain);
   for (const double scale : {0x1p-600, 0x1p600}) {
     a.take_box(scale, scale), b.take_box(scale, scale);
     for (const double x : {1.0, 3.0})
-      EXPECT_EQ(
-          plainly_near({{x * scale, 0}, {x * scale, 0}, 0, 0}, a, b, only_pair, Bounded{0.0}, true).touches,
-          Verdict::uncertain);
+      EXPECT_EQ(filter_outlines({{x * scale, 0}, {x * scale, 0}, 0, 0}, a, b, only_pair, Bounded{0.0}, true)
+                    .touches,
+                Verdict::uncertain);
   }
 }
 

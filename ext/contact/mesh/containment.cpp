@@ -1,4 +1,4 @@
-#include "contact/mesh/within.h"
+#include "contact/mesh/containment.h"
 
 #include "contact/exact/exact_contact.h"
 #include "contact/exact/pair_polynomials.h"
@@ -133,17 +133,17 @@ bool is_enclosed(const TriangleTree& solid, SeenCorner& corner, Steps& steps) {
   return Ray(solid, corner, steps).crossings(BoxTree<3>::root) % 2 != 0;
 }
 
-bool Within::at_begin() {
+bool Containment::at_begin() {
   return may_be() && at(exact_moments_of(setup_, row_a_, row_b_).begin);
 }
 
-bool Within::at(const Dyadic& moment) {
+bool Containment::at(const Dyadic& moment) {
   if (!may_be()) return false;
   Displacement d(setup_, row_a_, row_b_, relative_, moment);
   return (a_.solid() && any_part(b_, *a_.solid(), 1, d)) || (b_.solid() && any_part(a_, *b_.solid(), -1, d));
 }
 
-bool Within::any_part(const SpacePieces& parts, const TriangleTree& solid, int sign, Displacement& d) {
+bool Containment::any_part(const SpacePieces& parts, const TriangleTree& solid, int sign, Displacement& d) {
   for (std::size_t i = 0; i < parts.parts(); ++i) {
     SeenCorner corner(parts.part_corner(i), sign, d);
     if (is_enclosed(solid, corner, steps_)) return true;
