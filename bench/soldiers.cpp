@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "scenes.h"
-#include "shape/mesh/cut_mesh.h"
+#include "shape/mesh/shared_mesh.h"
 
 namespace foresee::bench {
 namespace {
@@ -51,7 +51,7 @@ class Barracks final : public FormSource {
     for (std::size_t i = 0; i < kinds; ++i) {
       Mesh mesh = soldier(random);
       check_mesh(mesh);
-      soldiers_.push_back(std::make_shared<const CutMesh>(std::move(mesh)));
+      soldiers_.push_back(std::make_shared<const SharedMesh>(std::move(mesh)));
     }
   }
   std::shared_ptr<const Form> form(std::int64_t number) override {
@@ -59,7 +59,7 @@ class Barracks final : public FormSource {
   }
 
  private:
-  std::vector<std::shared_ptr<const CutMesh>> soldiers_;
+  std::vector<std::shared_ptr<const SharedMesh>> soldiers_;
 };
 
 /// The same motions with meshes in place of boxes.

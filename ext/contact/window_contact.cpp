@@ -41,7 +41,7 @@ void require_distance(const MovingWindow& zone, const Layout& objects) {
 }  // namespace
 
 MovingWindow::MovingWindow(const WindowFaces& faces, const Layout& objects, double now,
-                           std::shared_ptr<const CutOutline> zone)
+                           std::shared_ptr<const SharedOutline> zone)
     : faces_(faces) {
   const Layout layout{.axes = objects.axes, .law = Law::uniform, .shape = Shape::point, .has_t = true};
   bodies_ = Bodies(layout, row_.data(), 1);

@@ -18,8 +18,8 @@
 
 #include "contact/contact.h"
 #include "contact/set/window_faces.h"
-#include "shape/outline/cut_outline.h"
 #include "shape/outline/outline_rows.h"
+#include "shape/outline/shared_outline.h"
 
 namespace foresee {
 
@@ -30,7 +30,7 @@ namespace foresee {
 class MovingWindow {
  public:
   MovingWindow(const WindowFaces& faces, const Layout& objects, double now,
-               std::shared_ptr<const CutOutline> zone = nullptr);
+               std::shared_ptr<const SharedOutline> zone = nullptr);
   MovingWindow(const MovingWindow&) = delete;
   MovingWindow& operator=(const MovingWindow&) = delete;
 
@@ -44,7 +44,7 @@ class MovingWindow {
     const ConvexPieces* pieces(std::size_t, ScratchPieces<ConvexPieces>&) const override {
       return &outline->pieces();
     }
-    std::shared_ptr<const CutOutline> outline;
+    std::shared_ptr<const SharedOutline> outline;
   };
 
   WindowFaces faces_;

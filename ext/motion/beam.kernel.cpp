@@ -25,7 +25,7 @@ constexpr double u = 0x1p-53, forever = __builtin_inf();
 constexpr double shortest_part = 1.0 / 64;  // of the horizon; shorter lives stand still
 constexpr std::size_t block = 8;            // lanes at a time: the widest register's
 
-/// from, to, reach, parts, begin and end of what has t and until; life_of() of life.h, side by side.
+/// from, to, reach, parts, begin and end of what has t and until; life_of() of life_interval.h, side by side.
 template <int D>
 void find_lives(BeamLanes<D>& lanes, std::size_t count, double now, double h) {
   const double unit = h > 0 ? h : 1, least_end = h > 0 ? 0 : 1;

@@ -26,7 +26,7 @@ struct BeamLanes {
 /// The loops over lanes, compiled for one level of instructions each.
 template <int D>
 struct BeamKernels {
-  /// from, to, reach, parts, begin and end of what has t and until; life_of() of life.h, side by side.
+  /// from, to, reach, parts, begin and end of what has t and until; life_of() of life_interval.h, side by side.
   void (*find_lives)(BeamLanes<D>& lanes, std::size_t count, double now, double h);
   /// lower, upper and travel, from motions without acceleration and lives.
   void (*find_beams)(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D]);

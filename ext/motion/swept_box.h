@@ -8,7 +8,7 @@
 #pragma once
 
 #include "motion/box.h"
-#include "motion/life.h"
+#include "motion/life_interval.h"
 
 namespace foresee {
 

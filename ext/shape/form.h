@@ -20,7 +20,7 @@ namespace foresee {
 class Form {
  public:
   virtual ~Form() = default;
-  /// Of the layout whose rows have such forms: Shape::outline is a CutOutline, Shape::mesh a CutMesh.
+  /// Of the layout whose rows have such forms: Shape::outline is a SharedOutline, Shape::mesh a SharedMesh.
   virtual Shape shape() const = 0;
   /// By which memory is counted.
   virtual std::size_t corners() const = 0;

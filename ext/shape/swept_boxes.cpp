@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "base/float_environment.h"
-#include "motion/life.h"
+#include "motion/life_interval.h"
 
 namespace foresee {
 

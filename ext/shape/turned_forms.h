@@ -1,7 +1,7 @@
 // What do the forms of many rows look like, as they lie? Asked by contact, for the rows that come near each
 // other. Common to outlines (outline/turned_outlines.h) and meshes (mesh/turned_meshes.h).
 //
-//   TurnedForms<CutOutline> forms;
+//   TurnedForms<SharedOutline> forms;
 //   forms.assign(ships, source, interrupt);               // looks every number up
 //   ScratchPieces<ConvexPieces> own;
 //   if (const ConvexPieces* hull = forms.pieces(row, own)) …   // turned by the row's heading
@@ -52,22 +52,22 @@ class TurnedForms {
   using Turned = std::atomic<const Pieces*>;
 
   /// What is shared.
-  struct Lie {
+  struct Pose {
     const KindOfForm* form;
     double heading;
 
-    friend bool operator==(const Lie&, const Lie&) = default;
+    friend bool operator==(const Pose&, const Pose&) = default;
   };
-  struct HashOfLie {
-    std::size_t operator()(const Lie& lie) const {
-      return std::hash<const void*>()(lie.form) ^ 0x9e3779b97f4a7c15U * std::hash<double>()(lie.heading);
+  struct PoseHash {
+    std::size_t operator()(const Pose& pose) const {
+      return std::hash<const void*>()(pose.form) ^ 0x9e3779b97f4a7c15U * std::hash<double>()(pose.heading);
     }
   };
 
-  const Pieces* kept(const Lie& lie) const;
+  const Pieces* kept(const Pose& pose) const;
   /// Null: there is no room.
-  const Pieces* keep(const Lie& lie, std::unique_ptr<const Pieces>& made) const;
-  const Pieces* made_for(std::size_t row, const Lie& lie, ScratchPieces<Pieces>& own) const;
+  const Pieces* keep(const Pose& pose, std::unique_ptr<const Pieces>& made) const;
+  const Pieces* made_for(std::size_t row, const Pose& pose, ScratchPieces<Pieces>& own) const;
   double heading(std::size_t row) const { return value_or(bodies_.row(row), bodies_.at.heading, 0); }
 
   Bodies bodies_;
@@ -76,7 +76,7 @@ class TurnedForms {
   mutable std::unique_ptr<Turned[]> turned_;  ///< … and its pieces among those kept; null: not known
   std::size_t budget_;
   mutable std::mutex mutex_;  ///< of what follows
-  mutable std::unordered_map<Lie, std::unique_ptr<const Pieces>, HashOfLie> kept_;
+  mutable std::unordered_map<Pose, std::unique_ptr<const Pieces>, PoseHash> kept_;
   mutable std::size_t kept_bytes_ = 0;
 };
 

@@ -4,7 +4,7 @@
 
 #include "contact/exact/pair_polynomials.h"
 #include "contact/mesh/containment.h"
-#include "contact/mesh/plate_tests.h"
+#include "contact/mesh/disc_tests.h"
 #include "contact/mesh/round_parts.h"
 #include "contact/mesh/space_condition.h"
 #include "contact/mesh/space_tests.h"
@@ -124,7 +124,7 @@ struct SpaceTraits {
   using Sizes = SpaceSizes<T>;
   using Space = PieceWorkspace<SpaceCondition>;
   using Tests = SpaceTests<Degree>;
-  using NodeTests = PlateTests;
+  using NodeTests = DiscTests;
   using Containment = foresee::Containment;
   using Polynomials = SpacePolynomials;
 

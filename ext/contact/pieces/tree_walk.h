@@ -6,7 +6,7 @@
 //              [&](std::size_t piece_a, std::size_t piece_b, const Period<double>& near) { … });
 //
 // Nothing turns, so that no box ever loosens: boxes along the axes are enough, but for surfaces, which have
-// plates beside them (mesh/plate_tests.h). Cost: some ten nanoseconds a pair of nodes.
+// plates beside them (mesh/disc_tests.h). Cost: some ten nanoseconds a pair of nodes.
 #pragma once
 
 #include <cstdint>

@@ -7,7 +7,7 @@
 
 #include "base/axes.h"
 #include "base/float_environment.h"
-#include "motion/life.h"
+#include "motion/life_interval.h"
 #include "query/avoid/clear_ranges.h"
 #include "query/avoid/exact_avoidance.h"
 #include "query/avoid/intruders.h"

@@ -63,7 +63,7 @@ struct WindowQuestion {
   double now = 0;
   double h = 0;
   WindowFaces faces = {};  ///< infinite: no bound
-  std::shared_ptr<const CutOutline> zone =
+  std::shared_ptr<const SharedOutline> zone =
       nullptr;  ///< in place of the faces across x and y; moves with them
   WindowWants wants = {};
 };

@@ -88,7 +88,7 @@ TriangleTree::TriangleTree(const Mesh& mesh)
   links->owned = owned_of(links->triangles);
   links->part_corners = part_corners_of(links->triangles, corners_.size());
   tree_ = tree_of(links->triangles, corners_);
-  plates_ = Plates(tree_, links->triangles, corners_);
+  discs_ = BoundingDiscs(tree_, links->triangles, corners_);
   links_ = std::move(links);
 }
 
@@ -96,7 +96,7 @@ TriangleTree::TriangleTree(const TriangleTree& known, const Mesh& turned)
     : links_(known.links_),
       corners_(turned.corners().begin(), turned.corners().end()),
       tree_(tree_of(links_->triangles, corners_)),
-      plates_(known.plates_, known.corners_, tree_, corners_),
+      discs_(known.discs_, known.corners_, tree_, corners_),
       solid_(known.solid_) {}
 
 }  // namespace foresee

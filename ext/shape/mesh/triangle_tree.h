@@ -1,7 +1,7 @@
 // Which triangles of a mesh, as it lies, are where? Contact is decided between these.
 //
 //   const TriangleTree building(mesh);                        // once a mesh
-//   const TriangleTree as_it_lies(building, turned_mesh);     // the same triangles, other corners
+//   const TriangleTree rotated(building, turned_mesh);     // the same triangles, other corners
 //   building.tree(), building.corner(t, 0), building.owns_edge(t, 1), building.parts()
 //
 // Triangles stand in the order of a tree of boxes, and are known by their places there. Corners and edges
@@ -12,7 +12,7 @@
 
 #include <memory>
 
-#include "shape/mesh/plates.h"
+#include "shape/mesh/bounding_discs.h"
 
 namespace foresee {
 
@@ -28,7 +28,7 @@ class TriangleTree {
   /// Item t of the tree is triangle t.
   const BoxTree<3>& tree() const { return tree_; }
   /// Of the nodes of the tree.
-  const Plates& plates() const { return plates_; }
+  const BoundingDiscs& discs() const { return discs_; }
   const SpaceCorner& corner(std::size_t t, int i) const {
     return corners_[links_->triangles[t][static_cast<std::size_t>(i)]];
   }
@@ -40,7 +40,7 @@ class TriangleTree {
   const SpaceCorner& part_corner(std::size_t part) const { return corners_[links_->part_corners[part]]; }
   /// Bytes, without what all headings share.
   std::size_t memory() const {
-    return sizeof *this + corners_.size() * sizeof(SpaceCorner) + tree_.memory() + plates_.memory();
+    return sizeof *this + corners_.size() * sizeof(SpaceCorner) + tree_.memory() + discs_.memory();
   }
 
  private:
@@ -54,7 +54,7 @@ class TriangleTree {
   std::shared_ptr<const Links> links_;
   std::vector<SpaceCorner> corners_;
   BoxTree<3> tree_;
-  Plates plates_;
+  BoundingDiscs discs_;
   bool solid_ = false;
 };
 

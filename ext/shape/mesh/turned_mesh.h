@@ -1,6 +1,6 @@
 // Where does a mesh lie that is turned? As a flat outline does (outline/turn.h), in x and y; z stays.
 //
-//   Mesh as_it_lies = turned(building, 37.5);         // degrees clockwise from the y axis, around the z axis
+//   Mesh rotated = turned(building, 37.5);         // degrees clockwise from the y axis, around the z axis
 //
 // Cost: a microsecond a mesh, some 40 ns a corner.
 #pragma once

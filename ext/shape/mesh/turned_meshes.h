@@ -8,8 +8,8 @@
 // rule.
 #pragma once
 
-#include "shape/mesh/cut_mesh.h"
 #include "shape/mesh/mesh_rows.h"
+#include "shape/mesh/shared_mesh.h"
 #include "shape/turned_forms.h"
 
 namespace foresee {
@@ -31,7 +31,7 @@ class TurnedMeshes final : public MeshRows {
   std::size_t memory() const { return forms_.memory(); }
 
  private:
-  TurnedForms<CutMesh> forms_;
+  TurnedForms<SharedMesh> forms_;
 };
 
 }  // namespace foresee

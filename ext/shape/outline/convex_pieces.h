@@ -1,7 +1,7 @@
 // Of which convex pieces is an outline the union? Contact is decided between these.
 //
 //   const ConvexPieces pieces = convex_pieces(outline);            // cut once an outline
-//   const ConvexPieces as_it_lies = turned_pieces(pieces, turned(outline, 37.5));
+//   const ConvexPieces rotated = turned_pieces(pieces, turned(outline, 37.5));
 //   for (std::size_t p = 0; p < pieces.count(); ++p)
 //     pieces.corners(p), pieces.inner(p), pieces.bounds(p);
 //

@@ -78,14 +78,14 @@ Corner finite_turn(Turn& turn, const Corner& corner, double heading) {
 Outline turned(const Outline& outline, double heading) {
   const FloatEnvironment environment;
   Turn turn(heading);
-  Outline lies;
+  Outline turned_outline;
   for (std::size_t part = 0; part < outline.parts(); ++part)
     for (std::size_t r = outline.part_begin(part); r < outline.part_begin(part + 1); ++r) {
-      r == outline.part_begin(part) ? lies.begin_part() : lies.begin_hole();
-      for (const Corner& corner : outline.ring(r)) lies.add(finite_turn(turn, corner, heading));
-      lies.close_ring();
+      r == outline.part_begin(part) ? turned_outline.begin_part() : turned_outline.begin_hole();
+      for (const Corner& corner : outline.ring(r)) turned_outline.add(finite_turn(turn, corner, heading));
+      turned_outline.close_ring();
     }
-  return lies;
+  return turned_outline;
 }
 
 }  // namespace foresee

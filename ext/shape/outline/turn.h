@@ -1,6 +1,6 @@
 // Where does an outline lie that is turned? Every coordinate is the exact real one, rounded once.
 //
-//   Outline as_it_lies = turned(hull, 37.5);         // degrees clockwise from the y axis
+//   Outline rotated = turned(hull, 37.5);         // degrees clockwise from the y axis
 //
 //   x' = x cos h + y sin h        y' = y cos h - x sin h        each the nearest double, ties to even
 //

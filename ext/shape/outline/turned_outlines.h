@@ -8,8 +8,8 @@
 // is not convex, once as a rule.
 #pragma once
 
-#include "shape/outline/cut_outline.h"
 #include "shape/outline/outline_rows.h"
+#include "shape/outline/shared_outline.h"
 #include "shape/turned_forms.h"
 
 namespace foresee {
@@ -31,7 +31,7 @@ class TurnedOutlines final : public OutlineRows {
   std::size_t memory() const { return forms_.memory(); }
 
  private:
-  TurnedForms<CutOutline> forms_;
+  TurnedForms<SharedOutline> forms_;
 };
 
 }  // namespace foresee

@@ -1,8 +1,8 @@
 // Is an outline one, and is it still one after it was turned?
 //
 //   check_outline(outline);               // throws Error: "edges (0 0, 2 2) and (2 0, 0 2) cross"
-//   const Outline as_it_lies = turned(outline, 37.5);
-//   check_turned(outline, as_it_lies, 37.5);
+//   const Outline rotated = turned(outline, 37.5);
+//   check_turned(outline, rotated, 37.5);
 //
 // Every ring has three corners or more, crosses and touches no edge of its own, and so encloses an area. Two
 // rings may touch in single points, but neither cross nor lie on each other. Holes lie within the ring of

@@ -55,15 +55,15 @@ class WindowRows final : public FunctionRows {
   std::size_t row_ = 0;
 };
 
-std::shared_ptr<const CutOutline> read_zone(const std::string& text) try {
+std::shared_ptr<const SharedOutline> read_zone(const std::string& text) try {
   Outline outline = read_outline(text);
   check_outline(outline);
-  return std::make_shared<const CutOutline>(std::move(outline));
+  return std::make_shared<const SharedOutline>(std::move(outline));
 } catch (const Error& error) {
   throw Error(std::string("zone: ") + error.what());
 }
 
-std::shared_ptr<const CutOutline> zone_of(const FunctionCall& call) {
+std::shared_ptr<const SharedOutline> zone_of(const FunctionCall& call) {
   const auto text = call.text(in_zone, "well-known text as in 'POLYGON((0 0, 4 0, 0 3, 0 0))', or left out");
   return text ? read_zone(*text) : nullptr;
 }

@@ -1,7 +1,7 @@
 #include "storage/format/form_blob.h"
 
-#include "shape/mesh/cut_mesh.h"
-#include "shape/outline/cut_outline.h"
+#include "shape/mesh/shared_mesh.h"
+#include "shape/outline/shared_outline.h"
 #include "storage/format/crc32c.h"
 #include "storage/format/mesh_blob.h"
 #include "storage/format/node_format.h"
@@ -43,8 +43,8 @@ FormKind form_kind_of(std::span<const std::byte> blob) {
 }
 
 std::vector<std::byte> encode_form(const Form& form) {
-  if (form.shape() == Shape::mesh) return encode_mesh(static_cast<const CutMesh&>(form).mesh());
-  return encode_outline(static_cast<const CutOutline&>(form).outline());
+  if (form.shape() == Shape::mesh) return encode_mesh(static_cast<const SharedMesh&>(form).mesh());
+  return encode_outline(static_cast<const SharedOutline&>(form).outline());
 }
 
 const char* decode_form(std::span<const std::byte> blob, Shape shape, std::shared_ptr<const Form>& form) {
@@ -52,11 +52,11 @@ const char* decode_form(std::span<const std::byte> blob, Shape shape, std::share
   if (shape == Shape::mesh) {
     Mesh mesh;
     if (const char* fault = decode_mesh(blob, mesh)) return fault;
-    form = std::make_shared<const CutMesh>(std::move(mesh));
+    form = std::make_shared<const SharedMesh>(std::move(mesh));
   } else {
     Outline outline;
     if (const char* fault = decode_outline(blob, outline)) return fault;
-    form = std::make_shared<const CutOutline>(std::move(outline));
+    form = std::make_shared<const SharedOutline>(std::move(outline));
   }
   return nullptr;
 }

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/steps.h"
 #include "index/tpr_tree/tpr_tree.h"
-#include "shape/known_extents.h"
+#include "shape/extents_cache.h"
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
 #include "storage/format/node_format.h"
@@ -55,7 +55,7 @@ class FormCheck {
   ShapeRows& rows_;
   const NodeFormat& format_;
   std::map<std::int64_t, std::shared_ptr<const Form>> forms_;  // null: damaged
-  KnownExtents known_;
+  ExtentsCache known_;
 };
 
 std::string FormCheck::object_fault(const double* record) {

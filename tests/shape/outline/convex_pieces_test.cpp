@@ -228,9 +228,9 @@ TEST(ConvexPieces, OfATurnedOutlineAreCutAlike) {
     const ConvexPieces pieces = convex_pieces(outline);
     for (const double heading : {0.0, 37.5, 90.0, 211.0}) {
       const Outline lies = turned(outline, heading);
-      const ConvexPieces as_it_lies = turned_pieces(pieces, lies);
-      EXPECT_EQ(as_it_lies.cut(), pieces.cut());
-      expect_tiling(as_it_lies, lies);
+      const ConvexPieces rotated = turned_pieces(pieces, lies);
+      EXPECT_EQ(rotated.cut(), pieces.cut());
+      expect_tiling(rotated, lies);
     }
   }
 }
@@ -243,10 +243,10 @@ TEST(ConvexPieces, OfATurnedOutlineAreCutAnewWhereRoundingBrokeOne) {
   int anew = 0;
   for (int heading = 1; heading < 90; ++heading) {
     const Outline lies = turned(outline, heading);
-    const ConvexPieces as_it_lies = turned_pieces(pieces, lies);
-    expect_tiling(as_it_lies, lies);
-    expect_edges(as_it_lies, lies);
-    anew += as_it_lies.cut() != pieces.cut();
+    const ConvexPieces rotated = turned_pieces(pieces, lies);
+    expect_tiling(rotated, lies);
+    expect_edges(rotated, lies);
+    anew += rotated.cut() != pieces.cut();
   }
   EXPECT_GT(anew, 10);
 }
@@ -268,9 +268,9 @@ TEST(ConvexPieces, OfATurnedOutlineAreCutAnewWhereRoundingTurnedAHoleInsideOut) 
   for (double heading = 0.25; heading < 90; heading += 0.25) {
     const Outline lies = turned(outline, heading);
     if (flaw_of(lies)) continue;
-    const ConvexPieces as_it_lies = turned_pieces(pieces, lies);
-    expect_tiling(as_it_lies, lies);
-    anew += as_it_lies.cut() != pieces.cut();
+    const ConvexPieces rotated = turned_pieces(pieces, lies);
+    expect_tiling(rotated, lies);
+    anew += rotated.cut() != pieces.cut();
   }
   EXPECT_GT(anew, 5);
 }

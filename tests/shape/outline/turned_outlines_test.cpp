@@ -15,7 +15,7 @@ struct Shelf final : FormSource {
   std::shared_ptr<const Form> form(std::int64_t number) override {
     ++asked;
     if (number > 2) throw Error("no such outline");
-    return std::make_shared<const CutOutline>(read_outline(
+    return std::make_shared<const SharedOutline>(read_outline(
         number == 1 ? "POLYGON((0 0, 4 0, 0 3, 0 0))" : "POLYGON((-9 -9, -5 -9, -5 -5, -6 -8, -9 -9))"));
   }
   int asked = 0;

@@ -1,11 +1,11 @@
-#include "contact/mesh/plate_tests.h"
+#include "contact/mesh/disc_tests.h"
 
 namespace foresee {
 namespace {
 
-const Plates* plates_of(const SpacePieces& pieces) {
+const BoundingDiscs* discs_of(const SpacePieces& pieces) {
   const TriangleTree* const triangles = pieces.triangles();
-  return triangles && triangles->plates().are_there() ? &triangles->plates() : nullptr;
+  return triangles && triangles->discs().are_there() ? &triangles->discs() : nullptr;
 }
 
 double size_around(const Box<3>& box) {
@@ -14,11 +14,11 @@ double size_around(const Box<3>& box) {
 
 }  // namespace
 
-PlateTests::PlateTests(const SpacePieces& a, const SpacePieces& b, const Chord<3>& chord,
-                       const CertainMotion<3>& relative, const SpaceSizes<Bounded>& sizes, double end)
+DiscTests::DiscTests(const SpacePieces& a, const SpacePieces& b, const Chord<3>& chord,
+                     const CertainMotion<3>& relative, const SpaceSizes<Bounded>& sizes, double end)
     : boxes_(a, b, chord, relative, sizes, end), radius_(sizes.radius.value + sizes.radius.error), end_(end) {
-  if (!plates_of(a) || !plates_of(b) || !boxes_.boxes().is_plain()) return;
-  a_ = plates_of(a), b_ = plates_of(b);
+  if (!discs_of(a) || !discs_of(b) || !boxes_.boxes().is_plain()) return;
+  a_ = discs_of(a), b_ = discs_of(b);
   double size = size_around(a.box(SpacePieces::root)) + size_around(b.box(SpacePieces::root)), lost = 0;
   for (std::size_t j = 0; j < 3; ++j) {
     const auto& r = relative.axis[j];
@@ -29,7 +29,7 @@ PlateTests::PlateTests(const SpacePieces& a, const SpacePieces& b, const Chord<3
   slack_ = 0x1p-40 * (size + radius_) + 4 * lost + 0x1p-1000;
 }
 
-Period<double> PlateTests::cut(const Plate& a, const Plate& b, Period<double> near) const {
+Period<double> DiscTests::cut(const BoundingDisc& a, const BoundingDisc& b, Period<double> near) const {
   const auto dot = [](const auto& m, const auto& n) {
     return double{m[0]} * double{n[0]} + double{m[1]} * double{n[1]} + double{m[2]} * double{n[2]};
   };
@@ -37,7 +37,7 @@ Period<double> PlateTests::cut(const Plate& a, const Plate& b, Period<double> ne
   const double sine = std::sqrt(std::max(1 - cosine * cosine, 0.0) + 0x1p-20);
   const Triple gap{double{a.middle[0]} - double{b.middle[0]}, double{a.middle[1]} - double{b.middle[1]},
                    double{a.middle[2]} - double{b.middle[2]}};
-  const auto across = [&](const Plate& own, const Plate& other) {
+  const auto across = [&](const BoundingDisc& own, const BoundingDisc& other) {
     const auto& n = own.normal;
     const double reach = own.half + std::abs(cosine) * other.half + sine * other.radius + radius_;
     const double swing = std::abs(dot(n, swing_)), at = dot(n, place_), speed = dot(n, speed_);

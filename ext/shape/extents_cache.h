@@ -1,7 +1,7 @@
 // The boxes of forms as they lie, for whoever asks about row after row: a form and heading that was just
 // asked about is not turned again.
 //
-//   KnownExtents known;
+//   ExtentsCache known;
 //   known.of(3, *hull, 37.5)              // as hull->extents(37.5); throws as that does
 //
 // Requires: a number always means the same form. Memory: some megabytes at most.
@@ -15,32 +15,32 @@
 
 namespace foresee {
 
-class KnownExtents {
+class ExtentsCache {
  public:
   const Extents<3>& of(std::int64_t number, const Form& form, double heading) {
-    const Lie lie{number, heading};
-    const auto found = known_.find(lie);
+    const Pose pose{number, heading};
+    const auto found = known_.find(pose);
     if (found != known_.end()) return found->second;
     if (known_.size() >= most) known_.clear();
-    return known_.emplace(lie, form.extents(heading)).first->second;
+    return known_.emplace(pose, form.extents(heading)).first->second;
   }
 
  private:
   static constexpr std::size_t most = 1 << 16;
 
-  struct Lie {
+  struct Pose {
     std::int64_t number;
     double heading;
 
-    friend bool operator==(const Lie&, const Lie&) = default;
+    friend bool operator==(const Pose&, const Pose&) = default;
   };
-  struct HashOfLie {
-    std::size_t operator()(const Lie& lie) const {
-      return std::hash<std::int64_t>()(lie.number) * 0x9e3779b97f4a7c15U ^ std::hash<double>()(lie.heading);
+  struct PoseHash {
+    std::size_t operator()(const Pose& pose) const {
+      return std::hash<std::int64_t>()(pose.number) * 0x9e3779b97f4a7c15U ^ std::hash<double>()(pose.heading);
     }
   };
 
-  std::unordered_map<Lie, Extents<3>, HashOfLie> known_;
+  std::unordered_map<Pose, Extents<3>, PoseHash> known_;
 };
 
 }  // namespace foresee

@@ -1,5 +1,5 @@
 // Forms are turned once for many rows.
-#include "shape/known_extents.h"
+#include "shape/extents_cache.h"
 
 #include <gtest/gtest.h>
 
@@ -19,9 +19,9 @@ struct Counted final : Form {
   mutable int turned = 0;
 };
 
-TEST(KnownExtents, TurnAFormOnceForAllRowsOfAHeading) {
+TEST(ExtentsCache, TurnAFormOnceForAllRowsOfAHeading) {
   const Counted one, other;
-  KnownExtents known;
+  ExtentsCache known;
   for (int row = 0; row < 1000; ++row) {
     EXPECT_EQ(known.of(1, one, row % 10).lower[0], row % 10);
     EXPECT_EQ(known.of(2, other, row % 10).lower[0], row % 10);
@@ -30,9 +30,9 @@ TEST(KnownExtents, TurnAFormOnceForAllRowsOfAHeading) {
   EXPECT_EQ(other.turned, 10);
 }
 
-TEST(KnownExtents, OfMoreHeadingsThanAreKeptAreAskedForAgain) {
+TEST(ExtentsCache, OfMoreHeadingsThanAreKeptAreAskedForAgain) {
   const Counted form;
-  KnownExtents known;
+  ExtentsCache known;
   for (int round = 0; round < 2; ++round)
     for (int row = 0; row < 70'000; ++row) ASSERT_EQ(known.of(1, form, row / 1024.0).lower[0], row / 1024.0);
   EXPECT_GT(form.turned, 70'000);

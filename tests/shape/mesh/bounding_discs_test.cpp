@@ -1,5 +1,5 @@
 // Everything below a node lies within its box and its plate, as it was written and turned.
-#include "shape/mesh/plates.h"
+#include "shape/mesh/bounding_discs.h"
 
 #include <gtest/gtest.h>
 
@@ -32,44 +32,43 @@ Mesh drawn_mesh(std::mt19937_64& random, std::uint32_t triangles, double size) {
   return {Mesh::Kind::surface, false, std::move(corners), std::move(all)};
 }
 
-long double along(const Plate& plate, const SpaceCorner& corner) {
-  return static_cast<long double>(plate.normal[0]) * (corner.x - static_cast<long double>(plate.middle[0])) +
-         static_cast<long double>(plate.normal[1]) * (corner.y - static_cast<long double>(plate.middle[1])) +
-         static_cast<long double>(plate.normal[2]) * (corner.z - static_cast<long double>(plate.middle[2]));
+long double along(const BoundingDisc& disc, const SpaceCorner& corner) {
+  return static_cast<long double>(disc.normal[0]) * (corner.x - static_cast<long double>(disc.middle[0])) +
+         static_cast<long double>(disc.normal[1]) * (corner.y - static_cast<long double>(disc.middle[1])) +
+         static_cast<long double>(disc.normal[2]) * (corner.z - static_cast<long double>(disc.middle[2]));
 }
 /// Of the distance from the line along the normal.
-long double square_beside(const Plate& plate, const SpaceCorner& corner) {
+long double square_beside(const BoundingDisc& disc, const SpaceCorner& corner) {
   const long double place[] = {corner.x, corner.y, corner.z};
   long double gap[3], square = 0, length = 0;
   for (std::size_t j = 0; j < 3; ++j)
-    gap[j] = place[j] - plate.middle[j],
-    length += static_cast<long double>(plate.normal[j]) * plate.normal[j];
+    gap[j] = place[j] - disc.middle[j], length += static_cast<long double>(disc.normal[j]) * disc.normal[j];
   for (std::size_t j = 0; j < 3; ++j) {
-    const long double beside = gap[j] - along(plate, corner) / length * plate.normal[j];
+    const long double beside = gap[j] - along(disc, corner) / length * disc.normal[j];
     square += beside * beside;
   }
   return square;
 }
 
-void expect_holds(const Plate& plate, const SpaceCorner& corner) {
-  EXPECT_LE(std::abs(along(plate, corner)), plate.half);
-  EXPECT_LE(square_beside(plate, corner), static_cast<long double>(plate.radius) * plate.radius);
+void expect_holds(const BoundingDisc& disc, const SpaceCorner& corner) {
+  EXPECT_LE(std::abs(along(disc, corner)), disc.half);
+  EXPECT_LE(square_beside(disc, corner), static_cast<long double>(disc.radius) * disc.radius);
   const double place[] = {corner.x, corner.y, corner.z};
   for (std::size_t j = 0; j < 3; ++j) {
-    EXPECT_LE(plate.lower[j], place[j]);
-    EXPECT_GE(plate.upper[j], place[j]);
+    EXPECT_LE(disc.lower[j], place[j]);
+    EXPECT_GE(disc.upper[j], place[j]);
   }
 }
 
 void expect_sound(const TriangleTree& triangles) {
-  ASSERT_TRUE(triangles.plates().are_there());
+  ASSERT_TRUE(triangles.discs().are_there());
   for (std::size_t t = 0; t < triangles.count(); ++t)
     for (std::size_t node = triangles.tree().leaf(t) + 1; node > 0; node /= 2)
       for (int i = 0; i < 3; ++i)
-        expect_holds(triangles.plates().of(static_cast<Node>(node - 1)), triangles.corner(t, i));
+        expect_holds(triangles.discs().of(static_cast<Node>(node - 1)), triangles.corner(t, i));
 }
 
-TEST(Plates, HoldWhatIsBelowTheirNodes) {
+TEST(BoundingDiscs, HoldWhatIsBelowTheirNodes) {
   std::mt19937_64 random(14);
   for (int run = 0; run < 60; ++run) {
     const Mesh mesh = drawn_mesh(random, 1 + static_cast<std::uint32_t>(random() % 40),
@@ -83,7 +82,7 @@ TEST(Plates, HoldWhatIsBelowTheirNodes) {
   }
 }
 
-TEST(Plates, AreThinWhereASurfaceIsFlat) {
+TEST(BoundingDiscs, AreThinWhereASurfaceIsFlat) {
   // A roof at 45 degrees, of which every box is as high as it is wide.
   std::vector<SpaceCorner> corners;
   std::vector<Triangle> triangles;
@@ -93,17 +92,17 @@ TEST(Plates, AreThinWhereASurfaceIsFlat) {
     triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
   }
   const TriangleTree roof({Mesh::Kind::surface, false, corners, triangles});
-  const Plate& plate = roof.plates().of(0);
-  EXPECT_LT(plate.half, 1e-3F);
-  EXPECT_GT(plate.radius, 4.0F);
-  EXPECT_GT(plate.size, 20.0F);
+  const BoundingDisc& disc = roof.discs().of(0);
+  EXPECT_LT(disc.half, 1e-3F);
+  EXPECT_GT(disc.radius, 4.0F);
+  EXPECT_GT(disc.size, 20.0F);
 }
 
-TEST(Plates, AreNotThereWhereFloatsDoNotHoldThem) {
+TEST(BoundingDiscs, AreNotThereWhereFloatsDoNotHoldThem) {
   for (const double size : {1e-30, 1e30, 1e300})
     EXPECT_FALSE(
         TriangleTree({Mesh::Kind::surface, false, {{0, 0, 0}, {size, 0, 0}, {0, size, 0}}, {{0, 1, 2}}})
-            .plates()
+            .discs()
             .are_there());
 }
 

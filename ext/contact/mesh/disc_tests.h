@@ -1,7 +1,7 @@
 // When could the triangles below two nodes touch, as the boxes and the plates around them tell
-// (shape/mesh/plates.h)? What TreeWalk asks about meshes.
+// (shape/mesh/bounding_discs.h)? What TreeWalk asks about meshes.
 //
-//   const PlateTests tests(a, b, chord, relative, sizes, end);
+//   const DiscTests tests(a, b, chord, relative, sizes, end);
 //   const Period<double> near = tests.near(node_a, node_b, {0, end});             // empty: never
 //
 // Across each of the two normals d lies within as much as both plates reach that way while they touch. Along
@@ -15,17 +15,17 @@
 
 namespace foresee {
 
-class PlateTests {
+class DiscTests {
  public:
   using Node = SpacePieces::Node;
 
   /// What is given must outlive this, but the motion and the sizes.
-  PlateTests(const SpacePieces& a, const SpacePieces& b, const Chord<3>& chord,
-             const CertainMotion<3>& relative, const SpaceSizes<Bounded>& sizes, double end);
+  DiscTests(const SpacePieces& a, const SpacePieces& b, const Chord<3>& chord,
+            const CertainMotion<3>& relative, const SpaceSizes<Bounded>& sizes, double end);
 
   Period<double> near(Node a, Node b, const Period<double>& asked) const {
     if (!a_) return boxes_.near(a, b, asked);
-    const Plate &one = a_->of(a), &other = b_->of(b);
+    const BoundingDisc &one = a_->of(a), &other = b_->of(b);
     const Period<double> near = boxes_.boxes().quickly_between(one, other, asked);
     return near.begin <= near.end ? cut(one, other, near) : near;
   }
@@ -36,11 +36,11 @@ class PlateTests {
  private:
   using Triple = std::array<double, 3>;
 
-  Period<double> cut(const Plate& a, const Plate& b, Period<double> near) const;
+  Period<double> cut(const BoundingDisc& a, const BoundingDisc& b, Period<double> near) const;
 
   const BoxTests<3, SpacePieces> boxes_;
-  const Plates *a_ = nullptr, *b_ = nullptr;  ///< if both have some
-  Triple place_, speed_, swing_;              ///< as space_tests.cpp has them
+  const BoundingDiscs *a_ = nullptr, *b_ = nullptr;  ///< if both have some
+  Triple place_, speed_, swing_;                     ///< as space_tests.cpp has them
   double radius_, end_, slack_;
 };
 

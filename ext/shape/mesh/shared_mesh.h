@@ -1,9 +1,9 @@
 // A mesh that many rows share, and what is found of it once somebody asks: its triangles under a tree of
 // boxes.
 //
-//   const auto building = std::make_shared<const CutMesh>(read_mesh(text));
+//   const auto building = std::make_shared<const SharedMesh>(read_mesh(text));
 //   building->pieces();                  // made at the first call, by whichever thread comes first
-//   building->as_it_lies(37.5)           // throws where the mesh, turned so, is none
+//   building->rotated(37.5)           // throws where the mesh, turned so, is none
 //
 // Never changes: several threads and statements may hold one.
 #pragma once
@@ -18,12 +18,12 @@
 
 namespace foresee {
 
-class CutMesh final : public Form {
+class SharedMesh final : public Form {
  public:
   using Pieces = TriangleTree;
 
   /// Requires: a sound mesh (mesh_check.h).
-  explicit CutMesh(Mesh mesh) : mesh_(std::move(mesh)) {}
+  explicit SharedMesh(Mesh mesh) : mesh_(std::move(mesh)) {}
 
   const Mesh& mesh() const { return mesh_; }
   const TriangleTree& pieces() const {
@@ -32,19 +32,19 @@ class CutMesh final : public Form {
   }
   /// Turned by `heading` degrees (turned_mesh.h). Throws Error if that is no mesh, or beyond the largest
   /// double. Requires: -360 <= heading <= 360.
-  Mesh as_it_lies(double heading) const {
+  Mesh rotated(double heading) const {
     if (heading == 0) return mesh_;
-    Mesh lies = turned(mesh_, heading);
-    check_turned(mesh_, lies, heading);
-    return lies;
+    Mesh rotated = turned(mesh_, heading);
+    check_turned(mesh_, rotated, heading);
+    return rotated;
   }
-  TriangleTree pieces_as_it_lies(double heading) const { return TriangleTree(pieces(), as_it_lies(heading)); }
+  TriangleTree rotated_pieces(double heading) const { return TriangleTree(pieces(), rotated(heading)); }
 
   Shape shape() const override { return Shape::mesh; }
   std::size_t corners() const override { return 3 * mesh_.triangles().size(); }
   std::string text() const override { return write_mesh(mesh_); }
   Extents<3> extents(double heading) const override {
-    return heading == 0 ? mesh_.extents() : as_it_lies(heading).extents();
+    return heading == 0 ? mesh_.extents() : rotated(heading).extents();
   }
 
  private:

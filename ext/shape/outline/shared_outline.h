@@ -1,9 +1,9 @@
 // An outline that many rows share, and what is found of it once somebody asks: its convex pieces, and whether
 // it may be turned.
 //
-//   const auto hull = std::make_shared<const CutOutline>(read_outline(text));
+//   const auto hull = std::make_shared<const SharedOutline>(read_outline(text));
 //   hull->pieces();                      // cut at the first call, by whichever thread comes first
-//   hull->as_it_lies(37.5)               // throws where the outline, turned so, is none
+//   hull->rotated(37.5)               // throws where the outline, turned so, is none
 //
 // Never changes: several threads and statements may hold one.
 #pragma once
@@ -17,11 +17,11 @@
 
 namespace foresee {
 
-class CutOutline final : public Form {
+class SharedOutline final : public Form {
  public:
   using Pieces = ConvexPieces;
   /// Requires: a valid outline (validity.h).
-  explicit CutOutline(Outline outline) : outline_(std::move(outline)) {}
+  explicit SharedOutline(Outline outline) : outline_(std::move(outline)) {}
 
   const Outline& outline() const { return outline_; }
   const ConvexPieces& pieces() const {
@@ -30,16 +30,14 @@ class CutOutline final : public Form {
   }
   /// Turned by `heading` degrees (turn.h). Throws Error if that is no outline, or beyond the largest double.
   /// Requires: -360 <= heading <= 360.
-  Outline as_it_lies(double heading) const;
-  ConvexPieces pieces_as_it_lies(double heading) const {
-    return turned_pieces(pieces(), as_it_lies(heading));
-  }
+  Outline rotated(double heading) const;
+  ConvexPieces rotated_pieces(double heading) const { return turned_pieces(pieces(), rotated(heading)); }
 
   Shape shape() const override { return Shape::outline; }
   std::size_t corners() const override { return outline_.corners().size(); }
   std::string text() const override { return write_outline(outline_); }
   Extents<3> extents(double heading) const override {
-    const Extents<2> flat = as_it_lies(heading).extents();
+    const Extents<2> flat = rotated(heading).extents();
     Extents<3> around = Extents<3>::none();
     around.lower.head<2>() = flat.lower, around.upper.head<2>() = flat.upper;
     return around;

@@ -1,4 +1,4 @@
-#include "shape/mesh/plates.h"
+#include "shape/mesh/bounding_discs.h"
 
 #include <algorithm>
 #include <cmath>
@@ -47,53 +47,53 @@ std::vector<Vec<3>> normals_of(const BoxTree<3>& tree, std::span<const Triangle>
 
 }  // namespace
 
-Plates::Plates(const BoxTree<3>& tree, std::span<const Triangle> triangles,
-               std::span<const SpaceCorner> corners) {
+BoundingDiscs::BoundingDiscs(const BoxTree<3>& tree, std::span<const Triangle> triangles,
+                             std::span<const SpaceCorner> corners) {
   const Box<3>& all = tree.box(BoxTree<3>::root);
   const double size = all.lower.abs().max(all.upper.abs()).sum();
   if (!(size > 0x1p-60 && size < 0x1p60)) return;
   slack_ = 0x1p-19 * size;
   const std::vector<Vec<3>> normals = normals_of(tree, triangles, corners);
-  plates_.resize(normals.size());
-  for (Node node = 0; node < plates_.size(); ++node) {
+  discs_.resize(normals.size());
+  for (Node node = 0; node < discs_.size(); ++node) {
     const double length = std::sqrt(dot(normals[node], normals[node]));
     const bool is_some = length > 0x1p-200;
-    plates_[node].normal = floats_of(is_some ? Vec<3>(normals[node] / length) : Vec<3>(0, 0, 1));
-    plates_[node].middle = floats_of(tree.box(node).lower / 2 + tree.box(node).upper / 2);
+    discs_[node].normal = floats_of(is_some ? Vec<3>(normals[node] / length) : Vec<3>(0, 0, 1));
+    discs_[node].middle = floats_of(tree.box(node).lower / 2 + tree.box(node).upper / 2);
   }
-  std::vector<Reach> reaches(plates_.size());
+  std::vector<Reach> reaches(discs_.size());
   for (std::size_t i = 0; i < triangles.size(); ++i)
     for (const std::uint32_t corner : triangles[i])
       for (std::size_t node = tree.leaf(i) + 1; node > 0; node /= 2) {  // and whatever is above it
-        const Plate& plate = plates_[node - 1];
+        const BoundingDisc& disc = discs_[node - 1];
         Reach& reach = reaches[node - 1];
-        const Vec<3> gap = place_of(corners[corner]) - doubles_of(plate.middle);
-        const double along = dot(gap, doubles_of(plate.normal));
+        const Vec<3> gap = place_of(corners[corner]) - doubles_of(disc.middle);
+        const double along = dot(gap, doubles_of(disc.normal));
         reach.low = std::min(reach.low, along), reach.high = std::max(reach.high, along);
         reach.square = std::max(reach.square, dot(gap, gap) - (1 - 0x1p-20) * (along * along));
       }
-  for (std::size_t node = 0; node < plates_.size(); ++node) {
-    Plate& plate = plates_[node];
+  for (std::size_t node = 0; node < discs_.size(); ++node) {
+    BoundingDisc& disc = discs_[node];
     const auto& [low, high, square] = reaches[node];
-    plate.middle = floats_of(doubles_of(plate.middle) + (low + high) / 2 * doubles_of(plate.normal));
-    plate.half = static_cast<float>((high - low) / 2 + slack_);
+    disc.middle = floats_of(doubles_of(disc.middle) + (low + high) / 2 * doubles_of(disc.normal));
+    disc.half = static_cast<float>((high - low) / 2 + slack_);
     // What is left of two squares that cancel, too: their roots are no longer than the mesh.
-    plate.radius = static_cast<float>(std::sqrt(std::max(square, 0.0) + slack_ * slack_) + slack_);
+    disc.radius = static_cast<float>(std::sqrt(std::max(square, 0.0) + slack_ * slack_) + slack_);
   }
   take_boxes(tree);
 }
 
-void Plates::take_boxes(const BoxTree<3>& tree) {
-  for (std::size_t node = 0; node < plates_.size(); ++node) {
+void BoundingDiscs::take_boxes(const BoxTree<3>& tree) {
+  for (std::size_t node = 0; node < discs_.size(); ++node) {
     const Box<3>& box = tree.box(static_cast<Node>(node));
-    plates_[node].lower = floats_of(box.lower - slack_ / 8),
-    plates_[node].upper = floats_of(box.upper + slack_ / 8);
-    plates_[node].size = static_cast<float>((box.upper - box.lower).sum());
+    discs_[node].lower = floats_of(box.lower - slack_ / 8),
+    discs_[node].upper = floats_of(box.upper + slack_ / 8);
+    discs_[node].size = static_cast<float>((box.upper - box.lower).sum());
   }
 }
 
-Plates::Plates(const Plates& known, std::span<const SpaceCorner> corners, const BoxTree<3>& tree,
-               std::span<const SpaceCorner> turned) {
+BoundingDiscs::BoundingDiscs(const BoundingDiscs& known, std::span<const SpaceCorner> corners,
+                             const BoxTree<3>& tree, std::span<const SpaceCorner> turned) {
   const auto from_axis = [](const SpaceCorner& c) { return c.x * c.x + c.y * c.y; };
   const auto farthest = std::max_element(corners.begin(), corners.end(), [&](const auto& a, const auto& b) {
     return from_axis(a) < from_axis(b);
@@ -106,11 +106,11 @@ Plates::Plates(const Plates& known, std::span<const SpaceCorner> corners, const 
     a = floats_of({a[0] * cosine + a[1] * sine, a[1] * cosine - a[0] * sine, a[2]});
   };
   slack_ = known.slack_;
-  plates_ = known.plates_;
-  for (Plate& plate : plates_) {
-    turn(plate.middle), turn(plate.normal);
-    plate.half = static_cast<float>(plate.half + slack_);
-    plate.radius = static_cast<float>(plate.radius + slack_);
+  discs_ = known.discs_;
+  for (BoundingDisc& disc : discs_) {
+    turn(disc.middle), turn(disc.normal);
+    disc.half = static_cast<float>(disc.half + slack_);
+    disc.radius = static_cast<float>(disc.radius + slack_);
   }
   take_boxes(tree);
 }
