@@ -48,14 +48,14 @@ struct Bounded {
 
 /// The earliest stretch no longer than `narrow` that cannot be proved apart.
 Answer search(const Bounded& pair, bool balls, double h, double narrow) {
-  struct Stretch {
+  struct SlopeSign {
     double begin, length;
   };
-  Stretch open[128];
+  SlopeSign open[128];
   int count = 0;
   open[count++] = {0, h};
   for (int looks = 0; count > 0 && looks < 1000000; ++looks) {
-    const Stretch s = open[--count];
+    const SlopeSign s = open[--count];
     const double half = s.length / 2;
     if (pair.apart(balls, s.begin + half, half * (1 + 0x1p-40))) continue;
     if (s.length <= narrow || count > 120) return {true, s.begin};

@@ -34,8 +34,8 @@ class Stages {
     const Moments moments = moments_of(setup_, a(i), b(i));
     Advancement<3, 2> advancement(set_, setup_, a(i), b(i), moments, {0, for_ever}, certain_scratch_);
     const Chord<3> chord(advancement.certain().relative(), moments.dt_end);
-    const Period<double> near = chord.between(set_.hull().data(), static_cast<int>(set_.hull().size()),
-                                              certain_scratch_.lengths, {moments.dt_begin, moments.dt_end});
+    const Interval<double> near = chord.between(set_.hull().data(), static_cast<int>(set_.hull().size()),
+                                                certain_scratch_.lengths, {moments.dt_begin, moments.dt_end});
     const bool missed = near.begin > near.end;
     const Verdict verdict = advancement.touches();
     ++(missed ? shares.chord : verdict != Verdict::uncertain ? shares.certified : shares.exact);

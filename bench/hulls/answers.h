@@ -7,8 +7,8 @@
 namespace foresee::bench {
 
 /// A prepared question; its first column is a number of rows.
-struct Asked {
-  Asked(Database& db, const std::string& sql) : statement(db, sql) {}
+struct TimedQuery {
+  TimedQuery(Database& db, const std::string& sql) : statement(db, sql) {}
 
   Statement statement;
   std::vector<double> seconds = {};
@@ -17,9 +17,9 @@ struct Asked {
 
 /// `ask` steps through the question once, or once a value that it binds.
 template <class Ask>
-void ask_in_turns(const std::vector<Asked*>& questions, int repetitions, Ask&& ask) {
+void ask_in_turns(const std::vector<TimedQuery*>& questions, int repetitions, Ask&& ask) {
   for (int i = 0; i <= repetitions; ++i)
-    for (Asked* question : questions) {
+    for (TimedQuery* question : questions) {
       question->rows = 0;
       const double seconds = seconds_of([&] { ask(*question); });
       if (i > 0) question->seconds.push_back(seconds);
@@ -27,7 +27,7 @@ void ask_in_turns(const std::vector<Asked*>& questions, int repetitions, Ask&& a
 }
 
 /// Steps through all rows, the numbers of which add up.
-inline void step_through(Asked& question) {
+inline void step_through(TimedQuery& question) {
   while (question.statement.step()) question.rows += question.statement.integer(0);
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 void compare(ShipTables& tables, const std::string& what, const std::string& sql, int repetitions,
              auto&& ask) {
-  Asked hulls(tables.hulls.db(), sql), boxes(tables.boxes.db(), sql), discs(tables.discs.db(), sql);
+  TimedQuery hulls(tables.hulls.db(), sql), boxes(tables.boxes.db(), sql), discs(tables.discs.db(), sql);
   ask_in_turns({&hulls, &boxes, &discs}, repetitions, ask);
   const double cost = median(hulls.seconds);
   std::printf("%-28s hulls %8.1f ms", what.c_str(), cost * 1e3);
@@ -49,7 +49,7 @@ void measure_hull_joins(bool quick) {
                 " j JOIN ships s ON s.id = j.a JOIN ships u ON u.id = j.b",
             repetitions, step_through);
     compare(tables, "a = ?, 1000 ships" + name, "SELECT count(*), sum(t) FROM " + join + " WHERE a = ?1",
-            repetitions, [](Asked& question) {
+            repetitions, [](TimedQuery& question) {
               for (std::int64_t id = 50; id <= 100000; id += 100) {
                 question.statement.bind(1, id);
                 step_through(question);

@@ -94,10 +94,10 @@ void measure_zones(bool quick) {
                                    {"t", "count(*), sum(w.t)"},
                                    {"t, t_end", "count(*), sum(w.t), sum(w.t_end)"}}) {
     const std::string select = std::string("SELECT ") + what + " FROM zones z JOIN predictive_window w ";
-    Asked by_zone(table.db(), select + "ON w.h = 600 AND w.tbl = 'ships' AND w.zone = z.wkt");
-    Asked by_box(table.db(), select +
-                                 "ON w.h = 600 AND w.tbl = 'ships' AND w.x0 = z.x0 AND w.x1 = z.x1 AND "
-                                 "w.y0 = z.y0 AND w.y1 = z.y1");
+    TimedQuery by_zone(table.db(), select + "ON w.h = 600 AND w.tbl = 'ships' AND w.zone = z.wkt");
+    TimedQuery by_box(table.db(), select +
+                                      "ON w.h = 600 AND w.tbl = 'ships' AND w.x0 = z.x0 AND w.x1 = z.x1 AND "
+                                      "w.y0 = z.y0 AND w.y1 = z.y1");
     ask_in_turns({&by_zone, &by_box}, quick ? 3 : 15, step_through);
     const double zone = median(by_zone.seconds) / number_of_zones,
                  box = median(by_box.seconds) / number_of_zones;

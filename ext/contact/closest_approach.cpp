@@ -103,12 +103,12 @@ class CertainApproach {
   /// All rising roots of the slope, in order; false if they cannot be told apart.
   bool find_valleys(double low, const Slope& at_low, double high, const Slope& at_high, int& budget) {
     const double length = high - low;
-    switch (stretch_between(at_low, at_high, length)) {
-      case Stretch::valley:
+    switch (slope_sign_between(at_low, at_high, length)) {
+      case SlopeSign::valley:
         if (valley_count_ == 2) return false;
         valleys_[valley_count_++] = {low, high};
         return true;
-      case Stretch::unclear:
+      case SlopeSign::unclear:
         break;
       default:
         return true;
@@ -121,7 +121,7 @@ class CertainApproach {
   }
 
   /// Near the root: Newton's steps, kept between the ends by bisection. Nothing rests on how near.
-  double rough_root(const Valley& valley) const {
+  double rough_root(const FallingInterval& valley) const {
     double low = valley.begin, high = valley.end, tau = low + 0.5 * (high - low);
     for (int i = 0; i < 60; ++i) {
       double value = 0, growth = 0;
@@ -146,7 +146,7 @@ class CertainApproach {
   ///
   /// With g the slope and s its growth at tau, the root is tau - g / s, the least square |x|^2 - g^2 / s, up
   /// to the share by which s changes on the way.
-  std::optional<Nearness> bottom(const Valley& valley) const {
+  std::optional<Nearness> bottom(const FallingInterval& valley) const {
     const double tau = rough_root(valley);
     const Spot spot = spot_at({tau, 0});
     const double growth = spot.rough.growth, value = spot.slope.high;
@@ -226,7 +226,7 @@ class CertainApproach {
   RelativeMotion<DoubleDouble, D> motion_;
   DoubleDouble begin_, end_;
   bool still_;
-  Valley valleys_[2];
+  FallingInterval valleys_[2];
   int valley_count_ = 0;
 };
 

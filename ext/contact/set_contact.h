@@ -74,7 +74,7 @@ class SetContact : public Contact {
 
   /// Whether the pair touches, exactly. `near`: only then can it, if at all.
   [[gnu::noinline]] bool touches(const double* row_a, const double* row_b,
-                                 const Period<double>& near = any_time) {
+                                 const Interval<double>& near = any_time) {
     const Moments moments = moments_of(setup_, row_a, row_b);
     if (moments.none) return false;
     const Verdict verdict = advancement(row_a, row_b, moments, near).touches();
@@ -83,7 +83,7 @@ class SetContact : public Contact {
   }
 
   /// Whether and when the pair touches: the exact moments, each rounded once. `near`: as for touches().
-  [[gnu::noinline]] bool first_contact(const double* row_a, const double* row_b, const Period<double>& near,
+  [[gnu::noinline]] bool first_contact(const double* row_a, const double* row_b, const Interval<double>& near,
                                        TimesWanted wanted, ContactTimes& found) {
     const Moments moments = moments_of(setup_, row_a, row_b);
     if (moments.none) return false;
@@ -116,16 +116,16 @@ class SetContact : public Contact {
                : earlier(crossing<CrossingDirection::leaving>(advancement, last, row_a, row_b), end);
   }
 
-  static constexpr Period<double> any_time{0, for_ever};
+  static constexpr Interval<double> any_time{0, for_ever};
   const Setup setup_;
 
  private:
   Advancement<D, Degree> advancement(const double* row_a, const double* row_b, const Moments& moments,
-                                     const Period<double>& near) {
+                                     const Interval<double>& near) {
     return {set_, setup_, row_a, row_b, moments, near, certain_scratch_};
   }
 
-  Period<double> near(int l) const { return {set_lanes_.begin[l], set_lanes_.end[l]}; }
+  Interval<double> near(int l) const { return {set_lanes_.begin[l], set_lanes_.end[l]}; }
 
   /// Visits the pairs that are not certainly apart, in order, each with its lane: near(l) is when it could
   /// touch, and where that is wanted lanes_.touches[l] whether it certainly does.
@@ -149,7 +149,7 @@ class SetContact : public Contact {
   /// What double and DoubleDouble can vouch for: whether the two touch and, where known, since and until
   /// when.
   Verdict filtered_contact(const double* row_a, const double* row_b, const Moments& moments,
-                           const Period<double>& near, TimesWanted wanted, Instant& begin, Instant& end) {
+                           const Interval<double>& near, TimesWanted wanted, Instant& begin, Instant& end) {
     auto advancement = this->advancement(row_a, row_b, moments, near);
     Bracket first;
     const Verdict meets = advancement.first_contact(first);

@@ -9,15 +9,15 @@
 namespace foresee {
 
 /// When an object exists during the horizon, as time since its own t.
-struct Life {
+struct LifeInterval {
   double begin, end;
   double reach;  ///< no moment of the horizon is farther from the object's own t
   bool none;
 };
 
-inline Life life_of(double t, double until, const Horizon& horizon) {
+inline LifeInterval life_of(double t, double until, const Horizon& horizon) {
   const double since = horizon.now - t;
-  Life life;
+  LifeInterval life;
   life.begin = std::max(since, 0.0);
   life.end = std::min(since + horizon.h, until - t);
   life.reach = std::abs(since) + horizon.h;

@@ -21,7 +21,7 @@
 
 namespace foresee {
 
-Ends swept_axis(double x, double v, double a, const Life& life, double below, double above) {
+Ends swept_axis(double x, double v, double a, const LifeInterval& life, double below, double above) {
   constexpr double u = 0x1p-53;
   if (v == 0 && a == 0) return grown(x, x, below, above);
   auto place = [=](double s) { return x + s * (v + a * s * 0.5); };

@@ -14,11 +14,11 @@ namespace foresee {
 
 /// What the position covers on one axis, x + v s + a s^2 / 2 for the time s of `life`, grown by what lies
 /// below and above it.
-Ends swept_axis(double x, double v, double a, const Life& life, double below, double above);
+Ends swept_axis(double x, double v, double a, const LifeInterval& life, double below, double above);
 
 template <int D>
 Box<D> swept_box(const Motion<D>& motion, const Horizon& horizon, const Extents<D>& extents) {
-  const Life life = life_of(motion.t, motion.until, horizon);
+  const LifeInterval life = life_of(motion.t, motion.until, horizon);
   if (life.none) return Box<D>::empty();
   Box<D> box;
   for (int axis = 0; axis < D; ++axis) {
@@ -34,7 +34,7 @@ Box<D> swept_box(const Motion<D>& motion, const Horizon& horizon, const Extents<
 template <int D>
 Box<D> core_box(const Motion<D>& motion, double now, const Extents<D>& inner) {
   constexpr double u = 0x1p-53;
-  const Life life = life_of(motion.t, motion.until, {now, 0});
+  const LifeInterval life = life_of(motion.t, motion.until, {now, 0});
   if (life.none) return Box<D>::empty();
   Box<D> box;
   for (int axis = 0; axis < D; ++axis) {

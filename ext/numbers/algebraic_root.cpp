@@ -89,7 +89,7 @@ void AlgebraicRoot::narrow(int bits) {
   if (!from_low) local[1] = -local[1], local[3] = -local[3];
   Dyadic near, far = b.high - b.low;
   for (int length = 128; length < bits && wide(near, far); length *= 2) {
-    Powers<Midrad> cut;
+    Coefficients<Midrad> cut;
     std::transform(local.begin(), local.end(), cut.begin(),
                    [&](const Midrad& c) { return c.cut_to(length); });
     const IntervalNewton<Midrad> n(cut, degree, near, far, from_low ? b.sign_low : -b.sign_low, length);
@@ -214,7 +214,7 @@ int LazyPolynomial::degree() {
 
 LazyPolynomial& LazyPolynomial::slope() {
   if (!slope_) {
-    Coefficients c;
+    RoughCoefficients c;
     for (int k = 1; k <= degree(); ++k) c[k - 1] = rough_[k] * Midrad128(k);
     slope_ = std::make_unique<LazyPolynomial>(c, *source_, number_);
     slope_->parent_ = this;
@@ -240,7 +240,7 @@ Midrad128 LazyPolynomial::value_at(const Midrad128& tau) const {
 
 namespace {
 /// Near a turn, where the slope almost vanishes, an enclosure half as long will do.
-Midrad value_within(const Powers<Midrad>& p, int degree, const Midrad& x, int bits) {
+Midrad value_within(const Coefficients<Midrad>& p, int degree, const Midrad& x, int bits) {
   const Midrad middle(x.middle(), bits);
   return value_at(around(p, degree, middle), degree, x - middle);
 }

@@ -66,15 +66,15 @@ double rounded(AlgebraicRoot& root, const Dyadic& offset);
 class LazyPolynomial {
  public:
   static constexpr int most = Polynomial::most;
-  using Coefficients = std::array<Midrad128, most + 1>;
+  using RoughCoefficients = std::array<Midrad128, most + 1>;
 
   /// `rough` encloses the coefficients of the source's polynomial, up to a positive factor.
-  LazyPolynomial(const Coefficients& rough, const PolynomialSource& source, int number)
+  LazyPolynomial(const RoughCoefficients& rough, const PolynomialSource& source, int number)
       : rough_(rough), source_(&source), number_(number) {}
 
   int degree();                                                     ///< exactly; -1: zero everywhere
   int lead() { return degree() < 0 ? 0 : rough_[degree_].side(); }  ///< sign of the leading coefficient
-  const Coefficients& rough() const { return rough_; }
+  const RoughCoefficients& rough() const { return rough_; }
   const Polynomial& exact();
   std::array<Midrad, most + 1> enclosure(int bits);  ///< encloses the coefficients of exact()
   LazyPolynomial& slope();
@@ -92,7 +92,7 @@ class LazyPolynomial {
   AlgebraicRoot& add_root(const Dyadic& low, const Dyadic& high, int sign_low);
 
  private:
-  Coefficients rough_;
+  RoughCoefficients rough_;
   const PolynomialSource* source_ = nullptr;  ///< of a slope: none
   LazyPolynomial* parent_ = nullptr;          ///< of a slope: the polynomial itself
   int number_ = 0;

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 
+#include "numbers/coefficients.h"
 #include "numbers/midrad.h"
-#include "numbers/powers.h"
 
 namespace foresee {
 
@@ -37,7 +37,7 @@ inline Midrad hull(const Dyadic& low, const Dyadic& high, int bits) {
 }
 
 template <class N>
-N value_at(const Powers<N>& p, int degree, const N& x) {
+N value_at(const Coefficients<N>& p, int degree, const N& x) {
   if (degree < 0) return {};
   N value = p[degree];
   for (int k = degree - 1; k >= 0; --k) value = value * x + p[k];
@@ -46,7 +46,7 @@ N value_at(const Powers<N>& p, int degree, const N& x) {
 
 /// The same polynomial by powers of the distance from x.
 template <class N>
-Powers<N> around(Powers<N> p, int degree, const N& x) {
+Coefficients<N> around(Coefficients<N> p, int degree, const N& x) {
   for (int k = 0; k < degree; ++k)
     for (int i = degree - 1; i >= k; --i) p[i] = p[i] + x * p[i + 1];
   return p;
@@ -60,7 +60,8 @@ class IntervalNewton {
 
   /// The polynomial has one root in [low, high], at which its sign changes from `sign_low`.
   /// Requires: 0 <= low.
-  IntervalNewton(const Powers<N>& p, int degree, const End& low, const End& high, int sign_low, int bits)
+  IntervalNewton(const Coefficients<N>& p, int degree, const End& low, const End& high, int sign_low,
+                 int bits)
       : low(low), high(high), p_(p), degree_(degree), bits_(bits), sign_low_(sign_low) {
     while (closer()) {
     }
@@ -77,7 +78,7 @@ class IntervalNewton {
     if (!less(low, place) || !less(place, high)) return false;
     // From x the slope is bounded far better than from 0, where almost all cancels.
     const N rest = hull(low, high, bits_) - x;
-    const Powers<N> d = around(p_, degree_, x);
+    const Coefficients<N> d = around(p_, degree_, x);
     const N slope = d[1] + rest * (d[2].scaled(1) + rest * (d[3] * three_ + rest * d[4].scaled(2)));
     const int sign = d[0].sign(), slope_sign = slope.sign();
     if (sign == 0) {
@@ -107,7 +108,7 @@ class IntervalNewton {
 
   static constexpr int lost_digits = 16;  ///< about as many as a step may lose
 
-  const Powers<N>& p_;
+  const Coefficients<N>& p_;
   N three_ = number(End(3.0), 2);
   int degree_, bits_, sign_low_;
   int round_ = 0;

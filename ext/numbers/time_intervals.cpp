@@ -55,7 +55,7 @@ Roots roots_by_formula(LazyPolynomial& polynomial) {
   return roots;
 }
 
-TimeIntervals clipped(std::initializer_list<TimeInterval> intervals, const Asked& asked) {
+TimeIntervals clipped(std::initializer_list<TimeInterval> intervals, const QueriedInterval& asked) {
   TimeIntervals kept;
   for (TimeInterval s : intervals) {
     if (s.first != &asked.begin && compare(*s.first, asked.begin) < 0) s.first = &asked.begin;
@@ -65,7 +65,7 @@ TimeIntervals clipped(std::initializer_list<TimeInterval> intervals, const Asked
   return kept;
 }
 
-TimeIntervals inside_by_formula(LazyPolynomial& polynomial, const Asked& asked) {
+TimeIntervals inside_by_formula(LazyPolynomial& polynomial, const QueriedInterval& asked) {
   const Roots roots = roots_by_formula(polynomial);
   AlgebraicRoot *const begin = &asked.begin, *const end = &asked.end;
   const int lead = polynomial.lead();
@@ -104,11 +104,11 @@ AlgebraicRoot& root_between(LazyPolynomial& polynomial, AlgebraicRoot& before, A
   }
 }
 
-Waypoints waypoints_of(LazyPolynomial& polynomial, const Asked& asked);
+Waypoints waypoints_of(LazyPolynomial& polynomial, const QueriedInterval& asked);
 
 }  // namespace
 
-Roots zeros_within(LazyPolynomial& polynomial, const Asked& asked) {
+Roots zeros_within(LazyPolynomial& polynomial, const QueriedInterval& asked) {
   Roots zeros;
   if (polynomial.degree() <= 2) {
     const Roots all = roots_by_formula(polynomial);
@@ -126,7 +126,7 @@ Roots zeros_within(LazyPolynomial& polynomial, const Asked& asked) {
 namespace {
 
 /// The ends, the zeros of the slope, and between them the roots.
-Waypoints waypoints_of(LazyPolynomial& polynomial, const Asked& asked) {
+Waypoints waypoints_of(LazyPolynomial& polynomial, const QueriedInterval& asked) {
   const Roots turns = zeros_within(polynomial.slope(), asked);
   Waypoints waypoints;
   waypoints.add(&asked.begin, polynomial.sign_at(asked.begin));
@@ -148,7 +148,7 @@ constexpr int bernstein_weight(int n, int i, int k) {
 }
 
 /// Never 0 on the whole of it, told from Bernstein's coefficients: their sign, or 0 where they do not tell.
-int constant_sign(LazyPolynomial& polynomial, const Asked& asked) {
+int constant_sign(LazyPolynomial& polynomial, const QueriedInterval& asked) {
   const int n = polynomial.degree();
   const Midrad128 width = asked.end.at - asked.begin.at;
   std::array<Midrad128, LazyPolynomial::most + 1> d = polynomial.rough();
@@ -169,7 +169,7 @@ int constant_sign(LazyPolynomial& polynomial, const Asked& asked) {
 
 }  // namespace
 
-TimeIntervals sublevel_intervals(LazyPolynomial& polynomial, const Asked& asked) {
+TimeIntervals sublevel_intervals(LazyPolynomial& polynomial, const QueriedInterval& asked) {
   if (polynomial.degree() <= 2) return inside_by_formula(polynomial, asked);
   TimeIntervals intervals;
   const int constant = constant_sign(polynomial, asked);
@@ -187,7 +187,7 @@ TimeIntervals sublevel_intervals(LazyPolynomial& polynomial, const Asked& asked)
   return intervals;
 }
 
-TimeIntervals complement(const TimeIntervals& inside, const Asked& asked) {
+TimeIntervals complement(const TimeIntervals& inside, const QueriedInterval& asked) {
   TimeIntervals gaps;
   AlgebraicRoot* first = &asked.begin;
   for (const TimeInterval& interval : inside) {

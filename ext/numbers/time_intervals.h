@@ -21,7 +21,7 @@ struct TimeInterval {
 using TimeIntervals = std::vector<TimeInterval>;
 
 /// The moments asked about. Requires: begin <= end.
-struct Asked {
+struct QueriedInterval {
   AlgebraicRoot &begin, &end;
 };
 
@@ -31,13 +31,13 @@ struct Roots {
 };
 
 /// Where a polynomial is 0, in order and strictly within the moments asked about. To be asked once.
-Roots zeros_within(LazyPolynomial& polynomial, const Asked& asked);
+Roots zeros_within(LazyPolynomial& polynomial, const QueriedInterval& asked);
 
-TimeIntervals sublevel_intervals(LazyPolynomial& polynomial, const Asked& asked);
+TimeIntervals sublevel_intervals(LazyPolynomial& polynomial, const QueriedInterval& asked);
 
 /// What lies between intervals, with the ends that they share. Single times at which a polynomial only
 /// touches 0 from below are left out; a root at an end of what is asked about may be an interval of one time.
-TimeIntervals complement(const TimeIntervals& inside, const Asked& asked);
+TimeIntervals complement(const TimeIntervals& inside, const QueriedInterval& asked);
 
 /// The moments that are in both.
 TimeIntervals common(const TimeIntervals& a, const TimeIntervals& b);

@@ -39,7 +39,7 @@ Extents<D> largest_extents(const Bodies& bodies, std::size_t i, const Horizon& h
   if (!grows(bodies.layout)) return extents;
   const double* const row = bodies.row(i);
   const double until = value_or(row, bodies.at.until, std::numeric_limits<double>::infinity());
-  const Life life = life_of(value_or(row, bodies.at.t, 0), until, horizon);
+  const LifeInterval life = life_of(value_or(row, bodies.at.t, 0), until, horizon);
   const double age = std::max(0.0, life.end) + life.reach * 0x1p-51;
   const Vec<D> growth = growth_of<D>(bodies.layout.shape, row, bodies.at);
   return grown<D>(extents, growth * (age * (1 + 0x1p-50)) + 0x1p-1000);

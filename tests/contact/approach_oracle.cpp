@@ -74,7 +74,7 @@ class Distances {
 
 std::string judge_approach(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
                            const Horizon& horizon, const ClosestApproach& answer) {
-  const Asked asked = asked_about(a, b, horizon);
+  const ExactInterval asked = asked_about(a, b, horizon);
   const Coefficients square = squared_distance(a, b, horizon.now);
   const Distances distances(square);
   const Sturm slope(derivative(integers_of(square)));

@@ -17,7 +17,7 @@ namespace {
 using namespace testing_by_hand;
 
 void expect_exact(const Object& a, const Object& b, const Horizon& horizon, const char* family, int number) {
-  const oracle::Asked asked = oracle::asked_about(a, b, horizon);
+  const oracle::ExactInterval asked = oracle::asked_about(a, b, horizon);
   if (asked.begin > asked.end) return;
   const Case c{a, b, {.horizon = horizon}};
   const ClosestApproach answer = closest(a, b, c.question);

@@ -93,7 +93,7 @@ struct Found {
 /// Walks through time and keeps the first contact.
 class Walk {
  public:
-  Walk(const Rule& rule, const Asked& asked) : asked_(asked), regions_(rule) {
+  Walk(const Rule& rule, const ExactInterval& asked) : asked_(asked), regions_(rule) {
     std::size_t border = 0;
     for (const Sturm& sturm : regions_.borders()) {
       for (Moment& moment : moments_between(sturm, asked.begin, asked.end))
@@ -201,7 +201,7 @@ class Walk {
     last = where;
   }
 
-  const Asked& asked_;
+  const ExactInterval& asked_;
   Regions regions_;
   std::vector<Crossing> crossings_;
   Exact reached_, stretch_sample_;
@@ -223,10 +223,10 @@ Coefficients relative_axis(const testing_by_hand::Object& a, const testing_by_ha
   return pb;
 }
 
-Asked asked_about(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
-                  const Horizon& horizon) {
+ExactInterval asked_about(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
+                          const Horizon& horizon) {
   const Exact now(horizon.now);
-  Asked asked{0.0, horizon.h};
+  ExactInterval asked{0.0, horizon.h};
   for (const auto* o : {&a, &b}) {
     asked.begin = std::max(asked.begin, Exact(o->layout.has_t ? o->t : 0) - now);
     if (o->layout.has_until && o->until != std::numeric_limits<double>::infinity())
@@ -237,7 +237,7 @@ Asked asked_about(const testing_by_hand::Object& a, const testing_by_hand::Objec
 
 std::string judge(const Rule& rule, const testing_by_hand::Object& a, const testing_by_hand::Object& b,
                   const Horizon& horizon, const std::optional<ContactTimes>& answer) {
-  const Asked asked = asked_about(a, b, horizon);
+  const ExactInterval asked = asked_about(a, b, horizon);
   if (asked.begin > asked.end) return answer ? "a contact of objects that never exist together" : "";
   const Walk walk(rule, asked);
   if (walk.first.where == Found::nothing) return answer ? "an invented contact" : "";

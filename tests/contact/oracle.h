@@ -30,10 +30,11 @@ struct Rule {
 };
 
 /// The moments asked about, measured from now; none if begin > end.
-struct Asked {
+struct ExactInterval {
   Exact begin, end;
 };
-Asked asked_about(const testing_by_hand::Object& a, const testing_by_hand::Object& b, const Horizon& horizon);
+ExactInterval asked_about(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
+                          const Horizon& horizon);
 
 /// Compares the engine's answer with the exact one; empty if they agree, else what is wrong.
 std::string judge(const Rule& rule, const testing_by_hand::Object& a, const testing_by_hand::Object& b,

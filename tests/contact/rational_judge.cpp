@@ -7,7 +7,7 @@
 namespace foresee::oracle {
 namespace {
 
-bool begins_before(const Stretch& s, const Stretch& t) {
+bool begins_before(const SlopeSign& s, const SlopeSign& t) {
   return s.begin < t.begin;
 }
 
@@ -29,20 +29,20 @@ bool ends_within_half_an_ulp(const Touch& touch, double end) {
 
 }  // namespace
 
-std::optional<Stretch> first_of(std::vector<Stretch> contacts) {
+std::optional<SlopeSign> first_of(std::vector<SlopeSign> contacts) {
   if (contacts.empty()) return {};
   std::sort(contacts.begin(), contacts.end(), begins_before);
-  Stretch first = contacts[0];
-  for (const Stretch& s : contacts)
+  SlopeSign first = contacts[0];
+  for (const SlopeSign& s : contacts)
     if (s.begin <= first.end && first.end < s.end) first.end = s.end;
   return first;
 }
 
-std::vector<Stretch> gaps_between(std::vector<Stretch> contacts, const Stretch& asked) {
+std::vector<SlopeSign> gaps_between(std::vector<SlopeSign> contacts, const SlopeSign& asked) {
   std::sort(contacts.begin(), contacts.end(), begins_before);
-  std::vector<Stretch> gaps;
+  std::vector<SlopeSign> gaps;
   Rational reached = asked.begin;
-  for (const Stretch& s : contacts) {
+  for (const SlopeSign& s : contacts) {
     if (reached < s.begin) gaps.push_back({reached, s.begin});
     reached = std::max(reached, s.end);
   }
@@ -59,9 +59,9 @@ bool is_rounded(double value, const Rational& exact) {
   return even ? low <= exact && exact <= high : low < exact && exact < high;
 }
 
-Stretch Encounter::asked() const {
+SlopeSign Encounter::asked() const {
   const Rational now(question.horizon.now);
-  Stretch asked{0, Rational(question.horizon.h)};
+  SlopeSign asked{0, Rational(question.horizon.h)};
   for (const auto* o : {&a, &b}) {
     asked.begin = std::max<Rational>(asked.begin, Rational(o->t) - now);
     if (std::isfinite(o->until)) asked.end = std::min<Rational>(asked.end, Rational(o->until) - now);
@@ -91,7 +91,7 @@ Rational Encounter::radius(const Rational& moment) const {
   return radius;
 }
 
-std::string compared(const std::optional<Stretch>& exact, const std::optional<ContactTimes>& answer,
+std::string compared(const std::optional<SlopeSign>& exact, const std::optional<ContactTimes>& answer,
                      double now) {
   if (exact.has_value() != answer.has_value()) return exact ? "missed" : "invented";
   if (!exact) return {};

@@ -15,15 +15,15 @@ namespace foresee::oracle {
 using Rational = boost::multiprecision::cpp_rational;
 
 /// Closed.
-struct Stretch {
+struct SlopeSign {
   Rational begin, end;
 };
 
 /// Of all together: those that touch each other are one.
-std::optional<Stretch> first_of(std::vector<Stretch> contacts);
+std::optional<SlopeSign> first_of(std::vector<SlopeSign> contacts);
 
 /// What `contacts` leave of `asked`. A gap that ends where another begins is none.
-std::vector<Stretch> gaps_between(std::vector<Stretch> contacts, const Stretch& asked);
+std::vector<SlopeSign> gaps_between(std::vector<SlopeSign> contacts, const SlopeSign& asked);
 
 /// Is `value` the double nearest to `exact`, ties to even?
 bool is_rounded(double value, const Rational& exact);
@@ -34,7 +34,7 @@ struct Encounter {
   const ContactQuestion& question;
 
   /// While both exist; none if it ends before it begins.
-  Stretch asked() const;
+  SlopeSign asked() const;
   /// Where b is seen from a, and how fast it goes there.
   Rational place(int axis, const Rational& moment) const;
   Rational velocity(int axis) const;
@@ -42,7 +42,7 @@ struct Encounter {
 };
 
 /// Empty if these are the times of `exact`, correctly rounded, else what is wrong.
-std::string compared(const std::optional<Stretch>& exact, const std::optional<ContactTimes>& answer,
+std::string compared(const std::optional<SlopeSign>& exact, const std::optional<ContactTimes>& answer,
                      double now);
 
 /// Judges contact of any radius and motion by single moments: just beside the times that were answered, and

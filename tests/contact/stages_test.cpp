@@ -61,8 +61,8 @@ class StagesOfPair {
                                        scratch);
     const Chord<D> chord(advancement.certain().relative(), moments_.dt_end);
     const auto hull = set_.hull();
-    const Period<double> near = chord.between(hull.data(), static_cast<int>(hull.size()), scratch.lengths,
-                                              {moments_.dt_begin, moments_.dt_end});
+    const Interval<double> near = chord.between(hull.data(), static_cast<int>(hull.size()), scratch.lengths,
+                                                {moments_.dt_begin, moments_.dt_end});
     if (moments_.begin_exact && moments_.end_exact && near.begin > near.end) {
       ++certain_.chord;
       EXPECT_FALSE(touches) << "chord: " << case_;

@@ -204,7 +204,8 @@ TEST(AlgebraicRoot, RecognizesNumbersOfFewDigits) {
 TEST(LazyPolynomial, DegreeIsThatOfTheExactPolynomial) {
   const ExactSource source(polynomial({-3, 2}));
   const Midrad128 about_zero = Midrad128::hull(Midrad128(), Midrad128(2.0)) - Midrad128(1.0);
-  LazyPolynomial::Coefficients rough{Midrad128(-3.0), Midrad128(2.0), about_zero, about_zero, about_zero};
+  LazyPolynomial::RoughCoefficients rough{Midrad128(-3.0), Midrad128(2.0), about_zero, about_zero,
+                                          about_zero};
   LazyPolynomial lazy(rough, source, 0);
   EXPECT_EQ(lazy.degree(), 1);
   EXPECT_EQ(lazy.lead(), 1);

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "numbers/powers.h"
+#include "numbers/coefficients.h"
 #include "numbers/rationals.h"
 
 namespace foresee {
@@ -116,7 +116,7 @@ TEST(Bounded, BoundContainsWhatUnderflowLoses) {
   EXPECT_GE(Bounded{}.error_bound(lost), lost);
 }
 
-TEST(Powers, TwiceAndSquareAreExactWhereTheNumbersAre) {
+TEST(Coefficients, TwiceAndSquareAreExactWhereTheNumbersAre) {
   Inputs inputs(5);
   for (int i = 0; i < cases(500); ++i) {
     const Dyadic a = inputs.dyadic();

@@ -38,7 +38,7 @@ class ExactSource : public PolynomialSource {
  public:
   /// Off by up to 2^-`digits` of each coefficient; 0: not at all.
   explicit ExactSource(Polynomial p, int digits = 0) : polynomial_(std::move(p)) {
-    LazyPolynomial::Coefficients rough;
+    LazyPolynomial::RoughCoefficients rough;
     for (int k = 0; k <= polynomial_.degree; ++k) {
       const Midrad128 c(polynomial_.c[k]);
       if (digits > 0 && c.sign() != 0) {

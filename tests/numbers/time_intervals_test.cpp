@@ -21,7 +21,7 @@ struct Span {
 
   Span(const Dyadic& low, const Dyadic& high) : low(low), high(high) {}
   Span(const Span&) = delete;
-  Asked asked() { return {begin, end}; }
+  QueriedInterval asked() { return {begin, end}; }
 };
 
 bool contains(const TimeInterval& interval, const Dyadic& x) {

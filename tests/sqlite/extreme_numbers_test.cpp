@@ -14,9 +14,9 @@ std::string literal(double number) {
 }
 
 /// A table of a scene, and what is asked about it.
-class Asked {
+class RandomQueries {
  public:
-  explicit Asked(std::uint64_t seed)
+  explicit RandomQueries(std::uint64_t seed)
       : scene_(extreme_scene(seed)), numbers_(seed), h_(literal(scene_.h)), now_(literal(scene_.now)) {
     db_.exec("PRAGMA page_size = 512");
     build_table(db_, "objects", scene_);
@@ -85,7 +85,7 @@ class Asked {
 TEST(ExtremeNumbers, EveryQuestionGivesWhatALookAtAllObjectsGives) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("scene " + std::to_string(seed));
-    Asked asked(seed);
+    RandomQueries asked(seed);
     asked.expect_same_pairs();
     asked.expect_same_window();
     asked.expect_same_nearest();

@@ -22,7 +22,7 @@ class Advancement {
   /// On the moments at which both exist: those asked about, rounded outward, and those that certainly count.
   /// `near`: only then can they touch, if at all.
   [[gnu::flatten]] Advancement(const ContactSet& set, const Setup& setup, const double* row_a,
-                               const double* row_b, const Moments& moments, const Period<double>& near,
+                               const double* row_b, const Moments& moments, const Interval<double>& near,
                                CertainScratch& scratch)
       : certain_(set, setup, row_a, row_b, scratch) {
     constexpr double u = unit_roundoff;

@@ -149,7 +149,7 @@ class CertainSet {
     double& known = scratch_.known[place];
     if (known == known) return known;
     const Primitive& primitive = set_.primitives()[place];
-    Powers<Bounded, 0> x[D];
+    Coefficients<Bounded, 0> x[D];
     for (int j = 0; j < D; ++j) x[j] = {x_[j][0]};
     const Bounded value = polynomial_of<0>(primitive, x, scratch_.lengths, tau_)[0];
     const double error = value.error_bound(lost(primitive));
@@ -159,7 +159,7 @@ class CertainSet {
   const ContactSet& set_;
   const CertainMotion<D> relative_;
   CertainScratch& scratch_;
-  Powers<Bounded, Degree> x_[D];
+  Coefficients<Bounded, Degree> x_[D];
   double tau_ = 0;
 };
 

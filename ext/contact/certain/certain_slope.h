@@ -41,16 +41,16 @@ Slope slope_of(const AxisView<> (&view)[D]) {
 }
 
 /// A stretch of time within which the slope has exactly one root, rising.
-struct Valley {
+struct FallingInterval {
   double begin, end;
 };
 
 /// What a stretch certainly holds.
-enum class Stretch : std::uint8_t { no_turn, valley, ridge, unclear };
+enum class SlopeSign : std::uint8_t { no_turn, valley, ridge, unclear };
 
-inline Stretch stretch_between(const Slope& a, const Slope& b, double length) {
+inline SlopeSign slope_sign_between(const Slope& a, const Slope& b, double length) {
   const int first = a.sign(), last = b.sign();
-  if (first == 0 || last == 0) return Stretch::unclear;
+  if (first == 0 || last == 0) return SlopeSign::unclear;
   auto inner = [length](const Slope& s, double side) {
     const double third = length / 3;
     const double rise = third * std::abs(s.growth);
@@ -60,9 +60,9 @@ inline Stretch stretch_between(const Slope& a, const Slope& b, double length) {
         .sign();
   };
   const int second = inner(a, 1), third = inner(b, -1);
-  if (first == last) return second == first && third == first ? Stretch::no_turn : Stretch::unclear;
-  if (second != first && third != last) return Stretch::unclear;
-  return first < 0 ? Stretch::valley : Stretch::ridge;
+  if (first == last) return second == first && third == first ? SlopeSign::no_turn : SlopeSign::unclear;
+  if (second != first && third != last) return SlopeSign::unclear;
+  return first < 0 ? SlopeSign::valley : SlopeSign::ridge;
 }
 
 }  // namespace foresee

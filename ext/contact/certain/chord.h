@@ -43,7 +43,7 @@ class Chord {
   /// Of `asked`, the moments at which the pair may be between all `faces`, as those of a set's hull: at no
   /// other is it.
   template <class Lengths>
-  Period<Real> between(const Faces* faces, int count, const Lengths& lengths, Period<Real> asked) const {
+  Interval<Real> between(const Faces* faces, int count, const Lengths& lengths, Interval<Real> asked) const {
     for (int i = 0; i < count; ++i) {
       const Real below = crossing(faces[i].axis, -1, faces[i].has_below, faces[i].below, lengths);
       const Real above = crossing(faces[i].axis, 1, faces[i].has_above, faces[i].above, lengths);

@@ -136,7 +136,7 @@ class Crossing {
   CertainSet<D, Degree>& certain_;
   const PairLengths<DoubleDouble> lengths_;
   CrossingScratch& scratch_;
-  Powers<DoubleDouble, 0> place_[D];
+  Coefficients<DoubleDouble, 0> place_[D];
   double base_, width_, now_;
 };
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "numbers/powers.h"
+#include "numbers/coefficients.h"
 
 namespace foresee {
 
@@ -17,7 +17,7 @@ constexpr double for_ever = std::numeric_limits<double>::infinity();
 
 /// From `begin` to `end`; never if end < begin.
 template <class Real>
-struct Period {
+struct Interval {
   Real begin, end;
 };
 

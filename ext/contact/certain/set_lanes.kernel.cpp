@@ -51,7 +51,7 @@ struct LengthRows {
 
 /// When both exist, from now on: rounded outward, and inward.
 struct Lives {
-  Period<Doubles> asked, inner;
+  Interval<Doubles> asked, inner;
 
   Lives(const LanesQuestion& q, const Rows& a, const Rows& b) {
     constexpr double u = unit_roundoff;
@@ -77,15 +77,15 @@ class Look {
   }
 
   /// Only then can they touch.
-  Period<Doubles> period() const {
+  Interval<Doubles> interval() const {
     const Chord<D, Doubles> chord(relative_, lives_.asked.end);
-    const Period<Doubles> near = chord.between(q_.set.hull, q_.set.hull_count, lengths_, lives_.asked);
+    const Interval<Doubles> near = chord.between(q_.set.hull, q_.set.hull_count, lengths_, lives_.asked);
     return {select(usual_, near.begin, lives_.asked.begin), select(usual_, near.end, lives_.asked.end)};
   }
 
   /// At a moment they certainly touch.
   DoublesMask touches(const Doubles& moment) const {
-    Powers<BoundedDoubles, 0> x[D];
+    Coefficients<BoundedDoubles, 0> x[D];
     for (int j = 0; j < D; ++j) {
       const AxisView<Doubles> view = view_from<Degree>(relative_.axis[j], moment, relative_.underflow);
       x[j][0] = {view.p, view.ep};
@@ -149,11 +149,11 @@ template <int D, int Degree>
 void look_here(const LanesQuestion& q, SetLanes& lanes) {
   for (int l = 0; l < lanes.width; l += register_width) {
     const Look<D, Degree> look(q, Rows{lanes.a + l}, Rows{lanes.b + l});
-    const Period<Doubles> period = look.period();
-    some(lanes.begin + l) = period.begin.of, some(lanes.end + l) = period.end.of;
+    const Interval<Doubles> interval = look.interval();
+    some(lanes.begin + l) = interval.begin.of, some(lanes.end + l) = interval.end.of;
     if (!q.touches_wanted) continue;
-    DoublesMask found = period.begin <= period.end;
-    if (any(found)) found = found & look.touches(0.5 * (period.begin + period.end));
+    DoublesMask found = interval.begin <= interval.end;
+    if (any(found)) found = found & look.touches(0.5 * (interval.begin + interval.end));
     some(lanes.touches + l) = select(found, Doubles(1.0), Doubles(0.0)).of;
   }
 }

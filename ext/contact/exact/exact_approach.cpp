@@ -34,8 +34,8 @@ class KnownPolynomial final : public PolynomialSource {
   LazyPolynomial& polynomial() { return polynomial_; }
 
  private:
-  static LazyPolynomial::Coefficients rough(const SquaredDistance& c) {
-    LazyPolynomial::Coefficients rough;
+  static LazyPolynomial::RoughCoefficients rough(const SquaredDistance& c) {
+    LazyPolynomial::RoughCoefficients rough;
     std::transform(c.begin(), c.end(), rough.begin(), [](const Dyadic& d) { return Midrad128(d); });
     return rough;
   }

@@ -10,11 +10,11 @@ PairPolynomials::PairPolynomials(const ContactSet& set, const Setup& setup, cons
       setup_(setup),
       row_a_(row_a),
       row_b_(row_b),
-      rough_motion_(motion_powers<Midrad128>(setup, row_a, row_b)),
+      rough_motion_(motion_coefficients<Midrad128>(setup, row_a, row_b)),
       number_of_(set.primitives().size(), -1) {}
 
 Polynomial PairPolynomials::exact_polynomial(int primitive) const {
-  if (!exact_motion_) exact_motion_ = motion_powers<Dyadic>(setup_, row_a_, row_b_);
+  if (!exact_motion_) exact_motion_ = motion_coefficients<Dyadic>(setup_, row_a_, row_b_);
   return Polynomial(polynomial_of<2>(set_.primitives()[static_cast<std::size_t>(primitive)],
                                      exact_motion_->data(), PairLengths<Dyadic>{set_, row_a_, row_b_}, 0.0));
 }

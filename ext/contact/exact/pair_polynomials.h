@@ -15,8 +15,9 @@ namespace foresee {
 
 /// The relative motion, from `now` on; 0 on axes that are not there.
 template <class T>
-std::array<Powers<T, 2>, 3> motion_powers(const Setup& setup, const double* row_a, const double* row_b) {
-  std::array<Powers<T, 2>, 3> x;
+std::array<Coefficients<T, 2>, 3> motion_coefficients(const Setup& setup, const double* row_a,
+                                                      const double* row_b) {
+  std::array<Coefficients<T, 2>, 3> x;
   for (int axis = 0; axis < setup.a.layout.axes; ++axis) {
     const RelativeAxisMotion<T> one = relative_axis_motion_of<T>(setup, row_a, row_b, axis);
     x[static_cast<std::size_t>(axis)] = {one.x, one.v, one.a};
@@ -60,7 +61,7 @@ class PairPolynomials final : public PiecePolynomials {
 
  private:
   template <class T>
-  using Motion = std::array<Powers<T, 2>, 3>;
+  using Motion = std::array<Coefficients<T, 2>, 3>;
 
   bool same_bound(const Primitive& a, const Primitive& b) const;
   bool same_length(int a, int b) const;

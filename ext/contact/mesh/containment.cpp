@@ -20,7 +20,7 @@ Displacement::Displacement(const Setup& setup, const double* row_a, const double
 
 const Components<Dyadic>& Displacement::exact() {
   if (exact_) return *exact_;
-  const auto x = motion_powers<Dyadic>(setup_, row_a_, row_b_);
+  const auto x = motion_coefficients<Dyadic>(setup_, row_a_, row_b_);
   exact_.emplace();
   for (std::size_t j = 0; j < 3; ++j) (*exact_)[j] = x[j][0] + moment_ * (x[j][1] + moment_ * x[j][2]);
   return *exact_;

@@ -29,7 +29,7 @@ DiscTests::DiscTests(const SpacePieces& a, const SpacePieces& b, const Chord<3>&
   slack_ = 0x1p-40 * (size + radius_) + 4 * lost + 0x1p-1000;
 }
 
-Period<double> DiscTests::cut(const BoundingDisc& a, const BoundingDisc& b, Period<double> near) const {
+Interval<double> DiscTests::cut(const BoundingDisc& a, const BoundingDisc& b, Interval<double> near) const {
   const auto dot = [](const auto& m, const auto& n) {
     return double{m[0]} * double{n[0]} + double{m[1]} * double{n[1]} + double{m[2]} * double{n[2]};
   };

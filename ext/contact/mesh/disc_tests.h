@@ -2,7 +2,7 @@
 // (shape/mesh/bounding_discs.h)? What TreeWalk asks about meshes.
 //
 //   const DiscTests tests(a, b, chord, relative, sizes, end);
-//   const Period<double> near = tests.near(node_a, node_b, {0, end});             // empty: never
+//   const Interval<double> near = tests.near(node_a, node_b, {0, end});             // empty: never
 //
 // Across each of the two normals d lies within as much as both plates reach that way while they touch. Along
 // the normal of the other a plate reaches as far as its thickness and its disc do. The slack is that of
@@ -23,10 +23,10 @@ class DiscTests {
   DiscTests(const SpacePieces& a, const SpacePieces& b, const Chord<3>& chord,
             const CertainMotion<3>& relative, const SpaceSizes<Bounded>& sizes, double end);
 
-  Period<double> near(Node a, Node b, const Period<double>& asked) const {
+  Interval<double> near(Node a, Node b, const Interval<double>& asked) const {
     if (!a_) return boxes_.near(a, b, asked);
     const BoundingDisc &one = a_->of(a), &other = b_->of(b);
-    const Period<double> near = boxes_.boxes().quickly_between(one, other, asked);
+    const Interval<double> near = boxes_.boxes().quickly_between(one, other, asked);
     return near.begin <= near.end ? cut(one, other, near) : near;
   }
   bool is_larger(Node a, Node b) const {
@@ -36,7 +36,7 @@ class DiscTests {
  private:
   using Triple = std::array<double, 3>;
 
-  Period<double> cut(const BoundingDisc& a, const BoundingDisc& b, Period<double> near) const;
+  Interval<double> cut(const BoundingDisc& a, const BoundingDisc& b, Interval<double> near) const;
 
   const BoxTests<3, SpacePieces> boxes_;
   const BoundingDiscs *a_ = nullptr, *b_ = nullptr;  ///< if both have some

@@ -38,7 +38,7 @@ class SpacePolynomials final : public PiecePolynomials {
   void add(const SpacePiece& a, const SpacePiece& b, bool grown);
   int add(const SpaceCondition& condition);
   template <class T>
-  Powers<T, 4> polynomial_of(int primitive, const std::array<Powers<T, 2>, 3>& x) const;
+  Coefficients<T, 4> polynomial_of(int primitive, const std::array<Coefficients<T, 2>, 3>& x) const;
 
   const Setup& setup_;
   const double *row_a_, *row_b_;
@@ -46,8 +46,8 @@ class SpacePolynomials final : public PiecePolynomials {
   ContactSet set_;
   std::vector<std::uint32_t> ends_;
   std::vector<int> number_of_;  ///< of each condition's polynomial; -1: not made
-  const std::array<Powers<Midrad128, 2>, 3> rough_motion_;
-  mutable std::optional<std::array<Powers<Dyadic, 2>, 3>> exact_motion_;  ///< once it is needed
+  const std::array<Coefficients<Midrad128, 2>, 3> rough_motion_;
+  mutable std::optional<std::array<Coefficients<Dyadic, 2>, 3>> exact_motion_;  ///< once it is needed
 };
 
 SpacePolynomials::SpacePolynomials(const Setup& setup, const double* row_a, const double* row_b,
@@ -56,7 +56,7 @@ SpacePolynomials::SpacePolynomials(const Setup& setup, const double* row_a, cons
     : setup_(setup),
       row_a_(row_a),
       row_b_(row_b),
-      rough_motion_(motion_powers<Midrad128>(setup, row_a, row_b)) {
+      rough_motion_(motion_coefficients<Midrad128>(setup, row_a, row_b)) {
   for (const PiecePair& pair : pairs) {
     add(a.piece(pair.a), b.piece(pair.b), grown);
     ends_.push_back(static_cast<std::uint32_t>(set_.pieces().size()));
@@ -89,8 +89,9 @@ void SpacePolynomials::add(const SpacePiece& a, const SpacePiece& b, bool grown)
 }
 
 template <class T>
-Powers<T, 4> SpacePolynomials::polynomial_of(int primitive, const std::array<Powers<T, 2>, 3>& x) const {
-  Powers<T, 4> all{};
+Coefficients<T, 4> SpacePolynomials::polynomial_of(int primitive,
+                                                   const std::array<Coefficients<T, 2>, 3>& x) const {
+  Coefficients<T, 4> all{};
   const SpaceSizes<T> sizes{.radius = radius_of<T>(setup_, row_a_, row_b_)};
   with_polynomial<2>(conditions_[static_cast<std::size_t>(primitive)], x, sizes,
                      [&all](const auto& p) { std::copy(p.begin(), p.end(), all.begin()); });
@@ -107,7 +108,7 @@ std::size_t SpacePolynomials::number_of(int primitive) {
 }
 
 Polynomial SpacePolynomials::exact_polynomial(int primitive) const {
-  if (!exact_motion_) exact_motion_ = motion_powers<Dyadic>(setup_, row_a_, row_b_);
+  if (!exact_motion_) exact_motion_ = motion_coefficients<Dyadic>(setup_, row_a_, row_b_);
   return Polynomial(polynomial_of(primitive, *exact_motion_));
 }
 

@@ -215,19 +215,20 @@ T squared_length(const Components<T>& a) {
 
 /// d as seen from p - q. `x`: d by powers of time.
 template <int K, class T>
-std::array<Powers<T, K>, 3> gap_from(const SpaceCondition& condition, const std::array<Powers<T, K>, 3>& x) {
+std::array<Coefficients<T, K>, 3> gap_from(const SpaceCondition& condition,
+                                           const std::array<Coefficients<T, K>, 3>& x) {
   const Components<T> at = gap_between<T>(*condition.p, *condition.q);
-  std::array<Powers<T, K>, 3> gap = x;
+  std::array<Coefficients<T, K>, 3> gap = x;
   for (std::size_t j = 0; j < 3; ++j) gap[j][0] = gap[j][0] - at[j];
   return gap;
 }
 
 /// How far d is beyond the plane, in lengths of `direction`.
 template <int K, class T>
-Powers<T, K> beyond_plane(const SpaceCondition& condition, const Components<T>& direction,
-                          const std::array<Powers<T, K>, 3>& x) {
+Coefficients<T, K> beyond_plane(const SpaceCondition& condition, const Components<T>& direction,
+                                const std::array<Coefficients<T, K>, 3>& x) {
   const auto gap = gap_from<K>(condition, x);
-  Powers<T, K> p{};
+  Coefficients<T, K> p{};
   for (std::size_t k = 0; k <= K; ++k) {
     const T sum = safe_product(direction[0], gap[0][k]) + safe_product(direction[1], gap[1][k]) +
                   safe_product(direction[2], gap[2][k]);
@@ -239,16 +240,16 @@ Powers<T, K> beyond_plane(const SpaceCondition& condition, const Components<T>& 
 /// The square of the distance from plane, line or corner, minus that of R, times that of the direction's
 /// length.
 template <int K, class T>
-Powers<T, 2 * K> round_polynomial(const SpaceCondition& condition, const std::array<Powers<T, K>, 3>& x,
-                                  const T& radius) {
-  Powers<T, 2 * K> p{};
-  const auto add = [&p](const Powers<T, K>& q) {
+Coefficients<T, 2 * K> round_polynomial(const SpaceCondition& condition,
+                                        const std::array<Coefficients<T, K>, 3>& x, const T& radius) {
+  Coefficients<T, 2 * K> p{};
+  const auto add = [&p](const Coefficients<T, K>& q) {
     p[0] = p[0] + square(q[0]);
     add_square_above<K>(p, q);
   };
   if (condition.kind == SpaceCondition::Kind::ball) {
     p[0] = -square(radius);
-    for (const Powers<T, K>& gap : gap_from<K>(condition, x)) add(gap);
+    for (const Coefficients<T, K>& gap : gap_from<K>(condition, x)) add(gap);
     return p;
   }
   const Components<T> direction = direction_of<T>(condition.axis);
@@ -260,7 +261,7 @@ Powers<T, 2 * K> round_polynomial(const SpaceCondition& condition, const std::ar
   const auto gap = gap_from<K>(condition, x);
   for (std::size_t j = 0; j < 3; ++j) {
     const std::size_t one = (j + 1) % 3, other = (j + 2) % 3;
-    Powers<T, K> moment{};
+    Coefficients<T, K> moment{};
     for (std::size_t k = 0; k <= K; ++k)
       moment[k] = gap[one][k] * direction[other] - gap[other][k] * direction[one];
     add(moment);
@@ -270,7 +271,7 @@ Powers<T, 2 * K> round_polynomial(const SpaceCondition& condition, const std::ar
 
 /// Gives `take` the polynomial of a condition. `x`: d by powers of the time after some moment.
 template <int K, class T, class Take>
-auto with_polynomial(const SpaceCondition& condition, const std::array<Powers<T, K>, 3>& x,
+auto with_polynomial(const SpaceCondition& condition, const std::array<Coefficients<T, K>, 3>& x,
                      const SpaceSizes<T>& sizes, Take&& take) {
   if (condition.kind == SpaceCondition::Kind::plane)
     return take(beyond_plane<K>(condition, direction_of<T>(condition.axis), x));

@@ -36,7 +36,7 @@ struct Corners {
 /// Time is cut axis after axis.
 class Passing {
  public:
-  Passing(const Corners& a, const Corners& b, const std::array<Powers<Bounded, 2>, 3>& x,
+  Passing(const Corners& a, const Corners& b, const std::array<Coefficients<Bounded, 2>, 3>& x,
           const Bounded& radius, const UncertainInterval& asked)
       : a_(a), b_(b), radius_(radius.value + radius.error), begin_(asked.begin.low), end_(asked.end.high) {
     double size = a.size() + b.size(), lost = 0;
@@ -79,7 +79,7 @@ class Passing {
     }
     return axes;
   }
-  Period<double> left() const { return {begin_, end_}; }
+  Interval<double> left() const { return {begin_, end_}; }
 
  private:
   /// Where n d surely has no say, and n d along the chord.
@@ -113,7 +113,7 @@ constexpr unsigned all_axes = ~0U;
 }  // namespace
 
 TriangleFilter filter_triangles(const SpacePiece& a, const SpacePiece& b,
-                                const std::array<Powers<Bounded, 2>, 3>& x, const Bounded& radius,
+                                const std::array<Coefficients<Bounded, 2>, 3>& x, const Bounded& radius,
                                 const UncertainInterval& asked) {
   const Corners corners_a(a), corners_b(b);
   Passing passing(corners_a, corners_b, x, radius, asked);
@@ -122,7 +122,7 @@ TriangleFilter filter_triangles(const SpacePiece& a, const SpacePiece& b,
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k)
       if (passing.are_apart_across(corners_a.edge(i), corners_b.edge(k))) return apart;
-  Period<double> left = passing.left();
+  Interval<double> left = passing.left();
   left.end = std::max(left.begin, left.end);  // by a rounding
   return {left, radius.value > 0 ? all_axes : passing.axes_that_matter()};
 }

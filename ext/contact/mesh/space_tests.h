@@ -33,15 +33,15 @@ namespace foresee {
 // let them touch has no say in when they do. Cost: some hundred nanoseconds.
 
 struct TriangleFilter {
-  Period<double> near;  ///< they touch at no other moments
-  unsigned axes;        ///< a bit for each that may say when they touch: numbered as SpaceHull has them
+  Interval<double> near;  ///< they touch at no other moments
+  unsigned axes;          ///< a bit for each that may say when they touch: numbered as SpaceHull has them
 
   bool is_apart() const { return !(near.begin <= near.end); }
 };
 
 /// `x`: d by powers of the time from now on. Requires: two triangles.
 TriangleFilter filter_triangles(const SpacePiece& a, const SpacePiece& b,
-                                const std::array<Powers<Bounded, 2>, 3>& x, const Bounded& radius,
+                                const std::array<Coefficients<Bounded, 2>, 3>& x, const Bounded& radius,
                                 const UncertainInterval& asked);
 
 template <int Degree>
@@ -69,8 +69,8 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   using Base::asked_, Base::space_;
   using Base::begin_part, Base::end_part, Base::keep;
 
-  static std::array<Powers<Bounded, Degree>, 3> from_now(const CertainMotion<3>& relative,
-                                                         const SpaceSizes<Bounded>& sizes) {
+  static std::array<Coefficients<Bounded, Degree>, 3> from_now(const CertainMotion<3>& relative,
+                                                               const SpaceSizes<Bounded>& sizes) {
     auto x = expanded_at<Degree>(relative, 0);
     for (std::size_t j = 0; j < 3; ++j)
       if (sizes.steady[j]) x[j] = {}, x[j][0] = Bounded{*sizes.steady[j]};
@@ -171,7 +171,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   /// Not farther beyond the plane than `more`, in lengths of its direction.
   SublevelIntervals times_within(const SpaceCondition& plane, const Components<Bounded>& direction,
                                  const Bounded& more) const {
-    Powers<Bounded, Degree> p = beyond_plane<Degree>(plane, direction, x_);
+    Coefficients<Bounded, Degree> p = beyond_plane<Degree>(plane, direction, x_);
     p[0] = p[0] - more;
     // Along the plane, in it: what has no error is 0.
     if (std::all_of(p.begin(), p.end(), [](const Bounded& c) { return c.value == 0 && c.error == 0; }))
@@ -198,7 +198,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     }
   }
 
-  Powers<Bounded, 4> polynomial_at(const SpaceCondition& round, double tau) const {
+  Coefficients<Bounded, 4> polynomial_at(const SpaceCondition& round, double tau) const {
     return round_polynomial<2>(round, expanded_at<2>(relative_, tau), radius_);
   }
 
@@ -206,9 +206,9 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   const CertainMotion<3>& relative_;
   const Bounded radius_;
   const double lost_;
-  std::vector<SpacePlanes> planes_;                 ///< of the pair at hand
-  const std::array<Powers<Bounded, Degree>, 3> x_;  ///< the motion from now on
-  std::array<Powers<Bounded, 2>, 3> plain_x_{};     ///< the same, whatever the degree
+  std::vector<SpacePlanes> planes_;                       ///< of the pair at hand
+  const std::array<Coefficients<Bounded, Degree>, 3> x_;  ///< the motion from now on
+  std::array<Coefficients<Bounded, 2>, 3> plain_x_{};     ///< the same, whatever the degree
 };
 
 }  // namespace foresee

@@ -78,11 +78,11 @@ PairSizes<T> expanded_at(const PairSizes<T>& sizes, double tau) {
 
 /// The square of its line, or of the gap to its corner, minus that of R. Requires: of kind side or corner.
 template <int K, class T>
-Powers<T, 2 * K> round_polynomial(const Condition& condition, const Powers<T, K>* x,
-                                  const MovingSize<T>& radius) {
-  Powers<T, 2 * K> p{};
+Coefficients<T, 2 * K> round_polynomial(const Condition& condition, const Coefficients<T, K>* x,
+                                        const MovingSize<T>& radius) {
+  Coefficients<T, 2 * K> p{};
   if (condition.kind == Condition::Kind::side) {
-    const Powers<T, K> line = beyond<K>(condition.edge, x);
+    const Coefficients<T, K> line = beyond<K>(condition.edge, x);
     p[0] = square(line[0]);
     add_square_above<K>(p, line);
     subtract_square_multiple<2 * K>(p, radius, squared_length<T>(condition.edge));
@@ -90,7 +90,7 @@ Powers<T, 2 * K> round_polynomial(const Condition& condition, const Powers<T, K>
   }
   subtract_square_multiple<2 * K>(p, radius, Once{});
   for (int j = 0; j < 2; ++j) {
-    Powers<T, K> gap = x[j];
+    Coefficients<T, K> gap = x[j];
     gap[0] = gap[0] - begin_of<T>(condition.edge, j);
     p[0] = p[0] + square(gap[0]);
     add_square_above<K>(p, gap);
@@ -101,7 +101,7 @@ Powers<T, 2 * K> round_polynomial(const Condition& condition, const Powers<T, K>
 /// Gives `take` the polynomial of a condition. `x`: d by powers of the time after some moment, of which the
 /// sizes are too.
 template <int K, class T, std::size_t D, class Take>
-auto with_polynomial(const Condition& condition, const std::array<Powers<T, K>, D>& x,
+auto with_polynomial(const Condition& condition, const std::array<Coefficients<T, K>, D>& x,
                      const PairSizes<T>& sizes, Take&& take) {
   switch (condition.kind) {
     case Condition::Kind::edge:
@@ -109,7 +109,7 @@ auto with_polynomial(const Condition& condition, const std::array<Powers<T, K>, 
     case Condition::Kind::foot:
       return take(past<K>(condition.edge, condition.sign, x.data()));
     case Condition::Kind::height: {
-      Powers<T, K> p = x[D - 1];
+      Coefficients<T, K> p = x[D - 1];
       if (condition.sign < 0)
         for (T& c : p) c = -c;
       subtract_multiple<K>(p, condition.sign < 0 ? sizes.below : sizes.above, Once{});

@@ -85,9 +85,9 @@ T squared_length(const SumEdge& edge) {
 /// How far d is beyond an edge, to its right, in lengths of its direction: at most 0 inside. `x`: d by powers
 /// of time.
 template <int K, class T>
-Powers<T, K> beyond(const SumEdge& edge, const Powers<T, K>* x) {
+Coefficients<T, K> beyond(const SumEdge& edge, const Coefficients<T, K>* x) {
   const T ex = run_of<T>(edge, 0), ey = run_of<T>(edge, 1);
-  Powers<T, K> p{};
+  Coefficients<T, K> p{};
   p[0] = ey * (x[0][0] - begin_of<T>(edge, 0)) - ex * (x[1][0] - begin_of<T>(edge, 1));
   for (int k = 1; k <= K; ++k) p[k] = ey * x[0][k] - ex * x[1][k];
   return p;
@@ -95,11 +95,11 @@ Powers<T, K> beyond(const SumEdge& edge, const Powers<T, K>* x) {
 
 /// How far d is past the end of an edge (sign 1), or before its begin (-1), likewise.
 template <int K, class T>
-Powers<T, K> past(const SumEdge& edge, int sign, const Powers<T, K>* x) {
+Coefficients<T, K> past(const SumEdge& edge, int sign, const Coefficients<T, K>* x) {
   using E = Exactly<T>;
   const T ex = run_of<T>(edge, 0), ey = run_of<T>(edge, 1);
   const Corner &p_at = sign > 0 ? *edge.p_end : *edge.p, &q_at = sign > 0 ? *edge.q_end : *edge.q;
-  Powers<T, K> p{};
+  Coefficients<T, K> p{};
   p[0] =
       ex * (x[0][0] - E::difference_of(p_at.x, q_at.x)) + ey * (x[1][0] - E::difference_of(p_at.y, q_at.y));
   for (int k = 1; k <= K; ++k) p[k] = ex * x[0][k] + ey * x[1][k];

@@ -86,13 +86,13 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
     }
     if (space_.clipped.empty()) return;
     share();
-    const Period<double> all = reached(space_.outer);
+    const Interval<double> all = reached(space_.outer);
     for (const SumEdge& one : edges_) keep({.edge = one});
-    const Period<double> inside = surely_held(space_.clipped);
+    const Interval<double> inside = surely_held(space_.clipped);
     end_part();
     for (const SumEdge& one : edges_) {
       if (is_decided()) return;
-      const Period<double> near = near_edge(one, all);
+      const Interval<double> near = near_edge(one, all);
       if (!(near.begin <= near.end) || (inside.begin <= near.begin && near.end <= inside.end)) continue;
       begin_part();
       for (const int side : {-1, 1}) keep({.kind = Kind::foot, .sign = side, .edge = one});
@@ -104,22 +104,22 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
     }
   }
 
-  static Period<double> reached(const IntervalUnion& intervals) {
-    Period<double> reached{UncertainInterval::inf, -UncertainInterval::inf};
+  static Interval<double> reached(const IntervalUnion& intervals) {
+    Interval<double> reached{UncertainInterval::inf, -UncertainInterval::inf};
     for (const UncertainInterval& interval : intervals)
       reached = {std::min(reached.begin, interval.begin.low), std::max(reached.end, interval.end.high)};
     return reached;
   }
   /// During one of the stays.
-  static Period<double> surely_held(const IntervalUnion& intervals) {
-    Period<double> held{UncertainInterval::inf, -UncertainInterval::inf};
+  static Interval<double> surely_held(const IntervalUnion& intervals) {
+    Interval<double> held{UncertainInterval::inf, -UncertainInterval::inf};
     for (const UncertainInterval& interval : intervals)
       if (interval.is_certain()) held = {interval.begin.high, interval.end.low};
     return held;
   }
   /// Of the time given, when d may be in the box of an edge that is grown by R: most edges of a sum it passes
   /// by.
-  Period<double> near_edge(const SumEdge& edge, const Period<double>& when) const {
+  Interval<double> near_edge(const SumEdge& edge, const Interval<double>& when) const {
     static constexpr Faces faces[] = {{.axis = 0, .below = {0}, .above = {1}},
                                       {.axis = 1, .below = {2}, .above = {3}}};
     const Bounded radius = largest(sizes_.radius, asked_.end.high);
@@ -147,7 +147,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
 
   /// When d is at most R from the line of an edge, on one side: fewer powers than on both.
   SublevelIntervals beside(const SumEdge& edge, int side) const {
-    Powers<Bounded, Degree> p = beyond<Degree>(edge, x_.data());
+    Coefficients<Bounded, Degree> p = beyond<Degree>(edge, x_.data());
     if (side < 0)
       for (Bounded& c : p) c = -c;
     // R may be large: what underflow loses of the square counts before the product.
@@ -155,10 +155,10 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
     return times_inside(p, lost_, asked_.end.high);
   }
 
-  Powers<Bounded, 4> around_corner(const Condition& condition, double tau) const {
+  Coefficients<Bounded, 4> around_corner(const Condition& condition, double tau) const {
     const auto x = expanded_at<Degree>(relative_, tau);
     const auto p = round_polynomial<Degree>(condition, x.data(), expanded_at(sizes_.radius, tau));
-    Powers<Bounded, 4> all{};
+    Coefficients<Bounded, 4> all{};
     std::copy(p.begin(), p.end(), all.begin());
     return all;
   }
@@ -168,7 +168,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
   const PairSizes<Bounded> sizes_;
   const double lost_;
   std::vector<SumEdge>& edges_;
-  const std::array<Powers<Bounded, Degree>, D> x_;  ///< the motion from now on
+  const std::array<Coefficients<Bounded, Degree>, D> x_;  ///< the motion from now on
   const Chord<D> chord_;
 };
 

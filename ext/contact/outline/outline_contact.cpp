@@ -27,8 +27,8 @@ FilterAnswer FlatTraits<D, Degree>::filter_answer(const PairContext<FlatTraits>&
   std::array<BoxedPair, few> pairs;
   std::size_t count = 0;
   context.walk.visit(
-      Order::earlier_first, [&](const Period<double>&) { return count <= few; },
-      [&](std::size_t a, std::size_t b, const Period<double>& near) {
+      Order::earlier_first, [&](const Interval<double>&) { return count <= few; },
+      [&](std::size_t a, std::size_t b, const Interval<double>& near) {
         if (count < few) pairs[count] = {a, b, near.begin <= first};
         ++count;
       });

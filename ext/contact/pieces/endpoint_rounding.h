@@ -80,12 +80,12 @@ class EndpointRounding {
     return bend;
   }
 
-  std::array<Powers<DoubleDouble, 0>, D> place_at(double tau) {
+  std::array<Coefficients<DoubleDouble, 0>, D> place_at(double tau) {
     if (!fine_sizes_) {
       fine_sizes_ = Traits::template sizes_of<DoubleDouble>(setup_, row_a_, row_b_);
       relative_ = relative_motion_of<DoubleDouble, D>(setup_, row_a_, row_b_);
     }
-    std::array<Powers<DoubleDouble, 0>, D> place;
+    std::array<Coefficients<DoubleDouble, 0>, D> place;
     const DoubleDouble t{tau, 0};
     for (std::size_t j = 0; j < D; ++j)
       place[j][0] = relative_.x[j] + t * (relative_.v[j] + t * relative_.a[j]);

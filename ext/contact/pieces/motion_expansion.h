@@ -4,14 +4,14 @@
 #include <array>
 
 #include "contact/certain/certain_axis_motion.h"
-#include "numbers/powers.h"
+#include "numbers/coefficients.h"
 
 namespace foresee {
 
 /// By powers of the time after tau.
 template <int Degree, int D>
-std::array<Powers<Bounded, Degree>, D> expanded_at(const CertainMotion<D>& relative, double tau) {
-  std::array<Powers<Bounded, Degree>, D> x;
+std::array<Coefficients<Bounded, Degree>, D> expanded_at(const CertainMotion<D>& relative, double tau) {
+  std::array<Coefficients<Bounded, Degree>, D> x;
   for (std::size_t j = 0; j < D; ++j) {
     const AxisView<> view = view_from<Degree>(relative.axis[j], tau, relative.underflow);
     x[j][0] = {view.p, view.ep}, x[j][1] = {view.q, view.eq};

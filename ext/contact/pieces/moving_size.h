@@ -6,7 +6,7 @@
 // What cannot move costs one test. A plain number is a size that does not.
 #pragma once
 
-#include "numbers/powers.h"
+#include "numbers/coefficients.h"
 
 namespace foresee {
 
@@ -49,7 +49,7 @@ struct Once {
 
 /// Subtracts from a polynomial the size times a factor.
 template <int K, class T, class Factor>
-[[gnu::always_inline]] inline void subtract_multiple(Powers<T, K>& p, const MovingSize<T>& size,
+[[gnu::always_inline]] inline void subtract_multiple(Coefficients<T, K>& p, const MovingSize<T>& size,
                                                      const Factor& factor) {
   p[0] = p[0] - size.value * factor;
   if constexpr (K > 0)
@@ -58,7 +58,7 @@ template <int K, class T, class Factor>
 
 /// Subtracts its square times a factor.
 template <int K, class T, class Factor>
-[[gnu::always_inline]] inline void subtract_square_multiple(Powers<T, K>& p, const MovingSize<T>& size,
+[[gnu::always_inline]] inline void subtract_square_multiple(Coefficients<T, K>& p, const MovingSize<T>& size,
                                                             const Factor& factor) {
   p[0] = p[0] - square(size.value) * factor;
   if constexpr (K > 1)

@@ -31,8 +31,8 @@ class PairIntervals {
     double first = UncertainInterval::inf;
     context_.walk.visit(
         Order::earlier_first,
-        [&](const Period<double>& near) { return near.end > after && near.begin < first; },
-        [&](std::size_t a, std::size_t b, const Period<double>& near) {
+        [&](const Interval<double>& near) { return near.end > after && near.begin < first; },
+        [&](std::size_t a, std::size_t b, const Interval<double>& near) {
           for (const PieceInterval& interval : tests_.of(a, b)) {
             const auto [begin, end] = possible(interval, near);
             if (begin <= end && begin > after) first = std::min(first, begin);
@@ -51,8 +51,8 @@ class PairIntervals {
       };
       context_.walk.visit(
           Order::earlier_first,
-          [&](const Period<double>& near) { return near.end >= from && begins_by_then(near.begin); },
-          [&](std::size_t a, std::size_t b, const Period<double>& near) {
+          [&](const Interval<double>& near) { return near.end >= from && begins_by_then(near.begin); },
+          [&](std::size_t a, std::size_t b, const Interval<double>& near) {
             for (const PieceInterval& interval : tests_.of(a, b)) {
               const auto [begin, end] = possible(interval, near);
               if (begin <= end && end >= from && begins_by_then(begin)) until = std::max(until, end);
@@ -64,14 +64,14 @@ class PairIntervals {
   /// Gives `take` each pair of pieces that may touch within the period, as long as it returns true. It may
   /// shorten the period.
   template <class Take>
-  void possible_pairs(const Period<double>& period, Take&& take) {
+  void possible_pairs(const Interval<double>& period, Take&& take) {
     bool more = true;
     context_.walk.visit(
         Order::earlier_first,
-        [&](const Period<double>& near) {
+        [&](const Interval<double>& near) {
           return more && near.begin <= period.end && near.end >= period.begin;
         },
-        [&](std::size_t a, std::size_t b, const Period<double>& near) {
+        [&](std::size_t a, std::size_t b, const Interval<double>& near) {
           const auto intervals = tests_.of(a, b);
           if (std::any_of(intervals.begin(), intervals.end(), [&](const PieceInterval& interval) {
                 const auto [begin, end] = possible(interval, near);
@@ -83,7 +83,7 @@ class PairIntervals {
   /// Whether one lies within the other when what is asked about begins. Where the surfaces touch then it may
   /// say anything.
   bool is_within_at_begin() {
-    const Period<double>& near = context_.walk.near();
+    const Interval<double>& near = context_.walk.near();
     return containment_.may_be() && near.begin <= context_.asked.begin.high && near.begin <= near.end &&
            containment_.at_begin();
   }
@@ -94,7 +94,7 @@ class PairIntervals {
 
  protected:
   /// At no other moment may they touch; never if the end is before the begin.
-  static Period<double> possible(const PieceInterval& interval, const Period<double>& near) {
+  static Interval<double> possible(const PieceInterval& interval, const Interval<double>& near) {
     return {std::max(interval.begin.low, near.begin), std::min(interval.end.high, near.end)};
   }
 

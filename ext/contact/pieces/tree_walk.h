@@ -2,8 +2,8 @@
 // a pair of nodes at a time, each cutting the time that is left by the chord (certain/chord.h).
 //
 //   const TreeWalk<2, ObjectPieces> walk(a, b, relative, {0, 600}, sizes, steps);
-//   walk.visit(Order::earlier_first, [&](const Period<double>& near) { return near.begin <= best; },
-//              [&](std::size_t piece_a, std::size_t piece_b, const Period<double>& near) { … });
+//   walk.visit(Order::earlier_first, [&](const Interval<double>& near) { return near.begin <= best; },
+//              [&](std::size_t piece_a, std::size_t piece_b, const Interval<double>& near) { … });
 //
 // Nothing turns, so that no box ever loosens: boxes along the axes are enough, but for surfaces, which have
 // plates beside them (mesh/disc_tests.h). Cost: some ten nanoseconds a pair of nodes.
@@ -22,7 +22,7 @@ namespace foresee {
 // boxes that all lie within two others: whatever is the same for all of them is added up first.
 //
 //   const BoxChord<2> chord(Chord<2>(relative, end), box_around_a, box_around_b, grown);
-//   const Period<double> near = chord.between(box_of_a, box_of_b, asked);        // empty: they never touch
+//   const Interval<double> near = chord.between(box_of_a, box_of_b, asked);        // empty: they never touch
 //
 // Rounding loses far less than the slack that all of it is given. Numbers too large for that take the way of
 // the chord itself. Cost: some nanoseconds.
@@ -45,14 +45,14 @@ class BoxChord {
   }
 
   /// Of `asked`.
-  Period<double> between(const Box<axes>& a, const Box<axes>& b, const Period<double>& asked) const {
+  Interval<double> between(const Box<axes>& a, const Box<axes>& b, const Interval<double>& asked) const {
     return is_plain_ ? quickly_between(a, b, asked) : carefully_between(a, b, asked);
   }
 
   bool is_plain() const { return is_plain_; }
   /// Also of boxes of floats. Requires: is_plain().
   template <class AnyBox>
-  Period<double> quickly_between(const AnyBox& a, const AnyBox& b, Period<double> asked) const {
+  Interval<double> quickly_between(const AnyBox& a, const AnyBox& b, Interval<double> asked) const {
     const auto gap = [](double to, double from) { return to - from; };
     for (int i = 0; i < axes; ++i) {
       const auto j = static_cast<decltype(a.lower.size())>(i);
@@ -67,8 +67,8 @@ class BoxChord {
  private:
   static Vec<axes> reach(const Box<axes>& box) { return box.lower.abs().max(box.upper.abs()); }
 
-  [[gnu::noinline]] Period<double> carefully_between(const Box<axes>& a, const Box<axes>& b,
-                                                     const Period<double>& asked) const {
+  [[gnu::noinline]] Interval<double> carefully_between(const Box<axes>& a, const Box<axes>& b,
+                                                       const Interval<double>& asked) const {
     static constexpr Faces faces[] = {{.axis = 0, .below = {0}, .above = {1}},
                                       {.axis = 1, .below = {2}, .above = {3}},
                                       {.axis = 2, .below = {4}, .above = {5}}};
@@ -102,7 +102,7 @@ class BoxTests {
       : a_(a), b_(b), boxes_(chord, a.box(Pieces::root), b.box(Pieces::root), largest(sizes.radius, end)) {}
 
   /// Of `asked`, when what is below the nodes could touch.
-  Period<double> near(Node a, Node b, const Period<double>& asked) const {
+  Interval<double> near(Node a, Node b, const Interval<double>& asked) const {
     return boxes_.between(a_.box(a), b_.box(b), asked);
   }
   /// Whether the first node is the larger.
@@ -125,7 +125,7 @@ class TreeWalk {
   /// `asked`: the moments asked about. `sizes`: how near counts as touching, and of prisms how far along z.
   /// Each pair of nodes is a step, each of pieces takes as long as some.
   template <class Sizes>
-  TreeWalk(const Pieces& a, const Pieces& b, const CertainMotion<D>& relative, const Period<double>& asked,
+  TreeWalk(const Pieces& a, const Pieces& b, const CertainMotion<D>& relative, const Interval<double>& asked,
            const Sizes& sizes, Steps& steps)
       : a_(a),
         b_(b),
@@ -136,7 +136,7 @@ class TreeWalk {
         steps_(steps) {}
 
   /// When the two could touch, at most: never if the end is before the begin.
-  const Period<double>& near() const { return near_; }
+  const Interval<double>& near() const { return near_; }
 
   /// Gives `visit` every pair of pieces that could touch, and when at most, as long as `wanted`, which is
   /// asked again and again, is for some of that time.
@@ -152,13 +152,13 @@ class TreeWalk {
 
   struct Nodes {
     Node a, b;
-    Period<double> near;
+    Interval<double> near;
   };
 
   /// Requires: they could touch. Steps are counted where it is asked whether they could.
   template <class Wanted, class Visit>
   void descend(const Nodes& nodes, Order order, Wanted&& wanted, Visit&& visit) const {
-    const Period<double>& near = nodes.near;
+    const Interval<double>& near = nodes.near;
     if (!wanted(near)) return;
     if (a_.is_leaf(nodes.a) && b_.is_leaf(nodes.b)) {
       steps_.costly(64);  // where exact signs are needed
@@ -189,8 +189,8 @@ class TreeWalk {
 
   /// Of `asked`, when two prisms could overlap along z, whatever their outlines.
   template <class Sizes>
-  static Period<double> overlap_along_z(const Chord<D>& chord, const Period<double>& asked,
-                                        const Sizes& sizes) {
+  static Interval<double> overlap_along_z(const Chord<D>& chord, const Interval<double>& asked,
+                                          const Sizes& sizes) {
     if constexpr (D == axes) {
       return asked;
     } else {
@@ -203,9 +203,9 @@ class TreeWalk {
 
   const Pieces &a_, &b_;
   const Chord<D> chord_;
-  const Period<double> asked_;
+  const Interval<double> asked_;
   const NodeTests tests_;
-  const Period<double> near_;  ///< of the roots
+  const Interval<double> near_;  ///< of the roots
   Steps& steps_;
 };
 

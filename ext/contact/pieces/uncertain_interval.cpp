@@ -16,8 +16,9 @@ SublevelIntervals near_turn(const Bounded& p1, const Bounded& p2, const Bounded&
 
 }  // namespace
 
-SublevelIntervals times_inside(const Powers<Bounded, 2>& p, double lost, double length) {
-  if (p[2].value == 0 && p[2].error == 0) return times_inside(Powers<Bounded, 1>{p[0], p[1]}, lost, length);
+SublevelIntervals times_inside(const Coefficients<Bounded, 2>& p, double lost, double length) {
+  if (p[2].value == 0 && p[2].error == 0)
+    return times_inside(Coefficients<Bounded, 1>{p[0], p[1]}, lost, length);
   const Bounded p0 = with_lost(p[0], lost), p1 = with_lost(p[1], lost), p2 = with_lost(p[2], lost);
   const int lead = certain_sign(p2);
   if (lead == 0) {  // so little bent that it counts as an error

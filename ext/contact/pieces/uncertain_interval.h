@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "contact/certain/root_bracketing.h"
-#include "numbers/powers.h"
+#include "numbers/coefficients.h"
 
 namespace foresee {
 
@@ -85,10 +85,10 @@ inline SublevelIntervals sublevel_of_line(const Bounded& p0, const Bounded& p1, 
 }
 
 /// For 0 <= s <= length; `lost`: what underflow takes from a coefficient.
-inline SublevelIntervals times_inside(const Powers<Bounded, 1>& p, double lost, double length) {
+inline SublevelIntervals times_inside(const Coefficients<Bounded, 1>& p, double lost, double length) {
   return sublevel_of_line(with_lost(p[0], lost), with_lost(p[1], lost), length);
 }
-SublevelIntervals times_inside(const Powers<Bounded, 2>& p, double lost, double length);
+SublevelIntervals times_inside(const Coefficients<Bounded, 2>& p, double lost, double length);
 
 /// The same for degree 4, which has no formula: in leaps over [asked.begin.low, asked.end.high].
 /// polynomial_at(tau): by powers of the time after tau.

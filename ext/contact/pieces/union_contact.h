@@ -197,17 +197,17 @@ class UnionContact final : public Contact {
     begin_at(moments, from);
     end_at(moments, until);
     std::vector<PiecePair> pairs;
-    Period<double> period{from, until};
+    Interval<double> interval{from, until};
     std::size_t too_many = at_a_time(staged);
-    staged.possible_pairs(period, [&](const PiecePair& pair) {
+    staged.possible_pairs(interval, [&](const PiecePair& pair) {
       pairs.push_back(pair);
       if (pairs.size() < too_many) return true;
-      period.end = std::min(period.end, keep_needed(rows, staged, moments, pairs, too_many / 2));
-      end_at(moments, period.end);
+      interval.end = std::min(interval.end, keep_needed(rows, staged, moments, pairs, too_many / 2));
+      end_at(moments, interval.end);
       too_many = std::max(too_many, 2 * pairs.size());  // that begin within one ulp
       return true;
     });
-    until = period.end;
+    until = interval.end;
     Polynomials polynomials = polynomials_of(rows, staged, pairs);
     polynomials.all().heed(*steps_);
     if constexpr (Traits::has_solids)

@@ -33,8 +33,8 @@ class UnionPair : public PairIntervals<Traits> {
     if (Base::is_within_at_begin()) return Verdict::yes;
     Verdict touches = Verdict::no;
     context_.walk.visit(
-        Order::earlier_first, [&](const Period<double>&) { return touches != Verdict::yes; },
-        [&](std::size_t a, std::size_t b, const Period<double>&) {
+        Order::earlier_first, [&](const Interval<double>&) { return touches != Verdict::yes; },
+        [&](std::size_t a, std::size_t b, const Interval<double>&) {
           for (const PieceInterval& interval : tests_.of(a, b))
             if (touches != Verdict::yes) touches = interval.is_certain() ? Verdict::yes : Verdict::uncertain;
         });
@@ -51,8 +51,8 @@ class UnionPair : public PairIntervals<Traits> {
     bool possible = false;
     context_.walk.visit(
         Order::earlier_first,
-        [this](const Period<double>& near) { return near.begin <= met_by_ && !begins_at_once(); },
-        [&](std::size_t a, std::size_t b, const Period<double>&) {
+        [this](const Interval<double>& near) { return near.begin <= met_by_ && !begins_at_once(); },
+        [&](std::size_t a, std::size_t b, const Interval<double>&) {
           if (tests_.is_full()) take_begins();
           for (const PieceInterval& interval : tests_.of(a, b, met_by_)) {
             possible = true;
@@ -120,8 +120,8 @@ class UnionPair : public PairIntervals<Traits> {
     seen_.clear(), all_seen_ = last_is_instant_ = false;
     context_.walk.visit(
         Order::earlier_first,
-        [&](const Period<double>& near) { return near.end > after && near.begin <= met_by; },
-        [&](std::size_t a, std::size_t b, const Period<double>&) {
+        [&](const Interval<double>& near) { return near.end > after && near.begin <= met_by; },
+        [&](std::size_t a, std::size_t b, const Interval<double>&) {
           for (const PieceInterval& interval : tests_.of(a, b)) {
             if (!(interval.begin.low > after)) continue;
             seen_.push_back(interval);
@@ -170,13 +170,13 @@ class UnionPair : public PairIntervals<Traits> {
     do {
       passed_by = forgotten = UncertainInterval::inf;
       seen_.clear(), all_seen_ = true;
-      const auto wanted = [this, &passed_by](const Period<double>& near) {
+      const auto wanted = [this, &passed_by](const Interval<double>& near) {
         if (near.end < last_.low || lasts_to_the_end()) return false;
         if (near.begin > last_.high) passed_by = std::min(passed_by, near.begin);
         return near.begin <= last_.high;
       };
       context_.walk.visit(Order::later_first, wanted,
-                          [this, &forgotten](std::size_t a, std::size_t b, const Period<double>&) {
+                          [this, &forgotten](std::size_t a, std::size_t b, const Interval<double>&) {
                             if (tests_.is_full()) forgotten = std::min(forgotten, forget_seen());
                             for (const PieceInterval& interval : tests_.of(a, b)) {
                               if (is_joined(interval)) reach(interval.end);
@@ -229,8 +229,8 @@ class UnionPair : public PairIntervals<Traits> {
     if (all_seen_) return static_cast<void>(std::for_each(seen_.begin(), seen_.end(), use));
     context_.walk.visit(
         Order::later_first,
-        [this](const Period<double>& near) { return near.begin <= last_.high && near.end >= last_.low; },
-        [this, &use](std::size_t a, std::size_t b, const Period<double>&) {
+        [this](const Interval<double>& near) { return near.begin <= last_.high && near.end >= last_.low; },
+        [this, &use](std::size_t a, std::size_t b, const Interval<double>&) {
           for (const PieceInterval& interval : tests_.of(a, b)) use(interval);
         });
   }

@@ -14,8 +14,8 @@
 #include <array>
 #include <cstdint>
 
+#include "numbers/coefficients.h"
 #include "numbers/exactly.h"
-#include "numbers/powers.h"
 
 namespace foresee {
 
@@ -60,9 +60,10 @@ T length_at(const Lengths& lengths, int number) {
 /// A size by powers of the time after tau, a double or as many as T has. Requires: K is at least its degree,
 /// or 0 for its value alone.
 template <int K, class T, class Lengths, class Moment>
-[[gnu::noinline]] Powers<T, K> moving_size(const Size& size, const Lengths& lengths, const Moment& tau) {
+[[gnu::noinline]] Coefficients<T, K> moving_size(const Size& size, const Lengths& lengths,
+                                                 const Moment& tau) {
   const T rate = length_at<T>(lengths, size.rate);
-  Powers<T, K> p{};
+  Coefficients<T, K> p{};
   p[0] = length_at<T>(lengths, size.value) + T{tau} * rate;
   if constexpr (K >= 1) p[1] = rate;
   return p;
@@ -70,21 +71,22 @@ template <int K, class T, class Lengths, class Moment>
 
 /// p minus sign times the size.
 template <int K, class T, class Lengths, class Moment>
-[[gnu::always_inline]] inline void subtract_size(Powers<T, K>& p, const Size& size, int sign,
+[[gnu::always_inline]] inline void subtract_size(Coefficients<T, K>& p, const Size& size, int sign,
                                                  const Lengths& lengths, const Moment& tau) {
   if (!size.moves()) {
     if (size.value == no_length) return;
     p[0] = sign > 0 ? p[0] - lengths[size.value] : p[0] + lengths[size.value];
     return;
   }
-  const Powers<T, K> s = moving_size<K, T>(size, lengths, tau);
+  const Coefficients<T, K> s = moving_size<K, T>(size, lengths, tau);
   for (int k = 0; k <= K; ++k) p[k] = sign > 0 ? p[k] - s[k] : p[k] + s[k];
 }
 
 template <int K, class T, class Lengths, class Moment>
-[[gnu::always_inline]] inline Powers<T, K> bound_polynomial(const Primitive& bound, const Powers<T, K>* x,
-                                                            const Lengths& lengths, const Moment& tau) {
-  Powers<T, K> p = x[bound.parts[0].axis];
+[[gnu::always_inline]] inline Coefficients<T, K> bound_polynomial(const Primitive& bound,
+                                                                  const Coefficients<T, K>* x,
+                                                                  const Lengths& lengths, const Moment& tau) {
+  Coefficients<T, K> p = x[bound.parts[0].axis];
   if (bound.parts[0].sign < 0)
     for (T& c : p) c = -c;
   subtract_size<K>(p, bound.size, 1, lengths, tau);
@@ -93,7 +95,7 @@ template <int K, class T, class Lengths, class Moment>
 
 /// Adds the square of a polynomial to the powers above the value.
 template <int K, class T>
-[[gnu::always_inline]] inline void add_square_above(Powers<T, 2 * K>& p, const Powers<T, K>& q) {
+[[gnu::always_inline]] inline void add_square_above(Coefficients<T, 2 * K>& p, const Coefficients<T, K>& q) {
   if constexpr (K == 1) {
     p[1] = p[1] + twice(q[0] * q[1]);
     p[2] = p[2] + square(q[1]);
@@ -108,13 +110,13 @@ template <int K, class T>
 
 /// How far beyond the line through `at`, in lengths of the normal.
 template <int K, class T, class Lengths, class Moment>
-Powers<T, K> line_polynomial(const Primitive& line, const Powers<T, K>* x, const Lengths& lengths,
-                             const Moment& tau) {
-  Powers<T, K> p{};
+Coefficients<T, K> line_polynomial(const Primitive& line, const Coefficients<T, K>* x, const Lengths& lengths,
+                                   const Moment& tau) {
+  Coefficients<T, K> p{};
   for (int i = 0; i < line.count; ++i) {
     const AxisPart& part = line.parts[i];
     const T length = length_at<T>(lengths, part.normal), normal = part.sign > 0 ? length : -length;
-    Powers<T, K> gap = x[part.axis];
+    Coefficients<T, K> gap = x[part.axis];
     subtract_size<K>(gap, part.at, 1, lengths, tau);
     for (int k = 0; k <= K; ++k) p[k] = p[k] + normal * gap[k];
   }
@@ -122,27 +124,27 @@ Powers<T, K> line_polynomial(const Primitive& line, const Powers<T, K>* x, const
 }
 
 template <int K, class T, class Lengths, class Moment>
-Powers<T, K> half_space_polynomial(const Primitive& space, const Powers<T, K>* x, const Lengths& lengths,
-                                   const Moment& tau) {
-  Powers<T, K> p = line_polynomial<K>(space, x, lengths, tau);
+Coefficients<T, K> half_space_polynomial(const Primitive& space, const Coefficients<T, K>* x,
+                                         const Lengths& lengths, const Moment& tau) {
+  Coefficients<T, K> p = line_polynomial<K>(space, x, lengths, tau);
   subtract_size<K>(p, space.size, 1, lengths, tau);
   return p;
 }
 
 template <int K, class T, class Lengths, class Moment>
-Powers<T, 2 * K> strip_polynomial(const Primitive& strip, const Powers<T, K>* x, const Lengths& lengths,
-                                  const Moment& tau) {
-  const Powers<T, K> line = line_polynomial<K>(strip, x, lengths, tau);
+Coefficients<T, 2 * K> strip_polynomial(const Primitive& strip, const Coefficients<T, K>* x,
+                                        const Lengths& lengths, const Moment& tau) {
+  const Coefficients<T, K> line = line_polynomial<K>(strip, x, lengths, tau);
   T width{};
   for (int i = 0; i < strip.count; ++i) width = width + square(length_at<T>(lengths, strip.parts[i].normal));
-  Powers<T, 2 * K> p{};
+  Coefficients<T, 2 * K> p{};
   if (!strip.size.moves()) {
     p[0] = square(line[0]) - square(length_at<T>(lengths, strip.size.value)) * width;
     add_square_above<K>(p, line);
     return p;
   }
-  const Powers<T, K> half = moving_size<K, T>(strip.size, lengths, tau);
-  Powers<T, 2 * K> more{};
+  const Coefficients<T, K> half = moving_size<K, T>(strip.size, lengths, tau);
+  Coefficients<T, 2 * K> more{};
   more[0] = square(half[0]);
   add_square_above<K>(more, half);
   p[0] = square(line[0]);
@@ -153,15 +155,16 @@ Powers<T, 2 * K> strip_polynomial(const Primitive& strip, const Powers<T, K>* x,
 
 /// The square of the distance from the centre, over so many axes, minus that of the radius.
 template <int Count, int K, class T, class Lengths, class Moment, class Wanted>
-[[gnu::always_inline]] inline Powers<T, 2 * K> ball_over(const Primitive& ball, const Powers<T, K>* x,
-                                                         const Lengths& lengths, const Moment& tau,
-                                                         Wanted&& wanted) {
-  Powers<T, K> gaps[Count], radius{};
+[[gnu::always_inline]] inline Coefficients<T, 2 * K> ball_over(const Primitive& ball,
+                                                               const Coefficients<T, K>* x,
+                                                               const Lengths& lengths, const Moment& tau,
+                                                               Wanted&& wanted) {
+  Coefficients<T, K> gaps[Count], radius{};
   if (ball.size.moves())
     radius = moving_size<K, T>(ball.size, lengths, tau);
   else
     radius[0] = length_at<T>(lengths, ball.size.value);
-  Powers<T, 2 * K> p{};
+  Coefficients<T, 2 * K> p{};
   p[0] = -square(radius[0]);
   for (int i = 0; i < Count; ++i) {
     const AxisPart& part = ball.parts[i];
@@ -180,8 +183,8 @@ template <int Count, int K, class T, class Lengths, class Moment, class Wanted>
 
 /// The same, over its axes.
 template <int K, class T, class Lengths, class Moment, class Wanted>
-Powers<T, 2 * K> ball_polynomial(const Primitive& ball, const Powers<T, K>* x, const Lengths& lengths,
-                                 const Moment& tau, Wanted&& wanted) {
+Coefficients<T, 2 * K> ball_polynomial(const Primitive& ball, const Coefficients<T, K>* x,
+                                       const Lengths& lengths, const Moment& tau, Wanted&& wanted) {
   if (ball.count == 1) return ball_over<1, K>(ball, x, lengths, tau, wanted);
   if (ball.count == 2) return ball_over<2, K>(ball, x, lengths, tau, wanted);
   return ball_over<3, K>(ball, x, lengths, tau, wanted);
@@ -192,7 +195,7 @@ Powers<T, 2 * K> ball_polynomial(const Primitive& ball, const Powers<T, K>* x, c
 /// ball `wanted` is asked with the value at tau whether more than that value matters; if not, the rest may be
 /// anything.
 template <int K, class T, class Lengths, class Moment, class Wanted, class Take>
-[[gnu::always_inline]] inline auto with_polynomial(const Primitive& primitive, const Powers<T, K>* x,
+[[gnu::always_inline]] inline auto with_polynomial(const Primitive& primitive, const Coefficients<T, K>* x,
                                                    const Lengths& lengths, const Moment& tau, Wanted&& wanted,
                                                    Take&& take) {
   switch (primitive.kind) {
@@ -209,11 +212,11 @@ template <int K, class T, class Lengths, class Moment, class Wanted, class Take>
 
 /// All of it, filled up with zeros to powers up to 2 K.
 template <int K, class T, class Lengths, class Moment>
-Powers<T, 2 * K> polynomial_of(const Primitive& primitive, const Powers<T, K>* x, const Lengths& lengths,
-                               const Moment& tau) {
+Coefficients<T, 2 * K> polynomial_of(const Primitive& primitive, const Coefficients<T, K>* x,
+                                     const Lengths& lengths, const Moment& tau) {
   const auto wanted = [](const T&) { return true; };
   return with_polynomial<K>(primitive, x, lengths, tau, wanted, [](const auto& some) {
-    Powers<T, 2 * K> all{};
+    Coefficients<T, 2 * K> all{};
     std::copy(some.begin(), some.end(), all.begin());
     return all;
   });

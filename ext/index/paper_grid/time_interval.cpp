@@ -13,7 +13,7 @@ constexpr double inf = std::numeric_limits<double>::infinity();
 /// Disjoint spans in order of time.
 template <std::size_t Most>
 struct Times {
-  std::array<TimeSpan, Most> spans;
+  std::array<SharedInterval, Most> spans;
   std::size_t count = 0;
 
   void add(double begin, double end) {
@@ -74,7 +74,7 @@ Solution solve(double a, double v, double c) {
 template <int D>
 class CommonTimes {
  public:
-  explicit CommonTimes(const TimeSpan& span) { left_.add(span.begin, span.end); }
+  explicit CommonTimes(const SharedInterval& span) { left_.add(span.begin, span.end); }
 
   bool none() const { return left_.count == 0; }
 

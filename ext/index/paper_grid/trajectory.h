@@ -16,7 +16,7 @@ template <int D>
 struct Trajectory {
   Box<D> swept;
   Vec<D> x, v, a, room;
-  TimeSpan span;
+  SharedInterval span;
 };
 
 /// Of object i, grown by `margin` on every side. Cost: some tens of nanoseconds.

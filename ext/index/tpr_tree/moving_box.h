@@ -1,7 +1,7 @@
 // When can two boxes meet whose faces move? A moving box is what a question sees of bounds or of an object.
 //
 //   MovingBox<2> ship = moving_box(motion, extents, horizon, margin), zone = …;
-//   TimeSpan when = shared_span(ship, zone);
+//   SharedInterval when = shared_span(ship, zone);
 //   if (narrow_to_contact(ship, zone, when)) …                // they may meet, during `when` only
 //
 // At tau seconds after `now` the faces are at lower + v_lower*tau and upper + v_upper*tau, for tau in `span`
@@ -29,7 +29,7 @@ namespace foresee {
 inline constexpr double shortest_reach = 0x1p-1000;
 
 /// Seconds after `now`.
-struct TimeSpan {
+struct SharedInterval {
   double begin = 0, end = 0;
 
   bool is_empty() const { return !(begin <= end); }
@@ -38,11 +38,11 @@ struct TimeSpan {
 template <int D>
 struct MovingBox {
   Vec<D> lower, upper, v_lower, v_upper;
-  TimeSpan span;
+  SharedInterval span;
 };
 
 /// The part of [0, h] between two moments, rounded outward.
-inline TimeSpan span_between(double first, double last, const Horizon& horizon) {
+inline SharedInterval span_between(double first, double last, const Horizon& horizon) {
   // What is before now, rounded any way, is before now.
   return {std::max(0.0, (first - horizon.now) * (1 - rounding_pad)),
           std::min(horizon.h, (last - horizon.now) * (1 + rounding_pad))};
@@ -64,7 +64,8 @@ void pad_outward(MovingBox<D>& box, const Vec<D>& size) {
 
 /// What lies within `bounds` at `epoch`, as a moving box. Here, because a walk asks it of every entry.
 template <int D>
-MovingBox<D> moving_box(const Bounds<D>& bounds, double epoch, const TimeSpan& span, const Horizon& horizon) {
+MovingBox<D> moving_box(const Bounds<D>& bounds, double epoch, const SharedInterval& span,
+                        const Horizon& horizon) {
   const double s = horizon.now - epoch, duration = std::max(span.end, 0.0);
   const double reach = std::abs(s) + duration + shortest_reach;
   const double half_s = 0.5 * s, half_duration = 0.5 * duration, eighth = 0.125 * duration;
@@ -91,7 +92,7 @@ MovingBox<D> moving_box(const Bounds<D>& bounds, double epoch, const TimeSpan& s
 template <int D>
 MovingBox<D> moving_box(const Motion<D>& motion, const Extents<D>& extents, const Horizon& horizon,
                         const Vec<D>& margin) {
-  const TimeSpan span = span_between(motion.t, motion.until, horizon);
+  const SharedInterval span = span_between(motion.t, motion.until, horizon);
   const double s = horizon.now - motion.t, duration = std::max(span.end, 0.0);
   const double reach = std::abs(s) + duration + shortest_reach;
   const Vec<D> centre = motion.x + s * (motion.v + (0.5 * s) * motion.a);
@@ -136,12 +137,12 @@ MovingBox<D> moving_window(const Vec<D>& lower, const Vec<D>& upper, const Vec<D
                            const Horizon& horizon);
 
 template <int D>
-TimeSpan shared_span(const MovingBox<D>& a, const MovingBox<D>& b) {
+SharedInterval shared_span(const MovingBox<D>& a, const MovingBox<D>& b) {
   return {std::max(a.span.begin, b.span.begin), std::min(a.span.end, b.span.end)};
 }
 
 /// Narrows `span` to the moments at which gap + speed * tau <= 0; false if there are none.
-inline bool narrow_to_closed(double gap, double speed, TimeSpan& span) {
+inline bool narrow_to_closed(double gap, double speed, SharedInterval& span) {
   const bool apart_first = gap + speed * span.begin > 0, apart_last = gap + speed * span.end > 0;
   if (!apart_first && !apart_last) return true;
   if (apart_first && apart_last) return false;
@@ -156,7 +157,7 @@ inline bool narrow_to_closed(double gap, double speed, TimeSpan& span) {
 /// Narrows `span` to moments outside which the boxes do not meet; false if there are none. Touching counts.
 /// Requires: the span is not empty.
 template <int D>
-bool narrow_to_contact(const MovingBox<D>& a, const MovingBox<D>& b, TimeSpan& span) {
+bool narrow_to_contact(const MovingBox<D>& a, const MovingBox<D>& b, SharedInterval& span) {
   const Vec<D> left = a.lower - b.upper, right = b.lower - a.upper;
   const Vec<D> left_speed = a.v_lower - b.v_upper, right_speed = b.v_lower - a.v_upper;
   const Vec<D> left_first = left + left_speed * span.begin, left_last = left + left_speed * span.end,

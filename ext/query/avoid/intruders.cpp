@@ -84,7 +84,7 @@ void walk_scene(const Scene& all, MovingBox<D> box, const Horizon& horizon,
   for (std::size_t i = 0; i < bodies.count; ++i) {
     if (i % 1024 == 0) interrupt.check();
     const MovingBox<D> other = moving_box<D>(bodies, i, horizon, Vec<D>::Zero());
-    TimeSpan span = shared_span(other, box);
+    SharedInterval span = shared_span(other, box);
     if (all.ids[i] != itself && !span.is_empty() && narrow_to_contact(other, box, span))
       append_row(near, bodies.row(i), all.ids[i]);
   }

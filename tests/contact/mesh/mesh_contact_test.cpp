@@ -12,8 +12,8 @@ using namespace testing_by_hand;
 using oracle::Body;
 using oracle::Encounter;
 using oracle::Rational;
+using oracle::SlopeSign;
 using oracle::SpacePlace;
-using oracle::Stretch;
 
 Body body_of(const MeshObject& o) {
   if (!o.mesh.triangles().empty()) return oracle::body_of(o.mesh);
@@ -31,9 +31,9 @@ SpacePlace place_at(const Encounter& encounter, const Rational& moment) {
 /// Empty if the answer is right, else what is wrong.
 std::string judged(const MeshScene& scene, const std::optional<ContactTimes>& answer) {
   const Encounter encounter = encounter_of(scene);
-  const Stretch asked = encounter.asked();
+  const SlopeSign asked = encounter.asked();
   const SpacePlace velocity{encounter.velocity(0), encounter.velocity(1), encounter.velocity(2)};
-  std::optional<Stretch> exact;
+  std::optional<SlopeSign> exact;
   if (asked.begin <= asked.end)
     exact =
         oracle::first_contact(body_of(scene.a), body_of(scene.b), place_at(encounter, 0), velocity, asked);

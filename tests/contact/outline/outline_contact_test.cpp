@@ -13,7 +13,7 @@ using namespace testing_by_hand;
 using oracle::Encounter;
 using oracle::Rational;
 using oracle::Region;
-using oracle::Stretch;
+using oracle::SlopeSign;
 
 Region region_of(const OutlinedObject& o) {
   Region region;
@@ -32,8 +32,8 @@ Encounter encounter_of(const OutlineScene& scene) {
 /// Empty if the answer is right, else what is wrong.
 std::string judged(const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
   const Encounter encounter = encounter_of(scene);
-  const Stretch asked = encounter.asked();
-  std::optional<Stretch> exact;
+  const SlopeSign asked = encounter.asked();
+  std::optional<SlopeSign> exact;
   if (asked.begin <= asked.end)
     exact = oracle::first_contact(region_of(scene.a), region_of(scene.b),
                                   {encounter.place(0, 0), encounter.place(1, 0)},

@@ -22,8 +22,8 @@ int pairs_of_squares(double apart, double height) {
   const TreeWalk<3, ObjectPieces> walk(a, b, relative, {0, 10}, sizes, steps);
   int pairs = 0;
   walk.visit(
-      Order::earlier_first, [](const Period<double>&) { return true; },
-      [&pairs](std::size_t, std::size_t, const Period<double>&) { ++pairs; });
+      Order::earlier_first, [](const Interval<double>&) { return true; },
+      [&pairs](std::size_t, std::size_t, const Interval<double>&) { ++pairs; });
   return pairs;
 }
 

@@ -65,7 +65,7 @@ TEST(IntervalUnion, OfAParabolaHoldWhereItsSignSays) {
 TEST(IntervalUnion, OfAParabolaInDoubtReachAsFarAsItBends) {
   // 2^-301 - 2^900 s^2 is below 0 at 2^-600, whose square is no double.
   const SublevelIntervals inside =
-      times_inside(Powers<Bounded, 2>{{{0x1p-301, 0}, {}, {0, 0x1p900}}}, lost, 0x1p-600);
+      times_inside(Coefficients<Bounded, 2>{{{0x1p-301, 0}, {}, {0, 0x1p900}}}, lost, 0x1p-600);
   ASSERT_EQ(inside.count, 1);
   EXPECT_TRUE(inside.list[0].is_possible());
   EXPECT_FALSE(inside.list[0].is_certain());
@@ -75,7 +75,7 @@ TEST(IntervalUnion, FoundInLeapsHoldWhereTheSignSays) {
   for_each_polynomial<5>([](auto p, const auto& /*bounded*/) {
     p[4] = std::abs(p[4]);  // as squares have it
     const auto seen_from = [&p](double tau) {
-      Powers<Bounded, 4> seen;
+      Coefficients<Bounded, 4> seen;
       for (std::size_t k = 0; k < 5; ++k) seen[k] = {p[k], 0};
       for (std::size_t k = 0; k < 4; ++k)
         for (std::size_t i = 4; i-- > k;) seen[i] = seen[i] + Bounded{tau, 0} * seen[i + 1];

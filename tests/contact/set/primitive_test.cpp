@@ -43,18 +43,18 @@ class Sample {
   }
   /// The motion as seen from tau.
   template <int K, class T>
-  std::array<Powers<T, K>, 3> motion_from(double tau) const {
-    std::array<Powers<T, K>, 3> seen;
+  std::array<Coefficients<T, K>, 3> motion_from(double tau) const {
+    std::array<Coefficients<T, K>, 3> seen;
     for (std::size_t j = 0; j < 3; ++j) {
       const T t = Exactly<T>::number(tau), x = Exactly<T>::number(motion[j][0]),
               v = Exactly<T>::number(motion[j][1]), a = Exactly<T>::number(motion[j][2]);
-      const Powers<T, 2> all{x + t * (v + t * a), v + twice(t * a), a};
+      const Coefficients<T, 2> all{x + t * (v + t * a), v + twice(t * a), a};
       std::copy_n(all.begin(), K + 1, seen[j].begin());
     }
     return seen;
   }
   template <int K, class T>
-  Powers<T, 2 * K> polynomial(double tau) const {
+  Coefficients<T, 2 * K> polynomial(double tau) const {
     return polynomial_of<K>(primitive, motion_from<K, T>(tau).data(), lengths_as<T>().data(), tau);
   }
 

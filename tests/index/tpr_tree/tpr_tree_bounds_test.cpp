@@ -101,7 +101,7 @@ void expect_to_meet(double speed, double other, double h) {
   const MovingBox<D> a = moving(speed), b = moving(other),
                      window = moving_window<D>(place - gone, place - gone, Vec<D>::Constant(other), horizon);
   for (const MovingBox<D>& met : {b, window}) {
-    TimeSpan span = shared_span(a, met), turned = span;
+    SharedInterval span = shared_span(a, met), turned = span;
     EXPECT_TRUE(narrow_to_contact(a, met, span) && span.begin <= h / 2);
     EXPECT_TRUE(narrow_to_contact(met, a, turned) && turned.begin <= h / 2);
     EXPECT_EQ(least_distance(a, met, shared_span(a, met)), 0);
@@ -128,7 +128,7 @@ TEST(TreeBounds, WhatMeetsBetweenTwoDoublesMeetsStill) {
     const Vec<1> way = Vec<1>::Constant(speed * moment * part), fast = Vec<1>::Constant(speed);
     const MovingBox<1> a = moving_box<1>({0, none, fast, none, 1}, Extents<1>::none(), horizon, none),
                        b = moving_box<1>({0, way, none, none, 1}, Extents<1>::none(), horizon, none);
-    TimeSpan span = shared_span(a, b);
+    SharedInterval span = shared_span(a, b);
     EXPECT_TRUE(narrow_to_contact(a, b, span) && narrow_to_contact(a, b, span)) << part;
   }
 }
@@ -145,7 +145,7 @@ TEST(TreeBounds, SpansOfTheHorizonAreNeverTooShort) {
   for (int i = 0; i < 2000; ++i) {
     const Case c = random_case(random);
     const Horizon horizon{c.now, 1e12};
-    const TimeSpan span = span_between(std::min(c.epoch, c.later), std::max(c.epoch, c.later), horizon);
+    const SharedInterval span = span_between(std::min(c.epoch, c.later), std::max(c.epoch, c.later), horizon);
     const Exact first = Exact(std::min(c.epoch, c.later)) - Exact(c.now),
                 last = Exact(std::max(c.epoch, c.later)) - Exact(c.now);
     if (first > Exact(horizon.h) || last < 0) continue;

@@ -191,7 +191,7 @@ TEST(LeastDistance, IsNoneWhereTheSlopeOfASquareVanishes) {
   for (double gap : {1e-120, 1e-130, 1e-139})
     for (double pace : {1e-180, 1e-200, 1e-220}) {
       const Vec<2> none = Vec<2>::Zero(), place(0, gap), speed(0, -pace);
-      const TimeSpan span{0, 1e105};
+      const SharedInterval span{0, 1e105};
       EXPECT_EQ(least_distance<2>({none, none, none, none, span}, {place, place, speed, speed, span}, span),
                 0)
           << gap << " " << pace;

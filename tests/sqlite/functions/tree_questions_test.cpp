@@ -12,9 +12,9 @@ std::string literal(double number) {
 }
 
 /// A table of a scene, asked by two methods.
-class Asked {
+class RandomQueries {
  public:
-  Asked(const Layout& layout, SceneKind kind, std::size_t count, std::uint64_t seed)
+  RandomQueries(const Layout& layout, SceneKind kind, std::size_t count, std::uint64_t seed)
       : scene_(random_scene({.layout = layout, .kind = kind, .count = count, .seed = seed})),
         random_(seed),
         tail_(", " + literal(scene_.now)) {
@@ -106,7 +106,7 @@ class TreeQuestionsOfEveryLayout : public ::testing::TestWithParam<Layout> {};
 TEST_P(TreeQuestionsOfEveryLayout, AgreeWithALookAtEveryObject) {
   std::size_t answered = 0;
   for (const SceneKind kind : all_scene_kinds) {
-    Asked asked(GetParam(), kind, 60, 5);
+    RandomQueries asked(GetParam(), kind, 60, 5);
     asked.expect_same_answers(1);
     asked.change();
     asked.expect_same_answers(1);
@@ -118,8 +118,8 @@ TEST_P(TreeQuestionsOfEveryLayout, AgreeWithALookAtEveryObject) {
 INSTANTIATE_TEST_SUITE_P(AxesLawShapeTimes, TreeQuestionsOfEveryLayout, ::testing::ValuesIn(all_layouts()));
 
 TEST(TreeQuestions, AgreeThroughTransactionsAndSavepoints) {
-  Asked asked({.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true}, SceneKind::clustered,
-              800, 6);
+  RandomQueries asked({.axes = 2, .law = Law::uniform, .shape = Shape::ball, .has_t = true},
+                      SceneKind::clustered, 800, 6);
   for (int round = 0; round < 6; ++round) {
     asked.db.exec("BEGIN");
     asked.change();

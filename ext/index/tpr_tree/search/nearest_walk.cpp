@@ -23,7 +23,7 @@ struct Gap {
 
 /// Along each axis a gap is the greater of two straight lines and 0: least at an end, or 0 in between.
 template <int D>
-Vec<D> least_gaps(const MovingBox<D>& a, const MovingBox<D>& b, const TimeSpan& span) {
+Vec<D> least_gaps(const MovingBox<D>& a, const MovingBox<D>& b, const SharedInterval& span) {
   const Vec<D> left = a.lower - b.upper, right = b.lower - a.upper;
   const Vec<D> left_speed = a.v_lower - b.v_upper, right_speed = b.v_lower - a.v_upper;
   auto least = [&](const Vec<D>& gap, const Vec<D>& speed) -> Vec<D> {
@@ -39,7 +39,7 @@ inline constexpr double shrink = 1 - 0x1p-44;  // more than the rounding of what
 /// minimum some times; where the tangents at both ends cross is a lower bound. Slopes so small that products
 /// in them may have vanished say nothing (nor do those that are 0: then the gaps along each axis say all).
 template <int D>
-double tangent_bound(const MovingBox<D>& a, const MovingBox<D>& b, TimeSpan span) {
+double tangent_bound(const MovingBox<D>& a, const MovingBox<D>& b, SharedInterval span) {
   constexpr int halvings = 5;
   constexpr double least_slope = 1e-290;
   for (int i = 0; i < halvings; ++i) {
@@ -58,7 +58,7 @@ double tangent_bound(const MovingBox<D>& a, const MovingBox<D>& b, TimeSpan span
 /// Does a box pass the other one as a whole, farther than it is wide? Only then do tangents tell more than
 /// the gaps along each axis.
 template <int D>
-bool moves_far(const MovingBox<D>& a, const MovingBox<D>& b, const TimeSpan& span) {
+bool moves_far(const MovingBox<D>& a, const MovingBox<D>& b, const SharedInterval& span) {
   const Vec<D> speed = (a.v_lower - b.v_upper) + (a.v_upper - b.v_lower);
   const Vec<D> width = (a.upper - a.lower) + (b.upper - b.lower);
   return (speed.abs() * (0.5 * (span.end - span.begin)) > width).any();
@@ -67,7 +67,7 @@ bool moves_far(const MovingBox<D>& a, const MovingBox<D>& b, const TimeSpan& spa
 }  // namespace
 
 template <int D>
-double least_distance(const MovingBox<D>& a, const MovingBox<D>& b, const TimeSpan& span) {
+double least_distance(const MovingBox<D>& a, const MovingBox<D>& b, const SharedInterval& span) {
   const Vec<D> gaps = least_gaps(a, b, span);
   const double by_axis = gaps.square().sum(), widest = gaps.maxCoeff();
   double squared = by_axis * shrink;
@@ -155,9 +155,9 @@ template <int D>
   for (const auto& [distance, slot] : near_) hits.slots.push_back(slot), hits.distances.push_back(distance);
 }
 
-#define FORESEE_OF_AXES(D)                                                                      \
-  template double least_distance<D>(const MovingBox<D>&, const MovingBox<D>&, const TimeSpan&); \
-  template double least_point_distance<D>(const MovingBox<D>&, const MovingBox<D>&);            \
+#define FORESEE_OF_AXES(D)                                                                            \
+  template double least_distance<D>(const MovingBox<D>&, const MovingBox<D>&, const SharedInterval&); \
+  template double least_point_distance<D>(const MovingBox<D>&, const MovingBox<D>&);                  \
   template class NearestWalk<D>
 FORESEE_OF_AXES(1);
 FORESEE_OF_AXES(2);

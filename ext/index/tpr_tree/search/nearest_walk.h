@@ -19,7 +19,7 @@ namespace foresee {
 
 /// A lower bound of the distance between two boxes during `span`. Requires: the span is not empty.
 template <int D>
-double least_distance(const MovingBox<D>& a, const MovingBox<D>& b, const TimeSpan& span);
+double least_distance(const MovingBox<D>& a, const MovingBox<D>& b, const SharedInterval& span);
 
 /// The same for the centre of an object without extents and a moving point, during the object's span.
 template <int D>

@@ -23,7 +23,7 @@ struct NearObjects {
 
   /// Faces are straight lines, so each is farthest out at an end of the span. The rounding of that is part of
   /// what moving_box.h pads for. Requires: the span is not empty.
-  void add(std::uint32_t row, const MovingBox<D>& box, const TimeSpan& span) {
+  void add(std::uint32_t row, const MovingBox<D>& box, const SharedInterval& span) {
     const Vec<D> least = (box.lower + box.v_lower * span.begin).min(box.lower + box.v_lower * span.end),
                  most = (box.upper + box.v_upper * span.begin).max(box.upper + box.v_upper * span.end);
     rows.push_back(row);
@@ -143,20 +143,20 @@ class TreeJoin final : public Candidates {
   struct NodePair {
     std::size_t level_a, level_b;
     std::uint32_t a, b;
-    TimeSpan span;
+    SharedInterval span;
   };
 
-  static TimeSpan everything() { return {0, std::numeric_limits<double>::infinity()}; }
+  static SharedInterval everything() { return {0, std::numeric_limits<double>::infinity()}; }
 
   /// The part of `span` during which two boxes can meet; false if there is none.
-  static bool meet(const MovingBox<D>& a, const MovingBox<D>& b, TimeSpan& span) {
+  static bool meet(const MovingBox<D>& a, const MovingBox<D>& b, SharedInterval& span) {
     span.begin = std::max({span.begin, a.span.begin, b.span.begin});
     span.end = std::min({span.end, a.span.end, b.span.end});
     return !span.is_empty() && narrow_to_contact(a, b, span);
   }
 
   void open_if_meeting(std::size_t level_a, std::uint32_t a, std::size_t level_b, std::uint32_t b,
-                       TimeSpan span) {
+                       SharedInterval span) {
     if (meet(a_.node(level_a, a), b_.node(level_b, b), span)) open_.push_back({level_a, level_b, a, b, span});
   }
 
@@ -170,7 +170,7 @@ class TreeJoin final : public Candidates {
                         first_b = open_b ? b_.first(pair.level_b, pair.b) : pair.b,
                         last_b = open_b ? b_.last(pair.level_b, pair.b) : pair.b + 1;
     for (std::uint32_t a = first_a; a < last_a; ++a) {
-      TimeSpan span = pair.span;
+      SharedInterval span = pair.span;
       if (!meet(a_.node(level_a, a), b_.node(pair.level_b, pair.b), span)) continue;
       for (std::uint32_t b = first_b; b < last_b; ++b) open_if_meeting(level_a, a, level_b, b, span);
     }
@@ -180,7 +180,7 @@ class TreeJoin final : public Candidates {
     const std::size_t level = pair.level_a - 1;
     const std::uint32_t first = a_.first(pair.level_a, pair.a), last = a_.last(pair.level_a, pair.a);
     for (std::uint32_t a = first; a < last; ++a) {
-      const TimeSpan span = a_.node(level, a).span;
+      const SharedInterval span = a_.node(level, a).span;
       if (!span.is_empty()) open_.push_back({level, level, a, a, span});
       for (std::uint32_t b = a + 1; b < last; ++b) open_if_meeting(level, a, level, b, pair.span);
     }
@@ -198,7 +198,7 @@ class TreeJoin final : public Candidates {
           near_b.overlapping(near_a_, i, within ? i + 1 : 0, near_b.rows.size(), overlapping_.data());
       for (std::size_t hit = 0; hit < count; ++hit) {
         const std::uint32_t b = near_b.rows[overlapping_[hit]];
-        TimeSpan span = pair.span;
+        SharedInterval span = pair.span;
         if (meet(a_.object(a), b_.object(b), span)) out.push_back({a, b});
       }
     }
@@ -206,7 +206,7 @@ class TreeJoin final : public Candidates {
 
   /// The objects of a leaf that can meet the other leaf's box, where they are while they can.
   void gather(const JoinSide<D>& side, std::uint32_t leaf, const JoinSide<D>& other_side, std::uint32_t other,
-              const TimeSpan& when, NearObjects<D>& near) {
+              const SharedInterval& when, NearObjects<D>& near) {
     const std::uint32_t first = side.first(0, leaf), last = side.last(0, leaf);
     overlapping_.resize(last - first);
     const std::size_t count =
@@ -214,7 +214,7 @@ class TreeJoin final : public Candidates {
     near.clear();
     for (std::size_t i = 0; i < count; ++i) {
       const std::uint32_t row = overlapping_[i];
-      TimeSpan span = when;
+      SharedInterval span = when;
       if (meet(side.object(row), other_side.node(0, other), span)) near.add(row, side.object(row), span);
     }
   }

@@ -41,7 +41,7 @@ template <int D>
 [[gnu::flatten]] void WindowWalk<D>::open_children(NodeNumber number, const Node& inner) {
   for (std::size_t slot = 0; slot < inner.size(); ++slot) {
     const MovingBox<D> box = child_box<D>(inner, slot, horizon_);
-    TimeSpan span = shared_span(box, question_);
+    SharedInterval span = shared_span(box, question_);
     if (!span.is_empty() && narrow_to_contact(box, question_, span))
       open_.push_back(unread_child(number, inner, slot));
   }
@@ -52,7 +52,7 @@ template <int D>
   for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
     const Mover<D> mover(reader_, reader_.record(leaf, slot));
     const MovingBox<D> box = mover.box(horizon_, Vec<D>::Zero());
-    TimeSpan span = shared_span(box, question_);
+    SharedInterval span = shared_span(box, question_);
     if (!span.is_empty() && narrow_to_contact(box, question_, span))
       slots.push_back(static_cast<std::uint32_t>(slot));
   }

@@ -9,7 +9,7 @@
 namespace foresee {
 
 template <class T, int K = 4>
-using Powers = std::array<T, K + 1>;
+using Coefficients = std::array<T, K + 1>;
 
 template <class T>
 T twice(const T& a) {
