@@ -10,15 +10,15 @@ namespace foresee {
 namespace {
 
 struct DoublesMask {
-  decltype(Some{} < Some{}) of;
+  decltype(Register{} < Register{}) of;
 };
 
 struct Doubles {
-  Some of;
+  Register of;
 
   Doubles() : of{} {}
-  Doubles(double everywhere) : of(everywhere - Some{}) {}
-  Doubles(const Some& some) : of(some) {}
+  Doubles(double everywhere) : of(everywhere - Register{}) {}
+  Doubles(const Register& values) : of(values) {}
 };
 
 inline Doubles operator-(const Doubles& a) {

@@ -6,7 +6,7 @@
 
 namespace foresee {
 
-[[gnu::always_inline]] inline double size_of(double x) {
+[[gnu::always_inline]] inline double absolute(double x) {
   return __builtin_fabs(x);
 }
 

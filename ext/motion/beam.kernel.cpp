@@ -34,7 +34,7 @@ void find_lives(BeamLanes<D>& lanes, std::size_t count, double now, double h) {
       const double t = lanes.t[l], until = lanes.until[l], since = now - t;
       lanes.from[l] = greater(since, 0);
       lanes.to[l] = lesser(since + h, until - t);
-      lanes.reach[l] = size_of(since) + h;
+      lanes.reach[l] = absolute(since) + h;
       // Rounding keeps order: if t - now, rounded, exceeds the double h, then so does the exact difference.
       const bool none = (t - now > h) | (until < now);
       const double begin = lesser(greater(t - now, 0) / unit, 1);
@@ -62,11 +62,11 @@ void find_beams(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D
         const double begin = still ? x : begins, end = still ? x : ends;
         const double bow = still ? 0 : bent ? a * time * time * 0.125 : 0;
         const double travel = (end - begin) * parts;
-        const double speed = bent ? size_of(v) + size_of(a) * reach : size_of(v);
-        const double weight = size_of(x) + greater(size_of(below), size_of(above));
+        const double speed = bent ? absolute(v) + absolute(a) * reach : absolute(v);
+        const double weight = absolute(x) + greater(absolute(below), absolute(above));
         const double moving_error = 24 * u * (weight + reach * speed) + (reach + 4) * 0x1p-1020;
         const double error = still ? 8 * u * weight + 0x1p-1020 : moving_error;
-        const double lost = parts == 1 ? 0 : 0x1p-40 * size_of(travel);
+        const double lost = parts == 1 ? 0 : 0x1p-40 * absolute(travel);
         const double lower = (lesser(begin, end) + lesser(-bow, 0)) - (below + error + lost);
         const double upper = (greater(begin, end) + greater(-bow, 0)) + (above + error + lost);
         const bool sound = upper - lower < forever, none = parts < 0;

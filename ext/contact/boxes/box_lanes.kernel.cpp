@@ -21,8 +21,8 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
   for (int l = 0; l < lanes_width; ++l) {
     const double from = ends.from[l], end = lanes.end[l];
     const auto magnitude = [&lanes, l](int j, double s) {
-      return place_at<Degree>(size_of(lanes.x[j][l]) + lanes.half[j][l], size_of(lanes.v[j][l]),
-                              size_of(lanes.a[j][l]), s);
+      return place_at<Degree>(absolute(lanes.x[j][l]) + lanes.half[j][l], absolute(lanes.v[j][l]),
+                              absolute(lanes.a[j][l]), s);
     };
     const auto error = [&lanes, l](int j, double s, double size) {
       return error_bound(lanes.ex[j][l] + s * lanes.ev[j][l], size);

@@ -68,8 +68,8 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
   for (int l = 0; l < lanes.width; ++l) {
     const double end = lanes.end[l];
     const auto magnitude = [&lanes, l](int j, double s) {
-      return place_at<Degree>(size_of(lanes.x[j][l]) + lanes.half[j][l], size_of(lanes.v[j][l]),
-                              size_of(lanes.a[j][l]), s);
+      return place_at<Degree>(absolute(lanes.x[j][l]) + lanes.half[j][l], absolute(lanes.v[j][l]),
+                              absolute(lanes.a[j][l]), s);
     };
     const auto error = [&lanes, l](int j, double s, double size) {
       return error_bound(lanes.ex[j][l] + s * lanes.ev[j][l], size);
@@ -85,21 +85,21 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
 #pragma GCC unroll 3
     for (int j = 0; j < D; ++j) {
       const double x = lanes.x[j][l], side = x < 0 ? -1 : 1;
-      const double c = size_of(x) - lanes.half[j][l], w = side * lanes.v[j][l], k = side * lanes.a[j][l];
+      const double c = absolute(x) - lanes.half[j][l], w = side * lanes.v[j][l], k = side * lanes.a[j][l];
       const double entry = c > 0 ? first_root<Degree>(c, w, k) : 0;
       const bool later = entry > moment;
       moment = later ? entry : moment;
       axis = later ? j : axis;
       from_side = later ? side : from_side;
       gap = later ? c : gap, slope = later ? w : slope, bend = later ? k : bend;
-      size = later ? size_of(x) + lanes.half[j][l] : size;
+      size = later ? absolute(x) + lanes.half[j][l] : size;
       lost = later ? lanes.ex[j][l] : lost, lost_slope = later ? lanes.ev[j][l] : lost_slope;
-      inside_now = lesser(inside_now, -c - error(j, 0, size_of(x) + lanes.half[j][l]));
+      inside_now = lesser(inside_now, -c - error(j, 0, absolute(x) + lanes.half[j][l]));
       all += magnitude(j, end) + lanes.ex[j][l] + end * lanes.ev[j][l];
     }
 
     const double before = lesser(moment * (1 - near), end), after = lesser(moment * (1 + near), end);
-    const double reach = place_at<Degree>(size, size_of(slope), size_of(bend), before);
+    const double reach = place_at<Degree>(size, absolute(slope), absolute(bend), before);
     const double lost_before = error_bound(lost + before * lost_slope, reach);
     const double at_before = place_at<Degree>(gap, slope, bend, before);
     const double apart_before = floor_of<Degree>(gap, slope, bend, before, at_before) - lost_before;
@@ -112,7 +112,7 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
       const double error_after = error(j, after, size_after);
       // Between `before` and `after` an axis moves by less than 2^-32 of its magnitudes.
       const double moves = axis == j ? 0 : 0x1p-31 * size_after + error_after;
-      inside_after = lesser(inside_after, half - size_of(place(j, after)) - error_after - moves);
+      inside_after = lesser(inside_after, half - absolute(place(j, after)) - error_after - moves);
       const double here = place(j, before), side = here < 0 ? -1 : 1;
       const double first = side * here - half, last = side * place(j, end) - half;
       const double speed = side * (Degree < 2 ? v : v + 2 * before * a);
@@ -139,7 +139,7 @@ template <int D>
 void take_columns(const double* const* rows, int place, double (&out)[D][lanes_width]) {
   if (place < 0) return;
   for (int lane = 0; lane < lanes_width; lane += register_width)
-    for (int j = 0; j < D; ++j) some(&out[j][lane]) = column(rows + lane, place + j);
+    for (int j = 0; j < D; ++j) store(&out[j][lane], column(rows + lane, place + j));
 }
 
 template <int D>
@@ -158,16 +158,16 @@ template <int D, int Degree>
 bool settle_rows_here(RowLanes<D>& rows, bool motions_wanted, BoxLanes<D, Degree>& lanes) {
   take_boxes<D>(rows.a);
   take_boxes<D>(rows.b);
-  Some touching = Some{} + 1;
+  Register touching = Register{} + 1;
   for (int j = 0; j < D; ++j)
     for (int l = 0; l < lanes_width; l += register_width) {
-      const Some x = some(rows.b.x[j] + l) - some(rows.a.x[j] + l);
-      const Some half = some(rows.a.half[j] + l) + some(rows.b.half[j] + l) + rows.within;
-      some(lanes.x[j] + l) = x, some(lanes.half[j] + l) = half;
+      const Register x = load(rows.b.x[j] + l) - load(rows.a.x[j] + l);
+      const Register half = load(rows.a.half[j] + l) + load(rows.b.half[j] + l) + rows.within;
+      store(lanes.x[j] + l, x), store(lanes.half[j] + l, half);
       // As settle_here() finds that they touch now. False if half extents may overflow, or for NaN.
-      const Some size = x < 0.0 ? -x : x, room = half - size - 0x1p-48 * (size + half) - underflow;
-      touching = half < huge ? touching : -1.0 + Some{};
-      touching = room > 0.0 ? touching : -1.0 + Some{};
+      const Register size = x < 0.0 ? -x : x, room = half - size - 0x1p-48 * (size + half) - underflow;
+      touching = half < huge ? touching : -1.0 + Register{};
+      touching = room > 0.0 ? touching : -1.0 + Register{};
     }
   double all = 1;
   for (int l = 0; l < register_width; ++l) all = lesser(all, touching[l]);
@@ -176,9 +176,9 @@ bool settle_rows_here(RowLanes<D>& rows, bool motions_wanted, BoxLanes<D, Degree
   take_motion<D, Degree>(rows.b);
   for (int j = 0; j < D; ++j)
     for (int l = 0; l < lanes_width; l += register_width) {
-      some(lanes.v[j] + l) = some(rows.b.v[j] + l) - some(rows.a.v[j] + l);
-      if constexpr (Degree == 2) some(lanes.a[j] + l) = 0.5 * (some(rows.b.a[j] + l) - some(rows.a.a[j] + l));
-      some(lanes.ex[j] + l) = some(lanes.ev[j] + l) = Some{};
+      store(lanes.v[j] + l, load(rows.b.v[j] + l) - load(rows.a.v[j] + l));
+      if constexpr (Degree == 2) store(lanes.a[j] + l, 0.5 * (load(rows.b.a[j] + l) - load(rows.a.a[j] + l)));
+      store(lanes.ev[j] + l, Register{}), store(lanes.ex[j] + l, Register{});
     }
   settle_here(lanes);
   return false;
@@ -189,10 +189,10 @@ template <int D>
 inline void on_axis(const double (&axis)[lanes_width], const double (&columns)[D][lanes_width],
                     double (&out)[lanes_width]) {
   for (int l = 0; l < lanes_width; l += register_width) {
-    Some value = some(columns[0] + l);
+    Register value = load(columns[0] + l);
     for (int j = 1; j < D; ++j)
-      value = some(axis + l) == static_cast<double>(j) ? some(columns[j] + l) : value;
-    some(out + l) = value;
+      value = load(axis + l) == static_cast<double>(j) ? load(columns[j] + l) : value;
+    store(out + l, value);
   }
 }
 
@@ -232,11 +232,11 @@ void find_crossings(MeetingLanes& lanes, double now) {
     double half_turn = 0, bend = 0;
     if constexpr (Degree > 1) {
       chord = chord + t * DoubleDouble{lanes.a[l], lanes.a_low[l]};
-      half_turn = tau * lanes.a[l], bend = 2 * size_of(lanes.a[l]);
+      half_turn = tau * lanes.a[l], bend = 2 * absolute(lanes.a[l]);
     }
-    const double speed = size_of(lanes.v[l]) + size_of(half_turn);
+    const double speed = absolute(lanes.v[l]) + absolute(half_turn);
     const double error =
-        error_bound(lanes.ex[l] + tau * lanes.ev[l], size_of(lanes.x[l]) + lanes.half[l] + tau * speed);
+        error_bound(lanes.ex[l] + tau * lanes.ev[l], absolute(lanes.x[l]) + lanes.half[l] + tau * speed);
     const DoubleDouble place = x + t * chord;
     const DoubleDouble value = DoubleDouble{side * place.high, side * place.low} - half;
     // DoubleDouble loses at most 2^-97 of what the bound for doubles counts in 2^-53.

@@ -23,10 +23,10 @@ struct LengthLanes {
   double* at;
 
   BoundedDoubles operator[](int i) const {
-    return {Doubles(some(place(i))), Doubles(some(place(i) + register_width))};
+    return {Doubles(load(place(i))), Doubles(load(place(i) + register_width))};
   }
   void put(int i, const BoundedDoubles& length) const {
-    some(place(i)) = length.value.of, some(place(i) + register_width) = length.error.of;
+    store(place(i), length.value.of), store(place(i) + register_width, length.error.of);
   }
   double* place(int i) const { return at + 2 * register_width * i; }
 };
@@ -92,7 +92,7 @@ class Look {
     }
     for (int i = 0; i < q_.set.primitive_count; ++i) {
       const BoundedDoubles p = polynomial_of<0>(q_.set.primitives[i], x, lengths_, moment)[0];
-      some(values_ + register_width * i) = (p.value + p.error_bound(usual_underflow + 0x1p-1060)).of;
+      store(values_ + register_width * i, (p.value + p.error_bound(usual_underflow + 0x1p-1060)).of);
     }
     DoublesMask in_some = Doubles(0.0) < Doubles(0.0);
     for (int i = 0; i < q_.set.piece_count; ++i) in_some = in_some | in_piece(q_.set.pieces[i]);
@@ -132,7 +132,7 @@ class Look {
   DoublesMask in_piece(const ContactSet::Piece& piece) const {
     DoublesMask in_all = Doubles(0.0) <= Doubles(0.0);
     for (auto i = piece.all.begin; i < piece.all.end; ++i)
-      in_all = in_all & (Doubles(some(values_ + register_width * q_.set.members[i])) < 0.0);
+      in_all = in_all & (Doubles(load(values_ + register_width * q_.set.members[i])) < 0.0);
     return in_all;
   }
 
@@ -150,11 +150,11 @@ void look_here(const LanesQuestion& q, SetLanes& lanes) {
   for (int l = 0; l < lanes.width; l += register_width) {
     const Look<D, Degree> look(q, Rows{lanes.a + l}, Rows{lanes.b + l});
     const Interval<Doubles> interval = look.interval();
-    some(lanes.begin + l) = interval.begin.of, some(lanes.end + l) = interval.end.of;
+    store(lanes.begin + l, interval.begin.of), store(lanes.end + l, interval.end.of);
     if (!q.touches_wanted) continue;
     DoublesMask found = interval.begin <= interval.end;
     if (any(found)) found = found & look.touches(0.5 * (interval.begin + interval.end));
-    some(lanes.touches + l) = select(found, Doubles(1.0), Doubles(0.0)).of;
+    store(lanes.touches + l, select(found, Doubles(1.0), Doubles(0.0)).of);
   }
 }
 

@@ -88,7 +88,7 @@ double OutlinePair::more_round(const Part& part) const {
   return turns() && !part.pieces ? reach_of(own_->pieces.box(part.own)) : 0;
 }
 
-double OutlinePair::size_of(const Part& part) const {
+double OutlinePair::box_size(const Part& part) const {
   const Box<2>&one = own_->pieces.box(part.own), &two = other().box(part.other);
   return (one.upper - one.lower).sum() + (two.upper - two.lower).sum();
 }

@@ -63,7 +63,7 @@ class OutlinePair {
   /// Of boxes of which the own one turns, as they lie now; null where that has no width.
   std::unique_ptr<PieceSum> turning_sum_of(const Part& part) const;
   /// How large the boxes of a part are.
-  double size_of(const Part& part) const;
+  double box_size(const Part& part) const;
 
  private:
   const ObjectPieces& other() const;

@@ -15,7 +15,7 @@ double dot(const Corner& a, const Corner& b) {
 Corner gap(const Corner& a, const Corner& b) {
   return {a.x - b.x, a.y - b.y};
 }
-double size_of(const Corner& c) {
+double l1_norm(const Corner& c) {
   return std::abs(c.x) + std::abs(c.y);
 }
 
@@ -37,7 +37,7 @@ class SumAlongPath {
       : a_(a.corners), b_(b.corners), path_{from, to} {
     for (const auto& corners : {a_, b_, std::span<const Corner>(path_)}) {
       double most = 0;
-      for (const Corner& corner : corners) most = std::max(most, size_of(corner));
+      for (const Corner& corner : corners) most = std::max(most, l1_norm(corner));
       size_ += most;
     }
   }
@@ -74,8 +74,8 @@ class SumAlongPath {
   /// How far the origin surely is from the sides of that triangle; below 0 where a sign is not certain.
   double depth(const Corner& next) const {
     const auto from = [](const Corner& a, const Corner& b) {
-      const double rounding = 0x1p-50 * (size_of(a) * size_of(b)) + least * least;
-      return (std::abs(side(a, b)) - rounding) / std::max(size_of(gap(b, a)), least);
+      const double rounding = 0x1p-50 * (l1_norm(a) * l1_norm(b)) + least * least;
+      return (std::abs(side(a, b)) - rounding) / std::max(l1_norm(gap(b, a)), least);
     };
     return std::min({from(corners_[0], corners_[1]), from(corners_[1], next), from(next, corners_[0])});
   }

@@ -23,14 +23,14 @@ Box<D> bounded_window(const Setup& setup, const double* row_b) {
   const WindowFaces& faces = *setup.window;
   const double h = setup.horizon.h;
   const double ago = std::abs(setup.horizon.now - value_or(row_b, setup.b.at.t, 0)) + h;
-  const auto size_of = [&]<int Axes>(int axis) {
+  const auto extent_of = [&]<int Axes>(int axis) {
     const Shape shape = setup.b.layout.shape;
     return reach_of(extents_of<Axes>(shape, row_b, setup.b.at))[axis] +
            ago * growth_of<Axes>(shape, row_b, setup.b.at)[axis];
   };
   const auto size = [&](int axis) {
-    return setup.b.layout.axes == 3 ? size_of.template operator()<3>(axis)
-                                    : size_of.template operator()<2>(axis);
+    return setup.b.layout.axes == 3 ? extent_of.template operator()<3>(axis)
+                                    : extent_of.template operator()<2>(axis);
   };
   Box<D> box;
   for (int axis = 0; axis < D; ++axis) {

@@ -106,12 +106,12 @@ class BoxTests {
     return boxes_.between(a_.box(a), b_.box(b), asked);
   }
   /// Whether the first node is the larger.
-  bool is_larger(Node a, Node b) const { return size_of(a_.box(a)) >= size_of(b_.box(b)); }
+  bool is_larger(Node a, Node b) const { return margin(a_.box(a)) >= margin(b_.box(b)); }
 
   const BoxChord<Pieces::axes, D>& boxes() const { return boxes_; }
 
  private:
-  static double size_of(const Box<Pieces::axes>& box) { return (box.upper - box.lower).sum(); }
+  static double margin(const Box<Pieces::axes>& box) { return (box.upper - box.lower).sum(); }
 
   const Pieces &a_, &b_;
   const BoxChord<Pieces::axes, D> boxes_;

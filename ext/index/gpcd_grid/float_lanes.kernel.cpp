@@ -26,13 +26,13 @@ void round_boxes(const BeamLanes<D>& beams, std::size_t count, const Frame<D>& f
       for (std::size_t i = 0; i < block; ++i) {
         const std::size_t l = first + i;
         const double lower = beams.lower[k][l] * scale - origin, upper = beams.upper[k][l] * scale - origin;
-        const double travel = moves ? beams.travel[k][l] * scale : 0, path = size_of(travel);
+        const double travel = moves ? beams.travel[k][l] * scale : 0, path = absolute(travel);
         const bool fits = greater(greater(-lower, upper), path) < too_large;
         const double for_time = (upper - lower + path) * 0x1p-20 + 0x1p-40;
         const double room = moves && fits ? for_time : 0x1p-126;
         // NaN becomes the outer end.
-        const double low_end = greater(lower - (size_of(lower) * relative + room), -largest);
-        const double high_end = lesser(upper + (size_of(upper) * relative + room), largest);
+        const double low_end = greater(lower - (absolute(lower) * relative + room), -largest);
+        const double high_end = lesser(upper + (absolute(upper) * relative + room), largest);
         const bool empty = k == 0 && beams.lower[0][l] > beams.upper[0][l];
         low[i] = empty ? never : lesser(low_end, largest);
         high[i] = greater(high_end, -largest);

@@ -66,7 +66,7 @@ bool IntruderCertificate<D>::is_worth_splitting(const TrajectoryFamily<D>& famil
   const Vec<D> apart =
       (family.upper[0] - family.lower[0]) +
       end * ((family.upper[1] - family.lower[1]) + (0.5 * end) * (family.upper[2] - family.lower[2]));
-  const double size = stage_ == Stage::boxes ? outlines_->size_of(part_) : 0;
+  const double size = stage_ == Stage::boxes ? outlines_->box_size(part_) : 0;
   return touches_first_ || 4 * (size + 2 * encounter_.extents.after(end).radius) >= apart.maxCoeff();
 }
 

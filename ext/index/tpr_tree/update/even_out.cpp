@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t siblings = 3;  ///< that are asked for room
 
-std::size_t size_of(Pages& pages, NodeNumber number) {
+std::size_t key_count(Pages& pages, NodeNumber number) {
   return pages.read(number)->size();
 }
 
@@ -18,11 +18,11 @@ std::size_t size_of(Pages& pages, NodeNumber number) {
 /// first; the leaf itself where it has none.
 template <int D>
 NodeNumber sibling_with_room(const TreeState<D>& state, const Node& parent, NodeNumber leaf) {
-  const std::size_t size = size_of(state.pages, leaf);
+  const std::size_t size = key_count(state.pages, leaf);
   const std::vector<std::size_t> closest = closest_children(state, parent, leaf, 1 + siblings);
   if (closest.size() == 1) return leaf;
   for (std::size_t i = 1; i < closest.size(); ++i)
-    if (size + size_of(state.pages, parent.keys[closest[i]]) <= 2 * state.packed_size())
+    if (size + key_count(state.pages, parent.keys[closest[i]]) <= 2 * state.packed_size())
       return parent.keys[closest[i]];
   return parent.keys[closest[1]];
 }
@@ -31,10 +31,11 @@ NodeNumber sibling_with_room(const TreeState<D>& state, const Node& parent, Node
 template <int D>
 NodeNumber partner_of(const TreeState<D>& state, const Node& parent, NodeNumber leaf) {
   const NodeNumber sibling = sibling_with_room(state, parent, leaf);
-  const std::size_t size = size_of(state.pages, leaf), most = state.capacity(0);
+  const std::size_t size = key_count(state.pages, leaf), most = state.capacity(0);
   const bool is_due = size > most || size < state.least_size(0);
-  const bool stays =
-      sibling == leaf ? size <= most : !is_due && size + size_of(state.pages, sibling) > state.packed_size();
+  const bool stays = sibling == leaf
+                         ? size <= most
+                         : !is_due && size + key_count(state.pages, sibling) > state.packed_size();
   return stays ? 0 : sibling;
 }
 
@@ -99,7 +100,7 @@ class EvenOut {
   }
 
   void even_out_inner(NodeNumber child) {
-    if (size_of(state_.pages, child) < state_.least_size(parent_.level - 1)) {
+    if (key_count(state_.pages, child) < state_.least_size(parent_.level - 1)) {
       const NodeNumber sibling = parent_.keys[closest_sibling(state_, parent_, child)];
       if (sibling == child) return;
       take_up(child, sibling);
@@ -109,7 +110,7 @@ class EvenOut {
     while (!full.empty()) {
       const NodeNumber node = full.back();
       full.pop_back();
-      if (size_of(state_.pages, node) <= state_.capacity(parent_.level - 1)) continue;
+      if (key_count(state_.pages, node) <= state_.capacity(parent_.level - 1)) continue;
       full.push_back(node);
       full.push_back(split_node(state_, node, number_));
     }
