@@ -64,7 +64,7 @@ Cost exact_join(const Workload& w, bool with_times) {
   return joined<D>(w, [&](const std::vector<Pair>& candidates, std::vector<Pair>& hits) {
     if (!with_times) return contact->decide(candidates, hits);
     times.clear();
-    contact->first_contacts(candidates, TimesWanted::begins, hits, times);
+    contact->first_contacts(candidates, TimesWanted::starts, hits, times);
   });
 }
 

@@ -54,7 +54,7 @@ Answer by_grid(const Workload& w, double h, Stages& stages) {
       continue;
     }
     hits.clear(), times.clear();
-    stages.contact += seconds_of([&] { contact->first_contacts(batch, TimesWanted::begins, hits, times); });
+    stages.contact += seconds_of([&] { contact->first_contacts(batch, TimesWanted::starts, hits, times); });
     for (std::size_t i = 0; i < hits.size(); ++i) answer.add(hits[i], times[i].t);
   }
   stages.candidates = cpu_seconds() - begin - stages.contact;

@@ -37,7 +37,7 @@ void PairCosts::measure_ours(bool counts) {
     if (counts) costs.push_back(cost);
   };
   run(decide_, [&] { contact_.decide(pairs_, hits); });
-  run(begins_, [&] { contact_.first_contacts(pairs_, TimesWanted::begins, hits, times); });
+  run(starts_, [&] { contact_.first_contacts(pairs_, TimesWanted::starts, hits, times); });
   run(both_, [&] { contact_.first_contacts(pairs_, TimesWanted::both, hits, times); });
   moments_ = moments_of(pairs_, hits, times);
 }
@@ -51,20 +51,20 @@ void PairCosts::measure_rival(Rival& rival, bool counts) const {
 }
 
 void PairCosts::print(const char* scene) const {
-  const double decide = median(decide_), begins = median(begins_), both = median(both_);
+  const double decide = median(decide_), starts = median(starts_), both = median(both_);
   const auto touch = [](std::span<const double> moments) {
     return std::count_if(moments.begin(), moments.end(), [](double moment) { return moment >= 0; });
   };
   std::printf("%s: %zu pairs, %td touch; %s\n", scene, pairs_.size(), touch(moments_),
               contact_.effort().c_str());
-  std::printf("    %-26s %9.0f ns decide %9.0f ns t %9.0f ns t, t_end\n", "foresee", decide, begins, both);
+  std::printf("    %-26s %9.0f ns decide %9.0f ns t %9.0f ns t, t_end\n", "foresee", decide, starts, both);
   for (const Rival& rival : rivals_) {
     const double cost = median(rival.costs);
     const Agreement found = agreement_of(moments_, rival.moments);
     std::printf(
         "    %-26s %9.0f ns: %.3gx %.3gx %.3gx; of %td in %zu pairs misses %zu, invents %zu, t off by %.2g "
         "s\n",
-        rival.name.c_str(), cost, cost / decide, cost / begins, cost / both,
+        rival.name.c_str(), cost, cost / decide, cost / starts, cost / both,
         touch(std::span(moments_).first(rival.pairs)), rival.pairs, found.missed, found.invented, found.off);
   }
   std::fflush(stdout);

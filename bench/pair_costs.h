@@ -41,7 +41,7 @@ class PairCosts {
 
   Contact& contact_;
   const std::vector<Pair> pairs_;
-  std::vector<double> decide_, begins_, both_;  ///< nanoseconds a pair, of each repetition
+  std::vector<double> decide_, starts_, both_;  ///< nanoseconds a pair, of each repetition
   std::vector<double> moments_;
   std::vector<Rival> rivals_;
 };

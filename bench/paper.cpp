@@ -95,7 +95,7 @@ Answer by_tree(const Objects& objects) {
   std::vector<ContactTimes> times;
   for (; candidates->next(pairs); pairs.clear()) {
     hits.clear(), times.clear();
-    contact->first_contacts(pairs, TimesWanted::begins, hits, times);
+    contact->first_contacts(pairs, TimesWanted::starts, hits, times);
     for (std::size_t i = 0; i < hits.size(); ++i)
       answer.add(tree.ids[hits[i].a], tree.ids[hits[i].b], times[i].t);
   }

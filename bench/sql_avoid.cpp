@@ -26,7 +26,7 @@ namespace {
 struct Scene {
   std::string name;
   double h, within;
-  std::vector<std::int64_t> asked;
+  std::vector<std::int64_t> queried;
 };
 
 /// What ships look like: columns, their values as of a velocity ?4, ?5, and those of a copy turned by k.
@@ -58,7 +58,7 @@ Scene fill_uniform(Database& db, const Look& look, std::size_t count, double sid
   }
   db.run("COMMIT");
   Scene scene{name, 60, 0, {}};
-  for (std::size_t i = 0; i < 40; ++i) scene.asked.push_back(static_cast<std::int64_t>(i * count / 40) + 1);
+  for (std::size_t i = 0; i < 40; ++i) scene.queried.push_back(static_cast<std::int64_t>(i * count / 40) + 1);
   return scene;
 }
 
@@ -84,7 +84,7 @@ Scene fill_ships(Database& db, const std::string& path) {
       db,
       "SELECT id FROM ships WHERE vx * vx + vy * vy > 0 AND id IN (SELECT a FROM predictive_join(600, "
       "'ships', 200) WHERE dt > 0 UNION SELECT b FROM predictive_join(600, 'ships', 200) WHERE dt > 0)");
-  while (meets.step()) scene.asked.push_back(meets.integer(0));
+  while (meets.step()) scene.queried.push_back(meets.integer(0));
   return scene;
 }
 
@@ -92,12 +92,12 @@ Scene fill_ships(Database& db, const std::string& path) {
 double seconds_a_question(Statement& statement, const Scene& scene, std::int64_t& rows) {
   rows = 0;
   return seconds_of([&] {
-           for (const std::int64_t id : scene.asked) {
+           for (const std::int64_t id : scene.queried) {
              statement.bind(1, id);
              rows += statement.step_all();
            }
          }) /
-         static_cast<double>(scene.asked.size());
+         static_cast<double>(scene.queried.size());
 }
 
 /// One object's 361 turned copies, written and joined with the table.
@@ -136,15 +136,15 @@ void measure(Database& db, const Scene& scene, const Look& look, int repetitions
     whole.push_back(seconds_a_question(all, scene, ignored));
     joined.push_back(seconds_a_question(join, scene, pairs));
     ratios.push_back(ours.back() / joined.back());
-    copies.push_back(
-        seconds_of_copies(db, scene, look, scene.asked[static_cast<std::size_t>(i) % scene.asked.size()]));
+    copies.push_back(seconds_of_copies(db, scene, look,
+                                       scene.queried[static_cast<std::size_t>(i) % scene.queried.size()]));
   }
-  const double asked = static_cast<double>(scene.asked.size());
+  const double queried = static_cast<double>(scene.queried.size());
   std::printf(
       "%-16s turn and speed %8.1f us (all columns %8.1f, %.1f rows), join of the id %7.1f us (%.1f pairs): "
       "%5.1f times; 361 copies %9.1f us: %5.1f times ours\n",
-      scene.name.c_str(), median(ours) * 1e6, median(whole) * 1e6, static_cast<double>(rows) / asked,
-      median(joined) * 1e6, static_cast<double>(pairs) / asked, median(ratios), median(copies) * 1e6,
+      scene.name.c_str(), median(ours) * 1e6, median(whole) * 1e6, static_cast<double>(rows) / queried,
+      median(joined) * 1e6, static_cast<double>(pairs) / queried, median(ratios), median(copies) * 1e6,
       median(copies) / median(ours));
 }
 
@@ -163,7 +163,7 @@ int main_of(const Options& options) {
     Database db(":memory:");
     make_table(db, disc);
     Scene crowd = fill_uniform(db, disc, 10000, 100, "crowd 10000");
-    crowd.asked.resize(4);
+    crowd.queried.resize(4);
     measure(db, crowd, disc, repetitions);
   }
   for (const std::string& path : options.names({})) {

@@ -3,7 +3,7 @@
 //
 //   bench_sql_join [--quick] [--csv FILE] [workload ...]
 //
-//   warm    SELECT a, b, t FROM predictive_join(h), all rows stepped; asked before
+//   warm    SELECT a, b, t FROM predictive_join(h), all rows stepped; queried before
 //   count   SELECT count(*) of the same
 //   first   SELECT a, b, t … WHERE dt > 0 ORDER BY t LIMIT 10
 //   tree    as warm, method = 'tree'
@@ -140,9 +140,9 @@ void print_memory(const Files& files, const std::string& sql) {
     step_all(statement);
   };
   const double idle = peak_of([&] { ask("SELECT id FROM ships WHERE id = 1"); });
-  const double asked = peak_of([&] { ask(sql); });
+  const double queried = peak_of([&] { ask(sql); });
   std::printf("%-12s memory %.0f bytes an object, beyond a process that has opened the file\n",
-              files.workload.name.c_str(), (asked - idle) / static_cast<double>(files.workload.count));
+              files.workload.name.c_str(), (queried - idle) / static_cast<double>(files.workload.count));
 }
 
 /// False if the answers differ.

@@ -81,7 +81,7 @@ void Rival::first_contact(sqlite3_context* context, int count, sqlite3_value** v
   const Pair pair{0, 1};
   std::vector<Pair> hits;
   std::vector<ContactTimes> times;
-  rival->contact_->first_contacts({&pair, 1}, TimesWanted::begins, hits, times);
+  rival->contact_->first_contacts({&pair, 1}, TimesWanted::starts, hits, times);
   if (!times.empty()) sqlite3_result_double(context, times[0].t);
 }
 

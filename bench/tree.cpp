@@ -166,7 +166,7 @@ void join(const Scene& scene, Tree& tree) {
     for (std::vector<Pair> batch; walk->next(batch); batch.clear()) {
       candidates += batch.size();
       hits.clear(), times.clear();
-      deciding += seconds_of([&] { contact->first_contacts(batch, TimesWanted::begins, hits, times); });
+      deciding += seconds_of([&] { contact->first_contacts(batch, TimesWanted::starts, hits, times); });
       pairs += hits.size();
     }
   });

@@ -102,18 +102,18 @@ Figures measure_ours(const std::vector<Object>& objects) {
       tree->insert(static_cast<std::int64_t>(i), record);
     }
   });
-  const Horizon asked{0, h};
+  const Horizon queried{0, h};
   const Vec<2> still = Vec<2>::Zero();
   figures.window = seconds_of([&] {
     for (std::size_t i = 0; i < windows; ++i) {
       const Vec<2> at(objects[i].x[0], objects[i].x[1]);
-      WindowWalk<2> walk(pages, moving_window<2>(at - 15, at + 15, still, asked), asked, still, never);
+      WindowWalk<2> walk(pages, moving_window<2>(at - 15, at + 15, still, queried), queried, still, never);
       for (LeafHits hits; walk.next(hits);) figures.found += hits.slots.size();
     }
   });
   figures.join = seconds_of([&] {
     const TreeScene scene = read_tree(pages, never);
-    const auto join = make_tree_join<2>(scene.bodies(), scene.levels, asked, still, never);
+    const auto join = make_tree_join<2>(scene.bodies(), scene.levels, queried, still, never);
     for (std::vector<Pair> batch; join->next(batch); batch.clear()) figures.pairs += batch.size();
   });
   return figures;

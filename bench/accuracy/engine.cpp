@@ -35,7 +35,7 @@ class Stages {
     Advancement<3, 2> advancement(set_, setup_, a(i), b(i), moments, {0, for_ever}, certain_scratch_);
     const Chord<3> chord(advancement.certain().relative(), moments.dt_end);
     const Interval<double> near = chord.between(set_.hull().data(), static_cast<int>(set_.hull().size()),
-                                                certain_scratch_.lengths, {moments.dt_begin, moments.dt_end});
+                                                certain_scratch_.lengths, {moments.dt_start, moments.dt_end});
     const bool missed = near.begin > near.end;
     const Verdict verdict = advancement.touches();
     ++(missed ? shares.chord : verdict != Verdict::uncertain ? shares.certified : shares.exact);
@@ -46,9 +46,9 @@ class Stages {
 
  private:
   template <class Answer>
-  Answer exactly(std::size_t i, Answer (*ask)(PiecePolynomials&, const ExactMoments&)) const {
+  Answer exactly(std::size_t i, Answer (*decide)(PiecePolynomials&, const ExactMoments&)) const {
     PairPolynomials polynomials(set_, setup_, a(i), b(i));
-    return ask(polynomials, exact_moments_of(setup_, a(i), b(i)));
+    return decide(polynomials, exact_moments_of(setup_, a(i), b(i)));
   }
 
   /// As SetContact times a begin.
@@ -56,7 +56,7 @@ class Stages {
                           StageShares& shares) {
     Bracket first;
     if (advancement.first_contact(first) != Verdict::yes) return shares.exact_time;
-    if (!(first.after > moments.dt_begin)) return shares.at_once;
+    if (!(first.after > moments.dt_start)) return shares.at_once;
     const auto relative = relative_motion_of<DoubleDouble, 3>(setup_, a(i), b(i));
     Crossing<CrossingDirection::entering, 3, 2> crossing(advancement.certain(), relative, {set_, a(i), b(i)},
                                                          first, setup_.horizon.now, crossing_scratch_);
@@ -117,7 +117,7 @@ Method filtered_engine(const Family& family) {
             pairs.clear(), hits.clear(), times.clear();
             for (std::size_t i = first; i < first + count; ++i)
               pairs.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i)});
-            contact->first_contacts(pairs, TimesWanted::begins, hits, times);
+            contact->first_contacts(pairs, TimesWanted::starts, hits, times);
             std::fill_n(out, count, Answer{});
             for (std::size_t k = 0; k < hits.size(); ++k) out[hits[k].a - first] = {true, times[k].dt};
           }};

@@ -18,7 +18,7 @@
 //   cancelling-root        a short way at a great speed: the textbook formula subtracts equals
 //   mixed-scale            each number times a power of two of its own, up to 2^30
 //   unix-times             now = 1.7e9, encounters of microseconds
-//   in-out-in              (balls) the path bends back: two contacts, the first is asked for
+//   in-out-in              (balls) the path bends back: two contacts, the first is queried for
 //   tangent-exact, -near   (balls) what graze is for boxes
 //   point-meets-point      (balls) radius 0 and a common point: a double root at least
 #pragma once

@@ -15,13 +15,13 @@ struct TimedQuery {
   std::int64_t rows = 0;
 };
 
-/// `ask` steps through the question once, or once a value that it binds.
-template <class Ask>
-void ask_in_turns(const std::vector<TimedQuery*>& questions, int repetitions, Ask&& ask) {
+/// `predicate` steps through the question once, or once a value that it binds.
+template <class Predicate>
+void ask_in_turns(const std::vector<TimedQuery*>& questions, int repetitions, Predicate&& predicate) {
   for (int i = 0; i <= repetitions; ++i)
     for (TimedQuery* question : questions) {
       question->rows = 0;
-      const double seconds = seconds_of([&] { ask(*question); });
+      const double seconds = seconds_of([&] { predicate(*question); });
       if (i > 0) question->seconds.push_back(seconds);
     }
 }

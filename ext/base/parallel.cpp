@@ -34,10 +34,10 @@ void run_together(std::size_t helpers, Interrupt& interrupt, const PartOfWork& w
   const std::size_t parts = helpers + 1;
   HelperInterrupt stop;
   Failure failure;
-  const auto guarded = [&](std::size_t part, Interrupt& asked) noexcept {
+  const auto guarded = [&](std::size_t part, Interrupt& queried) noexcept {
     try {
       const FloatEnvironment environment;
-      work(part, parts, asked);
+      work(part, parts, queried);
     } catch (...) {
       failure.keep_current();
       stop.stop();

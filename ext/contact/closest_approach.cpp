@@ -45,14 +45,14 @@ class CertainApproach {
         moments_(moments_of(setup, row_a, row_b)),
         relative_(certain_motion_of<D, 2>(setup, row_a, row_b)),
         motion_(relative_motion_of<DoubleDouble, D>(setup, row_a, row_b)) {
-    begin_ = difference(moments_.t_begin, setup.horizon.now);
+    begin_ = difference(moments_.t_start, setup.horizon.now);
     end_ = moments_.ends_with_horizon ? DoubleDouble{moments_.dt_end, 0}
                                       : difference(moments_.t_end, setup.horizon.now);
     still_ = keeps_its_place(row_a, row_b) || (end_ - begin_).high == 0;
   }
 
   std::optional<ClosestApproach> answer() {
-    std::optional<Nearness> nearest = still_ ? at_begin() : least();
+    std::optional<Nearness> nearest = still_ ? at_start() : least();
     if (!nearest) return {};
     const std::optional<double> distance = rounded_square_root(*nearest);
     if (!distance) return {};
@@ -72,13 +72,13 @@ class CertainApproach {
 
   /// In order of time there are a minimum, or two, or none in doubt.
   std::optional<Nearness> least() {
-    const double low = moments_.begin_exact ? begin_.high : begin_.high * (1 - 2 * unit_roundoff);
+    const double low = moments_.start_exact ? begin_.high : begin_.high * (1 - 2 * unit_roundoff);
     const double high = moments_.end_exact ? end_.high : end_.high * (1 + 2 * unit_roundoff);
     const Slope at_low = slope_at(low), at_high = slope_at(high);
     int budget = 16;
     if (!find_valleys(low, at_low, high, at_high, budget)) return {};
     std::optional<Nearness> best;
-    if (at_low.sign() > 0) best = at_begin();
+    if (at_low.sign() > 0) best = at_start();
     for (int i = 0; i < valley_count_; ++i)
       if (!keep_nearer(best, bottom(valleys_[i]))) return {};
     if (at_high.sign() < 0 && !keep_nearer(best, at_end())) return {};
@@ -159,7 +159,7 @@ class CertainApproach {
     const double share = change / growth + 8 * unit_roundoff;
     const double radius = 2 * (slope_error / growth + std::abs(step) * share) + 0x1p-1060;
     if (const int side = side_of(sum(tau, step), radius); side != 0)
-      return side == 2 ? std::nullopt : side < 0 ? at_begin() : at_end();
+      return side == 2 ? std::nullopt : side < 0 ? at_start() : at_end();
 
     const double gain = std::abs(value * step);
     Nearness nearness{spot.square - DoubleDouble{gain, 0}, 0, {}};
@@ -172,15 +172,15 @@ class CertainApproach {
 
   /// Where a moment known within `radius` lies: -1 before the begin, 1 after the end, 0 between, 2 in doubt.
   int side_of(const DoubleDouble& tau, double radius) const {
-    const double after_begin = (tau - begin_).high, before_end = (end_ - tau).high;
+    const double after_start = (tau - begin_).high, before_end = (end_ - tau).high;
     const double doubt = 2 * radius;
-    if (after_begin > doubt && before_end > doubt) return 0;
-    return after_begin < -doubt ? -1 : before_end < -doubt ? 1 : 2;
+    if (after_start > doubt && before_end > doubt) return 0;
+    return after_start < -doubt ? -1 : before_end < -doubt ? 1 : 2;
   }
 
-  std::optional<Nearness> at_begin() const {
+  std::optional<Nearness> at_start() const {
     const Spot spot = spot_at(begin_);
-    return Nearness{spot.square, spot.square_error, {moments_.dt_begin, moments_.t_begin}};
+    return Nearness{spot.square, spot.square_error, {moments_.dt_start, moments_.t_start}};
   }
   std::optional<Nearness> at_end() const {
     const Spot spot = spot_at(end_);

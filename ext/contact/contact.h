@@ -41,7 +41,7 @@ struct ContactTimes {
 };
 
 /// Which times are read; ends cost as much as begins.
-enum class TimesWanted : std::uint8_t { begins, both };
+enum class TimesWanted : std::uint8_t { starts, both };
 
 /// The closest approach of the two centres while both exist in the interval; the earliest moment on ties.
 struct ClosestApproach {
@@ -101,7 +101,7 @@ class Contact {
   virtual Reach reach() const = 0;
 
   /// From now on, where a single pair may take long, `interrupt` is asked meanwhile; it must outlive this.
-  virtual void heed(Interrupt& /*interrupt*/) {}
+  virtual void set_interrupt(Interrupt& /*interrupt*/) {}
 
   /// What the pairs asked about so far took, in words; "" where nothing was counted.
   virtual std::string effort() const { return ""; }

@@ -154,8 +154,8 @@ class SetContact : public Contact {
     Bracket first;
     const Verdict meets = advancement.first_contact(first);
     if (meets != Verdict::yes) return meets;
-    begin = {moments.dt_begin, moments.t_begin};
-    if (first.after > moments.dt_begin)
+    begin = {moments.dt_start, moments.t_start};
+    if (first.after > moments.dt_start)
       begin = later(crossing<CrossingDirection::entering>(advancement, first, row_a, row_b), begin);
     end =
         wanted == TimesWanted::both ? end_of_contact(advancement, first.after, moments, row_a, row_b) : begin;
@@ -175,9 +175,9 @@ class SetContact : public Contact {
   /// The exact stages' answer: they always have one.
   template <class Answer>
   [[gnu::noinline]] Answer exactly(const double* row_a, const double* row_b,
-                                   Answer (*ask)(PiecePolynomials&, const ExactMoments&)) const {
+                                   Answer (*decide)(PiecePolynomials&, const ExactMoments&)) const {
     PairPolynomials polynomials(set_, setup_, row_a, row_b);
-    return ask(polynomials, exact_moments_of(setup_, row_a, row_b));
+    return decide(polynomials, exact_moments_of(setup_, row_a, row_b));
   }
 
   const ContactSet set_;

@@ -57,9 +57,9 @@ void find_beams(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D
         const double below = lanes.below[k][l] + margin[k], above = lanes.above[k][l] + margin[k];
         const double time = to - from;
         const bool still = (v == 0) & (a == 0);  // also where a time is infinite
-        const double begins = x + from * (bent ? v + a * from * 0.5 : v);
+        const double starts = x + from * (bent ? v + a * from * 0.5 : v);
         const double ends = x + to * (bent ? v + a * to * 0.5 : v);
-        const double begin = still ? x : begins, end = still ? x : ends;
+        const double begin = still ? x : starts, end = still ? x : ends;
         const double bow = still ? 0 : bent ? a * time * time * 0.125 : 0;
         const double travel = (end - begin) * parts;
         const double speed = bent ? absolute(v) + absolute(a) * reach : absolute(v);

@@ -2,14 +2,15 @@
 // from a moment on, as numbers that a table can store.
 //
 //   const OwnMotion base = motion_from(ship, 600);            // the same motion as of t = 600
-//   const OwnMotion turned = changed(base, {Manoeuvre::turn, speed_of(base)}, 15);  // 15 degrees to starboard
+//   // 15 degrees to starboard
+//   const OwnMotion turned = changed(base, {Manoeuvre::turn, speed_of(base)}, 15);
 //
 //   turn         velocity and acceleration are turned by k degrees clockwise (x east, y north), and so is
 //                what has a heading
 //   speed        k is added to the speed along the course: v (m + k) / m, m = |v| rounded once
 //   climb        k is added to vz
 //   accelerate   k is added to the acceleration along the course: a + k v / m
-//   delay        everything begins, and ends, later by k: earlier where k < 0
+//   delay        everything starts, and ends, later by k: earlier where k < 0
 //
 // k = 0 changes nothing. Each number is the exact value rounded once, the same on every machine; 0 is never
 // -0. A force is changed in place of the acceleration that it gives. Instantaneous, as all velocity obstacles

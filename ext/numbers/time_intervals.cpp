@@ -55,27 +55,27 @@ Roots roots_by_formula(LazyPolynomial& polynomial) {
   return roots;
 }
 
-TimeIntervals clipped(std::initializer_list<TimeInterval> intervals, const QueriedInterval& asked) {
+TimeIntervals clipped(std::initializer_list<TimeInterval> intervals, const QueriedInterval& queried) {
   TimeIntervals kept;
   for (TimeInterval s : intervals) {
-    if (s.first != &asked.begin && compare(*s.first, asked.begin) < 0) s.first = &asked.begin;
-    if (s.last != &asked.end && compare(*s.last, asked.end) > 0) s.last = &asked.end;
+    if (s.first != &queried.begin && compare(*s.first, queried.begin) < 0) s.first = &queried.begin;
+    if (s.last != &queried.end && compare(*s.last, queried.end) > 0) s.last = &queried.end;
     if (compare(*s.first, *s.last) <= 0) kept.push_back(s);
   }
   return kept;
 }
 
-TimeIntervals inside_by_formula(LazyPolynomial& polynomial, const QueriedInterval& asked) {
+TimeIntervals inside_by_formula(LazyPolynomial& polynomial, const QueriedInterval& queried) {
   const Roots roots = roots_by_formula(polynomial);
-  AlgebraicRoot *const begin = &asked.begin, *const end = &asked.end;
+  AlgebraicRoot *const begin = &queried.begin, *const end = &queried.end;
   const int lead = polynomial.lead();
-  if (roots.count == 0) return lead <= 0 ? clipped({{begin, end}}, asked) : TimeIntervals{};
+  if (roots.count == 0) return lead <= 0 ? clipped({{begin, end}}, queried) : TimeIntervals{};
   AlgebraicRoot *const one = roots.list[0], *const other = roots.list[roots.count - 1];
   if (polynomial.degree() == 1)
-    return clipped({lead > 0 ? TimeInterval{begin, one} : TimeInterval{one, end}}, asked);
-  if (lead > 0) return clipped({{one, other}}, asked);
-  if (one == other) return clipped({{begin, end}}, asked);
-  return clipped({{begin, one}, {other, end}}, asked);
+    return clipped({lead > 0 ? TimeInterval{begin, one} : TimeInterval{one, end}}, queried);
+  if (lead > 0) return clipped({{one, other}}, queried);
+  if (one == other) return clipped({{begin, end}}, queried);
+  return clipped({{begin, one}, {other, end}}, queried);
 }
 
 /// The only root between two neighbours at which the signs differ.
@@ -104,20 +104,20 @@ AlgebraicRoot& root_between(LazyPolynomial& polynomial, AlgebraicRoot& before, A
   }
 }
 
-Waypoints waypoints_of(LazyPolynomial& polynomial, const QueriedInterval& asked);
+Waypoints waypoints_of(LazyPolynomial& polynomial, const QueriedInterval& queried);
 
 }  // namespace
 
-Roots zeros_within(LazyPolynomial& polynomial, const QueriedInterval& asked) {
+Roots zeros_within(LazyPolynomial& polynomial, const QueriedInterval& queried) {
   Roots zeros;
   if (polynomial.degree() <= 2) {
     const Roots all = roots_by_formula(polynomial);
     for (int i = 0; i < all.count; ++i)
-      if (compare(*all.list[i], asked.begin) > 0 && compare(*all.list[i], asked.end) < 0)
+      if (compare(*all.list[i], queried.begin) > 0 && compare(*all.list[i], queried.end) < 0)
         zeros.list[zeros.count++] = all.list[i];
     return zeros;
   }
-  const Waypoints waypoints = waypoints_of(polynomial, asked);
+  const Waypoints waypoints = waypoints_of(polynomial, queried);
   for (int i = 1; i + 1 < waypoints.count; ++i)
     if (waypoints.list[i].sign == 0) zeros.list[zeros.count++] = waypoints.list[i].root;
   return zeros;
@@ -126,12 +126,12 @@ Roots zeros_within(LazyPolynomial& polynomial, const QueriedInterval& asked) {
 namespace {
 
 /// The ends, the zeros of the slope, and between them the roots.
-Waypoints waypoints_of(LazyPolynomial& polynomial, const QueriedInterval& asked) {
-  const Roots turns = zeros_within(polynomial.slope(), asked);
+Waypoints waypoints_of(LazyPolynomial& polynomial, const QueriedInterval& queried) {
+  const Roots turns = zeros_within(polynomial.slope(), queried);
   Waypoints waypoints;
-  waypoints.add(&asked.begin, polynomial.sign_at(asked.begin));
+  waypoints.add(&queried.begin, polynomial.sign_at(queried.begin));
   for (int i = 0; i <= turns.count; ++i) {
-    AlgebraicRoot& next = i < turns.count ? *turns.list[i] : asked.end;
+    AlgebraicRoot& next = i < turns.count ? *turns.list[i] : queried.end;
     const auto last = waypoints.list[waypoints.count - 1];
     const int sign = polynomial.sign_at(next);
     if (last.sign * sign < 0) waypoints.add(&root_between(polynomial, *last.root, next, last.sign), 0);
@@ -148,12 +148,12 @@ constexpr int bernstein_weight(int n, int i, int k) {
 }
 
 /// Never 0 on the whole of it, told from Bernstein's coefficients: their sign, or 0 where they do not tell.
-int constant_sign(LazyPolynomial& polynomial, const QueriedInterval& asked) {
+int constant_sign(LazyPolynomial& polynomial, const QueriedInterval& queried) {
   const int n = polynomial.degree();
-  const Midrad128 width = asked.end.at - asked.begin.at;
+  const Midrad128 width = queried.end.at - queried.begin.at;
   std::array<Midrad128, LazyPolynomial::most + 1> d = polynomial.rough();
   for (int k = 0; k < n; ++k)
-    for (int i = n - 1; i >= k; --i) d[i] = d[i] + asked.begin.at * d[i + 1];
+    for (int i = n - 1; i >= k; --i) d[i] = d[i] + queried.begin.at * d[i + 1];
   Midrad128 scale = width;
   for (int k = 1; k <= n; ++k, scale = scale * width) d[k] = d[k] * scale;
   int all = 0;
@@ -169,13 +169,13 @@ int constant_sign(LazyPolynomial& polynomial, const QueriedInterval& asked) {
 
 }  // namespace
 
-TimeIntervals sublevel_intervals(LazyPolynomial& polynomial, const QueriedInterval& asked) {
-  if (polynomial.degree() <= 2) return inside_by_formula(polynomial, asked);
+TimeIntervals sublevel_intervals(LazyPolynomial& polynomial, const QueriedInterval& queried) {
+  if (polynomial.degree() <= 2) return inside_by_formula(polynomial, queried);
   TimeIntervals intervals;
-  const int constant = constant_sign(polynomial, asked);
-  if (constant < 0) intervals.push_back({&asked.begin, &asked.end});
+  const int constant = constant_sign(polynomial, queried);
+  if (constant < 0) intervals.push_back({&queried.begin, &queried.end});
   if (constant != 0) return intervals;
-  const Waypoints waypoints = waypoints_of(polynomial, asked);
+  const Waypoints waypoints = waypoints_of(polynomial, queried);
   // Between two neighbours there is no root, so the polynomial is at most 0 there if it is at both.
   for (int i = 0; i < waypoints.count; ++i) {
     if (waypoints.list[i].sign > 0) continue;
@@ -187,14 +187,14 @@ TimeIntervals sublevel_intervals(LazyPolynomial& polynomial, const QueriedInterv
   return intervals;
 }
 
-TimeIntervals complement(const TimeIntervals& inside, const QueriedInterval& asked) {
+TimeIntervals complement(const TimeIntervals& inside, const QueriedInterval& queried) {
   TimeIntervals gaps;
-  AlgebraicRoot* first = &asked.begin;
+  AlgebraicRoot* first = &queried.begin;
   for (const TimeInterval& interval : inside) {
-    if (interval.first != &asked.begin) gaps.push_back({first, interval.first});
+    if (interval.first != &queried.begin) gaps.push_back({first, interval.first});
     first = interval.last;
   }
-  if (first != &asked.end) gaps.push_back({first, &asked.end});
+  if (first != &queried.end) gaps.push_back({first, &queried.end});
   return gaps;
 }
 

@@ -31,13 +31,13 @@ struct Roots {
 };
 
 /// Where a polynomial is 0, in order and strictly within the moments asked about. To be asked once.
-Roots zeros_within(LazyPolynomial& polynomial, const QueriedInterval& asked);
+Roots zeros_within(LazyPolynomial& polynomial, const QueriedInterval& queried);
 
-TimeIntervals sublevel_intervals(LazyPolynomial& polynomial, const QueriedInterval& asked);
+TimeIntervals sublevel_intervals(LazyPolynomial& polynomial, const QueriedInterval& queried);
 
 /// What lies between intervals, with the ends that they share. Single times at which a polynomial only
 /// touches 0 from below are left out; a root at an end of what is asked about may be an interval of one time.
-TimeIntervals complement(const TimeIntervals& inside, const QueriedInterval& asked);
+TimeIntervals complement(const TimeIntervals& inside, const QueriedInterval& queried);
 
 /// The moments that are in both.
 TimeIntervals common(const TimeIntervals& a, const TimeIntervals& b);

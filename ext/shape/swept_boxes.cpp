@@ -13,7 +13,7 @@ constexpr std::size_t lives_per_check = 8192;
 
 }  // namespace
 
-bool all_exist_at_begin(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt) {
+bool all_exist_at_start(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt) {
   if (bodies.at.t == Offsets::absent) return horizon.now >= 0;
   bool late = false;
   for (std::size_t i = 0; i < bodies.count && !late; ++i) {

@@ -26,8 +26,8 @@ std::string quoted(std::string_view found) {
   found = found.substr(0, found.find('\0'));
   std::size_t characters = 0, last = 0;
   for (std::size_t i = 0; i < found.size(); ++i) {
-    const bool begins = (static_cast<unsigned char>(found[i]) & 0xc0) != 0x80;
-    if (begins && ++characters == most_quoted) last = i;
+    const bool starts = (static_cast<unsigned char>(found[i]) & 0xc0) != 0x80;
+    if (starts && ++characters == most_quoted) last = i;
     if (characters > most_quoted || i > 4 * most_quoted) return std::string(found.substr(0, last)) + "…";
   }
   return std::string(found);

@@ -67,7 +67,7 @@ class Connection {
   /// How many objects the table of this name has, as far as memory knows: nothing is read, nothing connected.
   /// Of several that may be meant the largest, of all where no name is given; where no such table is
   /// connected yet, as many as R*Tree assumes without statistics.
-  double likely_objects(const AskedTable& name) const;
+  double likely_objects(const QueriedTable& name) const;
 
   // Scans that are open, by what they read: SQLite may connect a table anew while a scan of its older self
   // goes on, and both have one store.

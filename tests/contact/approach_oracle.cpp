@@ -74,14 +74,14 @@ class Distances {
 
 std::string judge_approach(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
                            const Horizon& horizon, const ClosestApproach& answer) {
-  const ExactInterval asked = asked_about(a, b, horizon);
+  const ExactInterval queried = queried_interval(a, b, horizon);
   const Coefficients square = squared_distance(a, b, horizon.now);
   const Distances distances(square);
   const Sturm slope(derivative(integers_of(square)));
-  Candidate best{asked.begin};
-  for (Moment& root : moments_between(slope, asked.begin, asked.end))
+  Candidate best{queried.begin};
+  for (Moment& root : moments_between(slope, queried.begin, queried.end))
     if (Candidate other{{}, root}; distances.less(other, best)) best = other;
-  if (Candidate end{asked.end}; distances.less(end, best)) best = end;
+  if (Candidate end{queried.end}; distances.less(end, best)) best = end;
 
   auto moment_is = [&](double value, const Exact& offset) {
     return is_nearest(value, [&](const Exact& tie) { return best.compare(tie - offset); });

@@ -17,8 +17,8 @@ namespace {
 using namespace testing_by_hand;
 
 void expect_exact(const Object& a, const Object& b, const Horizon& horizon, const char* family, int number) {
-  const oracle::ExactInterval asked = oracle::asked_about(a, b, horizon);
-  if (asked.begin > asked.end) return;
+  const oracle::ExactInterval queried = oracle::queried_interval(a, b, horizon);
+  if (queried.begin > queried.end) return;
   const Case c{a, b, {.horizon = horizon}};
   const ClosestApproach answer = closest(a, b, c.question);
   const std::string complaint = oracle::judge_approach(a, b, horizon, answer);

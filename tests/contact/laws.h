@@ -21,9 +21,9 @@ struct Said {
 };
 
 inline Said said_of(const Case& c) {
-  const oracle::ExactInterval asked = oracle::asked_about(c.a, c.b, c.question.horizon);
+  const oracle::ExactInterval queried = oracle::queried_interval(c.a, c.b, c.question.horizon);
   Said said{contact(c.a, c.b, c.question), {}};
-  if (asked.begin <= asked.end) said.approach = closest(c.a, c.b, c.question);
+  if (queried.begin <= queried.end) said.approach = closest(c.a, c.b, c.question);
   return said;
 }
 

@@ -86,17 +86,17 @@ struct Crossing {
 
 /// An end of the first contact: an end of what was asked, or a moment.
 struct Found {
-  enum { nothing, at_begin, at_end, at_moment } where = nothing;
+  enum { nothing, at_start, at_end, at_moment } where = nothing;
   std::optional<Moment> moment = {};
 };
 
 /// Walks through time and keeps the first contact.
 class Walk {
  public:
-  Walk(const Rule& rule, const ExactInterval& asked) : asked_(asked), regions_(rule) {
+  Walk(const Rule& rule, const ExactInterval& queried) : queried_(queried), regions_(rule) {
     std::size_t border = 0;
     for (const Sturm& sturm : regions_.borders()) {
-      for (Moment& moment : moments_between(sturm, asked.begin, asked.end))
+      for (Moment& moment : moments_between(sturm, queried.begin, queried.end))
         add(moment, static_cast<int>(border));
       ++border;
     }
@@ -119,9 +119,9 @@ class Walk {
   }
 
   void go() {
-    point({Found::at_begin}, holds_at(asked_.begin));
-    if (!(asked_.begin < asked_.end)) return;
-    reached_ = asked_.begin;
+    point({Found::at_start}, holds_at(queried_.begin));
+    if (!(queried_.begin < queried_.end)) return;
+    reached_ = queried_.begin;
     Crossing* before = nullptr;
     for (Crossing& next : crossings_) {
       stretch(before, &next);
@@ -133,9 +133,9 @@ class Walk {
       pass(next.moment);
       before = &next;
     }
-    if (!(reached_ < asked_.end)) return;
+    if (!(reached_ < queried_.end)) return;
     stretch(before, nullptr);
-    if (!over_) point({Found::at_end}, holds_at(asked_.end));
+    if (!over_) point({Found::at_end}, holds_at(queried_.end));
   }
 
   /// From one crossing (or the begin) to the next (or the end), both left out.
@@ -149,7 +149,7 @@ class Walk {
     for (Moment& root : roots) {
       gap(sign_at(excess.polynomial(), sample_before(&root)) <= 0);
       if (over_) return;
-      if (root.compare(asked_.end) == 0) return;  // seen as the end
+      if (root.compare(queried_.end) == 0) return;  // seen as the end
       point({Found::at_moment, root}, true);
       pass(root);
     }
@@ -158,7 +158,7 @@ class Walk {
 
   /// Narrows the crossings until every root is within or not.
   std::vector<Moment> roots_within(const Sturm& p, Crossing* from, Crossing* to) {
-    const Exact low = from ? from->moment.low : reached_, high = to ? to->moment.high : asked_.end;
+    const Exact low = from ? from->moment.low : reached_, high = to ? to->moment.high : queried_.end;
     std::vector<Moment> roots;
     for (Moment& root : moments_between(p, low, high)) {
       if (from && (same_moment(root, from->moment) || root.low < from->moment.low)) continue;
@@ -170,14 +170,14 @@ class Walk {
 
   /// A number after all that has been passed and before the moment (or the end).
   Exact sample_before(Moment* moment) {
-    if (!moment) return middle(reached_, asked_.end);
+    if (!moment) return middle(reached_, queried_.end);
     while (!(moment->low > reached_)) moment->halve();
     return middle(reached_, moment->low);
   }
 
   void pass(Moment& moment) {
-    if (moment.compare(asked_.end) < 0)
-      while (moment.high == asked_.end) moment.halve();
+    if (moment.compare(queried_.end) < 0)
+      while (moment.high == queried_.end) moment.halve();
     reached_ = moment.high;
   }
 
@@ -201,7 +201,7 @@ class Walk {
     last = where;
   }
 
-  const ExactInterval& asked_;
+  const ExactInterval& queried_;
   Regions regions_;
   std::vector<Crossing> crossings_;
   Exact reached_, stretch_sample_;
@@ -223,31 +223,31 @@ Coefficients relative_axis(const testing_by_hand::Object& a, const testing_by_ha
   return pb;
 }
 
-ExactInterval asked_about(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
-                          const Horizon& horizon) {
+ExactInterval queried_interval(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
+                               const Horizon& horizon) {
   const Exact now(horizon.now);
-  ExactInterval asked{0.0, horizon.h};
+  ExactInterval queried{0.0, horizon.h};
   for (const auto* o : {&a, &b}) {
-    asked.begin = std::max(asked.begin, Exact(o->layout.has_t ? o->t : 0) - now);
+    queried.begin = std::max(queried.begin, Exact(o->layout.has_t ? o->t : 0) - now);
     if (o->layout.has_until && o->until != std::numeric_limits<double>::infinity())
-      asked.end = std::min(asked.end, Exact(o->until) - now);
+      queried.end = std::min(queried.end, Exact(o->until) - now);
   }
-  return asked;
+  return queried;
 }
 
 std::string judge(const Rule& rule, const testing_by_hand::Object& a, const testing_by_hand::Object& b,
                   const Horizon& horizon, const std::optional<ContactTimes>& answer) {
-  const ExactInterval asked = asked_about(a, b, horizon);
-  if (asked.begin > asked.end) return answer ? "a contact of objects that never exist together" : "";
-  const Walk walk(rule, asked);
+  const ExactInterval queried = queried_interval(a, b, horizon);
+  if (queried.begin > queried.end) return answer ? "a contact of objects that never exist together" : "";
+  const Walk walk(rule, queried);
   if (walk.first.where == Found::nothing) return answer ? "an invented contact" : "";
   if (!answer) return "a missed contact";
 
   auto right = [&](const Found& found, double value, const Exact& offset) {
     return is_nearest(value, [&](const Exact& tie) {
       const Exact x = tie - offset;
-      if (found.where == Found::at_begin) return (asked.begin - x).sign();
-      if (found.where == Found::at_end) return (asked.end - x).sign();
+      if (found.where == Found::at_start) return (queried.begin - x).sign();
+      if (found.where == Found::at_end) return (queried.end - x).sign();
       return found.moment->compare(x);
     });
   };

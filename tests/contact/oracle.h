@@ -33,8 +33,8 @@ struct Rule {
 struct ExactInterval {
   Exact begin, end;
 };
-ExactInterval asked_about(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
-                          const Horizon& horizon);
+ExactInterval queried_interval(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
+                               const Horizon& horizon);
 
 /// Compares the engine's answer with the exact one; empty if they agree, else what is wrong.
 std::string judge(const Rule& rule, const testing_by_hand::Object& a, const testing_by_hand::Object& b,

@@ -53,16 +53,16 @@ inline std::optional<ContactTimes> answer_of(Contact& contact) {
   };
   const Pair pair{0, 0};
   std::vector<Pair> hits, decided;
-  std::vector<ContactTimes> times, begins;
+  std::vector<ContactTimes> times, starts;
   contact.first_contacts({&pair, 1}, TimesWanted::both, hits, times);
   require(times.size() == hits.size(), "pairs and times");
   contact.decide({&pair, 1}, decided);
   require(hits == decided, "with times, and whether");
   decided.clear();
-  contact.first_contacts({&pair, 1}, TimesWanted::begins, decided, begins);
+  contact.first_contacts({&pair, 1}, TimesWanted::starts, decided, starts);
   require(hits == decided, "with both times, and with begins");
   if (hits.empty()) return std::nullopt;
-  require(times[0].t == begins[0].t && times[0].dt == begins[0].dt, "begins");
+  require(times[0].t == starts[0].t && times[0].dt == starts[0].dt, "begins");
   return times[0];
 }
 

@@ -7,7 +7,7 @@
 namespace foresee::oracle {
 namespace {
 
-bool begins_before(const SlopeSign& s, const SlopeSign& t) {
+bool starts_before(const SlopeSign& s, const SlopeSign& t) {
   return s.begin < t.begin;
 }
 
@@ -31,22 +31,22 @@ bool ends_within_half_an_ulp(const Touch& touch, double end) {
 
 std::optional<SlopeSign> first_of(std::vector<SlopeSign> contacts) {
   if (contacts.empty()) return {};
-  std::sort(contacts.begin(), contacts.end(), begins_before);
+  std::sort(contacts.begin(), contacts.end(), starts_before);
   SlopeSign first = contacts[0];
   for (const SlopeSign& s : contacts)
     if (s.begin <= first.end && first.end < s.end) first.end = s.end;
   return first;
 }
 
-std::vector<SlopeSign> gaps_between(std::vector<SlopeSign> contacts, const SlopeSign& asked) {
-  std::sort(contacts.begin(), contacts.end(), begins_before);
+std::vector<SlopeSign> gaps_between(std::vector<SlopeSign> contacts, const SlopeSign& queried) {
+  std::sort(contacts.begin(), contacts.end(), starts_before);
   std::vector<SlopeSign> gaps;
-  Rational reached = asked.begin;
+  Rational reached = queried.begin;
   for (const SlopeSign& s : contacts) {
     if (reached < s.begin) gaps.push_back({reached, s.begin});
     reached = std::max(reached, s.end);
   }
-  if (reached < asked.end || contacts.empty()) gaps.push_back({reached, asked.end});
+  if (reached < queried.end || contacts.empty()) gaps.push_back({reached, queried.end});
   return gaps;
 }
 
@@ -59,14 +59,14 @@ bool is_rounded(double value, const Rational& exact) {
   return even ? low <= exact && exact <= high : low < exact && exact < high;
 }
 
-SlopeSign Encounter::asked() const {
+SlopeSign Encounter::queried() const {
   const Rational now(question.horizon.now);
-  SlopeSign asked{0, Rational(question.horizon.h)};
+  SlopeSign queried{0, Rational(question.horizon.h)};
   for (const auto* o : {&a, &b}) {
-    asked.begin = std::max<Rational>(asked.begin, Rational(o->t) - now);
-    if (std::isfinite(o->until)) asked.end = std::min<Rational>(asked.end, Rational(o->until) - now);
+    queried.begin = std::max<Rational>(queried.begin, Rational(o->t) - now);
+    if (std::isfinite(o->until)) queried.end = std::min<Rational>(queried.end, Rational(o->until) - now);
   }
-  return asked;
+  return queried;
 }
 
 Rational Encounter::place(int axis, const Rational& moment) const {

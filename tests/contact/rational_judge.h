@@ -22,8 +22,8 @@ struct SlopeSign {
 /// Of all together: those that touch each other are one.
 std::optional<SlopeSign> first_of(std::vector<SlopeSign> contacts);
 
-/// What `contacts` leave of `asked`. A gap that ends where another begins is none.
-std::vector<SlopeSign> gaps_between(std::vector<SlopeSign> contacts, const SlopeSign& asked);
+/// What `contacts` leave of `queried`. A gap that ends where another begins is none.
+std::vector<SlopeSign> gaps_between(std::vector<SlopeSign> contacts, const SlopeSign& queried);
 
 /// Is `value` the double nearest to `exact`, ties to even?
 bool is_rounded(double value, const Rational& exact);
@@ -34,7 +34,7 @@ struct Encounter {
   const ContactQuestion& question;
 
   /// While both exist; none if it ends before it begins.
-  SlopeSign asked() const;
+  SlopeSign queried() const;
   /// Where b is seen from a, and how fast it goes there.
   Rational place(int axis, const Rational& moment) const;
   Rational velocity(int axis) const;

@@ -62,8 +62,8 @@ class StagesOfPair {
     const Chord<D> chord(advancement.certain().relative(), moments_.dt_end);
     const auto hull = set_.hull();
     const Interval<double> near = chord.between(hull.data(), static_cast<int>(hull.size()), scratch.lengths,
-                                                {moments_.dt_begin, moments_.dt_end});
-    if (moments_.begin_exact && moments_.end_exact && near.begin > near.end) {
+                                                {moments_.dt_start, moments_.dt_end});
+    if (moments_.start_exact && moments_.end_exact && near.begin > near.end) {
       ++certain_.chord;
       EXPECT_FALSE(touches) << "chord: " << case_;
     }

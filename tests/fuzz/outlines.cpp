@@ -53,9 +53,9 @@ Dyadic twice_area(std::span<const Corner> ring) {
 Dyadic twice_area(const Outline& outline) {
   Dyadic twice;
   for (std::size_t p = 0; p < outline.parts(); ++p)
-    for (std::size_t r = outline.part_begin(p); r < outline.part_begin(p + 1); ++r) {
+    for (std::size_t r = outline.part_start(p); r < outline.part_start(p + 1); ++r) {
       const Dyadic area = twice_area(outline.ring(r)), size = area.sign() < 0 ? -area : area;
-      twice = r == outline.part_begin(p) ? twice + size : twice - size;
+      twice = r == outline.part_start(p) ? twice + size : twice - size;
     }
   return twice;
 }

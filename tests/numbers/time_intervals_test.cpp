@@ -21,7 +21,7 @@ struct Span {
 
   Span(const Dyadic& low, const Dyadic& high) : low(low), high(high) {}
   Span(const Span&) = delete;
-  QueriedInterval asked() { return {begin, end}; }
+  QueriedInterval queried() { return {begin, end}; }
 };
 
 bool contains(const TimeInterval& interval, const Dyadic& x) {
@@ -99,7 +99,7 @@ TEST(TimeIntervals, InsideIsWhereThePolynomialIsAtMostZero) {
     const bool exact_roots = inputs.one_in(2);
     ExactSource p(exact_roots ? with_lattice_roots(inputs) : with_any_roots(inputs), drawn_digits(inputs));
     Span span = drawn_span(inputs);
-    const TimeIntervals intervals = sublevel_intervals(p.lazy(), span.asked());
+    const TimeIntervals intervals = sublevel_intervals(p.lazy(), span.queried());
     expect_ordered(intervals, span);
     expect_inside(intervals, p.polynomial(), span);
     if (!exact_roots) continue;
@@ -121,16 +121,16 @@ TEST(TimeIntervals, TouchingIsInside) {
         multiplied(multiplied(with_root(Dyadic(3.0)), with_root(Dyadic(3.0))), factor);
     Span span(Dyadic(1.0), Dyadic(5.0));
     ExactSource above(touching), below(negated(touching));
-    const TimeIntervals once = sublevel_intervals(above.lazy(), span.asked()),
-                        all = sublevel_intervals(below.lazy(), span.asked());
+    const TimeIntervals once = sublevel_intervals(above.lazy(), span.queried()),
+                        all = sublevel_intervals(below.lazy(), span.queried());
     ASSERT_EQ(once.size(), 1u);
     EXPECT_EQ(once[0].first, once[0].last);
     EXPECT_EQ(compare(*once[0].first, Dyadic(3.0)), 0);
     ASSERT_EQ(all.size(), 1u);
     EXPECT_EQ(all[0].first, &span.begin);
     EXPECT_EQ(all[0].last, &span.end);
-    EXPECT_TRUE(complement(all, span.asked()).empty());
-    EXPECT_EQ(complement(once, span.asked()).size(), 2u);
+    EXPECT_TRUE(complement(all, span.queried()).empty());
+    EXPECT_EQ(complement(once, span.queried()).size(), 2u);
   }
 }
 
@@ -144,7 +144,7 @@ TEST(TimeIntervals, TouchingIsToldFromAlmostTouching) {
       const Polynomial factors[] = {polynomial({1}), polynomial({1, 1}), polynomial({17, -4, 1})};
       ExactSource p(multiplied(dip, factors[factor_degree]), 50);
       Span span(Dyadic(), Dyadic(5.0));
-      const TimeIntervals intervals = sublevel_intervals(p.lazy(), span.asked());
+      const TimeIntervals intervals = sublevel_intervals(p.lazy(), span.queried());
       ASSERT_EQ(intervals.size(), side > 0 ? 0u : 1u) << factor_degree << ' ' << side;
       if (side > 0) continue;
       EXPECT_EQ(compare(*intervals[0].first, *intervals[0].last), side < 0 ? -1 : 0);
@@ -156,7 +156,7 @@ TEST(TimeIntervals, ConstantsAreInsideAlwaysOrNever) {
   Span span(Dyadic(1.0), Dyadic(2.0));
   for (const double c : {-1.0, 0.0, 5e-324}) {
     ExactSource p(polynomial({c}));
-    EXPECT_EQ(sublevel_intervals(p.lazy(), span.asked()).size(), c > 0 ? 0u : 1u);
+    EXPECT_EQ(sublevel_intervals(p.lazy(), span.queried()).size(), c > 0 ? 0u : 1u);
   }
 }
 
@@ -165,7 +165,7 @@ TEST(TimeIntervals, ZerosAreThoseStrictlyWithinInOrder) {
   for (int i = 0; i < cases(500); ++i) {
     ExactSource p(with_lattice_roots(inputs), drawn_digits(inputs));
     Span span = drawn_span(inputs);
-    const Roots zeros = zeros_within(p.lazy(), span.asked());
+    const Roots zeros = zeros_within(p.lazy(), span.queried());
     int next = 0;
     for (const Dyadic& x : samples(span, fine)) {
       if (x == span.low || x == span.high || p.polynomial().degree < 1 || sign_at(p.polynomial(), x) != 0)
@@ -183,7 +183,8 @@ TEST(TimeIntervals, OutsideIsTheRestWithSharedEnds) {
   for (int i = 0; i < cases(500); ++i) {
     ExactSource p(with_lattice_roots(inputs), drawn_digits(inputs));
     Span span = drawn_span(inputs);
-    const TimeIntervals in = sublevel_intervals(p.lazy(), span.asked()), out = complement(in, span.asked());
+    const TimeIntervals in = sublevel_intervals(p.lazy(), span.queried()),
+                        out = complement(in, span.queried());
     for (const Dyadic& x : samples(span, fine)) {
       const int sign = sign_at(p.polynomial(), x);
       EXPECT_TRUE(contains(in, x) || contains(out, x));
@@ -204,8 +205,8 @@ TEST(TimeIntervals, CommonIsWhatIsInBoth) {
     ExactSource p(with_lattice_roots(inputs), drawn_digits(inputs)),
         q(with_lattice_roots(inputs), drawn_digits(inputs));
     Span span = drawn_span(inputs);
-    const TimeIntervals a = sublevel_intervals(p.lazy(), span.asked()),
-                        b = sublevel_intervals(q.lazy(), span.asked());
+    const TimeIntervals a = sublevel_intervals(p.lazy(), span.queried()),
+                        b = sublevel_intervals(q.lazy(), span.queried());
     const TimeIntervals both = common(a, b), exchanged = common(b, a);
     expect_ordered(both, span);
     EXPECT_EQ(both.size(), exchanged.size());
@@ -228,11 +229,11 @@ TEST(TimeIntervals, RootsNextToTheEndsAreFound) {
       const Polynomial p = multiplied(with_root(root), factor);
       ExactSource rises(p, 50), falls(negated(p), 50);
       Span until(Dyadic(), end), from(end, Dyadic(4.0));
-      EXPECT_EQ(sublevel_intervals(rises.lazy(), until.asked()).size(), 1u);
-      EXPECT_EQ(sublevel_intervals(rises.lazy(), from.asked()).size(), side < 0 ? 1u : 0u);
+      EXPECT_EQ(sublevel_intervals(rises.lazy(), until.queried()).size(), 1u);
+      EXPECT_EQ(sublevel_intervals(rises.lazy(), from.queried()).size(), side < 0 ? 1u : 0u);
       ExactSource again(negated(p), 50);
-      EXPECT_EQ(sublevel_intervals(falls.lazy(), from.asked()).size(), 1u);
-      EXPECT_EQ(sublevel_intervals(again.lazy(), until.asked()).size(), side < 0 ? 0u : 1u);
+      EXPECT_EQ(sublevel_intervals(falls.lazy(), from.queried()).size(), 1u);
+      EXPECT_EQ(sublevel_intervals(again.lazy(), until.queried()).size(), side < 0 ? 0u : 1u);
     }
 }
 

@@ -17,7 +17,7 @@ namespace foresee::testing {
 inline constexpr Layout discs{.axes = 2, .law = Law::uniform, .shape = Shape::ball};
 
 /// By dt that is above 0: pairs that touch already are left out.
-inline constexpr AskedTimes after_now{std::numeric_limits<double>::denorm_min()};
+inline constexpr QueriedTimes after_now{std::numeric_limits<double>::denorm_min()};
 
 inline std::shared_ptr<const Scene> scene_of(const RandomScene& random, const std::string& name = "ships") {
   auto scene = std::make_shared<Scene>();

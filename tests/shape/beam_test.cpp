@@ -69,13 +69,13 @@ bool holds(const Beam<1>& beam, const Course1& o, const Horizon& horizon, const 
 
 void expect_inside(const Course1& o, const Horizon& horizon) {
   const Rational now(horizon.now), h(horizon.h);
-  const Rational begins = std::max(Rational(o.t) - now, Rational(0));
+  const Rational starts = std::max(Rational(o.t) - now, Rational(0));
   const Rational ends = o.until == inf ? h : std::min(Rational(o.until) - now, h);
   const Beam<1> beam = beam_of(o, horizon);
-  if (begins > ends) return;
+  if (starts > ends) return;
   ASSERT_FALSE(beam.box.is_empty());
   for (int k = 0; k <= 8; ++k) {
-    const Rational f = h == 0 ? Rational(0) : (begins + (ends - begins) * k / 8) / h;
+    const Rational f = h == 0 ? Rational(0) : (starts + (ends - starts) * k / 8) / h;
     ASSERT_TRUE(holds(beam, o, horizon, f))
         << k << ": t " << o.t << " x " << o.x << " v " << o.v << " a " << o.a << " half " << o.half
         << " until " << o.until << " now " << horizon.now << " h " << horizon.h;

@@ -23,11 +23,11 @@ class RandomQueries {
   }
 
   void expect_same_pairs() {
-    const std::string asked = "SELECT * FROM predictive_join(" + h_ + ", 'objects', " +
-                              literal(scene_.within) + ", NULL, " + now_ + ", METHOD)";
+    const std::string queried = "SELECT * FROM predictive_join(" + h_ + ", 'objects', " +
+                                literal(scene_.within) + ", NULL, " + now_ + ", METHOD)";
     for (const char* method : {"auto", "grid", "tree", "gpcd"}) {
-      expect_same(asked + " ORDER BY a, b", method);
-      expect_same(asked + " WHERE a = 2 OR b = 2 ORDER BY a, b", method);
+      expect_same(queried + " ORDER BY a, b", method);
+      expect_same(queried + " WHERE a = 2 OR b = 2 ORDER BY a, b", method);
     }
   }
   void expect_same_window() {
@@ -85,11 +85,11 @@ class RandomQueries {
 TEST(ExtremeNumbers, EveryQuestionGivesWhatALookAtAllObjectsGives) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("scene " + std::to_string(seed));
-    RandomQueries asked(seed);
-    asked.expect_same_pairs();
-    asked.expect_same_window();
-    asked.expect_same_nearest();
-    asked.expect_a_place_for_each_that_exists();
+    RandomQueries queried(seed);
+    queried.expect_same_pairs();
+    queried.expect_same_window();
+    queried.expect_same_nearest();
+    queried.expect_a_place_for_each_that_exists();
   }
 }
 

@@ -70,19 +70,19 @@ TEST(CommitInterrupt, LeavesAllOfATransactionOrNothing) {
       "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y, vx, vy); INSERT INTO ships VALUES(1, 2, 3, "
       "4, 5)");
   static int left;
-  for (int asked = 1;; asked += asked) {
+  for (int queried = 1;; queried += queried) {
     db.exec(
         "BEGIN; WITH RECURSIVE i(n) AS (VALUES (2) UNION ALL SELECT n + 1 FROM i WHERE n < 1000)"
         "INSERT INTO ships SELECT n, n, n % 7, 1, n % 5 FROM i");
-    left = asked;
+    left = queried;
     sqlite3_progress_handler(
         db.handle(), 1, [](void*) { return --left == 0 ? 1 : 0; }, nullptr);
     const int rc = db.code_of("COMMIT");
     sqlite3_progress_handler(db.handle(), 0, nullptr, nullptr);
     if (rc == SQLITE_OK) break;
-    EXPECT_EQ(rc, SQLITE_INTERRUPT) << asked;
+    EXPECT_EQ(rc, SQLITE_INTERRUPT) << queried;
     if (sqlite3_get_autocommit(db.handle()) == 0) db.exec("ROLLBACK");
-    EXPECT_EQ(db.rows("SELECT count(*), sum(x) FROM ships"), "1|2.0") << asked;
+    EXPECT_EQ(db.rows("SELECT count(*), sum(x) FROM ships"), "1|2.0") << queried;
   }
   EXPECT_EQ(db.rows("SELECT count(*) FROM ships"), "1000");
   db.exec("INSERT INTO ships(ships) VALUES('integrity-check')");

@@ -140,7 +140,7 @@ class BoxContact final : public SetContact<D, Degree> {
     put_motion(lanes_, l, relative, half,
                moments.end_exact ? moments.dt_end : moments.dt_end * (1 + 2 * unit_roundoff));
     // Lanes look at pairs that both exist from now on, and at no times beyond 2^40: for others, no answer.
-    const bool from_now = !moments.none && moments.begin_exact && moments.dt_begin == 0;
+    const bool from_now = !moments.none && moments.start_exact && moments.dt_start == 0;
     if (!from_now || relative.underflow > usual_underflow) lanes_.x[0][l] = std::nan("");
   }
 

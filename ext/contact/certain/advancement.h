@@ -26,9 +26,9 @@ class Advancement {
                                CertainScratch& scratch)
       : certain_(set, setup, row_a, row_b, scratch) {
     constexpr double u = unit_roundoff;
-    const double begin = moments.dt_begin, end = moments.dt_end;
-    begin_ = std::max(moments.begin_exact ? begin : begin * (1 - 2 * u), near.begin);
-    inner_begin_ = moments.begin_exact ? begin : begin * (1 + 2 * u);
+    const double begin = moments.dt_start, end = moments.dt_end;
+    begin_ = std::max(moments.start_exact ? begin : begin * (1 - 2 * u), near.begin);
+    inner_start_ = moments.start_exact ? begin : begin * (1 + 2 * u);
     end_ = moments.end_exact ? end : end * (1 + 2 * u);
     inner_end_ = moments.end_exact ? end : end * (1 - 2 * u);
     near_end_ = std::min(end_, near.end);
@@ -42,7 +42,7 @@ class Advancement {
       const double step = apart(tau);
       const double next = step >= 0 ? after_leap(tau, step) : tau;
       if (next > near_end_) return Verdict::no;
-      const double inside = std::max(next * (1 + 0x1p-20), inner_begin_);
+      const double inside = std::max(next * (1 + 0x1p-20), inner_start_);
       if (inside <= inner_end_ && certain_.now_within(inside)) return Verdict::yes;
       if (!(next > tau)) break;
       tau = next;
@@ -57,7 +57,7 @@ class Advancement {
     const double stopped = leap([this](double tau) { return apart(tau); }, begin_, near_end_);
     if (stopped == for_ever) return Verdict::no;
     first = {stopped, stopped};
-    const bool met = witness([this](double tau) { return certain_.now_within(tau); }, first, inner_begin_);
+    const bool met = witness([this](double tau) { return certain_.now_within(tau); }, first, inner_start_);
     return met ? Verdict::yes : Verdict::uncertain;
   }
 
@@ -80,13 +80,13 @@ class Advancement {
   double apart(double tau) { return certain_.apart(tau, room_from(tau, near_end_)); }
 
   /// root_bracketing.h, up to the moments that certainly count.
-  template <class Ask>
-  bool witness(Ask&& ask, Bracket& bracket, double earliest) const {
-    return foresee::witness(ask, bracket, earliest, inner_end_);
+  template <class Predicate>
+  bool witness(Predicate&& predicate, Bracket& bracket, double earliest) const {
+    return foresee::witness(predicate, bracket, earliest, inner_end_);
   }
 
   CertainSet<D, Degree> certain_;
-  double begin_, inner_begin_, inner_end_, end_;
+  double begin_, inner_start_, inner_end_, end_;
   double near_end_;  ///< they do not touch later
 };
 

@@ -40,17 +40,18 @@ class Chord {
     }
   }
 
-  /// Of `asked`, the moments at which the pair may be between all `faces`, as those of a set's hull: at no
+  /// Of `queried`, the moments at which the pair may be between all `faces`, as those of a set's hull: at no
   /// other is it.
   template <class Lengths>
-  Interval<Real> between(const Faces* faces, int count, const Lengths& lengths, Interval<Real> asked) const {
+  Interval<Real> between(const Faces* faces, int count, const Lengths& lengths,
+                         Interval<Real> queried) const {
     for (int i = 0; i < count; ++i) {
       const Real below = crossing(faces[i].axis, -1, faces[i].has_below, faces[i].below, lengths);
       const Real above = crossing(faces[i].axis, 1, faces[i].has_above, faces[i].above, lengths);
-      asked.begin = greater(lesser(below, above), asked.begin);
-      asked.end = lesser(greater(above, below), asked.end);
+      queried.begin = greater(lesser(below, above), queried.begin);
+      queried.end = lesser(greater(above, below), queried.end);
     }
-    return asked;
+    return queried;
   }
 
   /// What a crossing is made of.

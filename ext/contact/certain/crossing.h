@@ -30,10 +30,10 @@ inline Instant earlier(const Instant& a, const Instant& b) {
 /// Space for crossings, used for one after another.
 struct CrossingScratch {
   std::vector<Instant> known;  ///< the crossing of each primitive that was asked for
-  std::vector<char> asked;
+  std::vector<char> tested;
 
   explicit CrossingScratch(const ContactSet& set)
-      : known(set.primitives().size()), asked(set.primitives().size()) {}
+      : known(set.primitives().size()), tested(set.primitives().size()) {}
 };
 
 template <CrossingDirection direction, int D, int Degree>
@@ -50,7 +50,7 @@ class Crossing {
     for (int j = 0; j < D; ++j)
       place_[j][0] = Degree < 2 ? relative.x[j] + tau * relative.v[j]
                                 : relative.x[j] + tau * (relative.v[j] + tau * relative.a[j]);
-    std::fill(scratch.asked.begin(), scratch.asked.end(), false);
+    std::fill(scratch.tested.begin(), scratch.tested.end(), false);
   }
 
   /// When the set begins or ceases to be met, or unknown.
@@ -89,8 +89,8 @@ class Crossing {
   /// When primitive number i is crossed; computed once.
   Instant of(int i) {
     const auto place = static_cast<std::size_t>(i);
-    if (!scratch_.asked[place]) {
-      scratch_.asked[place] = true;
+    if (!scratch_.tested[place]) {
+      scratch_.tested[place] = true;
       scratch_.known[place] = of(certain_.set().primitives()[place]);
     }
     return scratch_.known[place];

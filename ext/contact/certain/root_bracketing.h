@@ -21,12 +21,12 @@ inline double after_leap(double tau, double step) {
   return (tau + step) * (1 - 4 * unit_roundoff) - 0x1p-1060;
 }
 
-/// The moment up to which what `ask` tells stays certain; for_ever if it does for the whole of [tau, end].
+/// The moment up to which what `predicate` tells stays certain; for_ever if it does for the whole of [tau, end].
 /// ask(tau) says for how long from tau on, below 0 if not even then.
-template <class Ask>
-double leap(Ask&& ask, double tau, double end) {
+template <class Predicate>
+double leap(Predicate&& predicate, double tau, double end) {
   for (int leaps = 0; leaps < most_leaps; ++leaps) {
-    const double step = ask(tau);
+    const double step = predicate(tau);
     if (!(step >= 0)) return tau;
     const double next = after_leap(tau, step);
     if (next > end) return for_ever;
@@ -37,20 +37,20 @@ double leap(Ask&& ask, double tau, double end) {
   return tau;
 }
 
-/// Looks just behind bracket.before, from `earliest` on, for a moment at which `ask` is certain: if there is
+/// Looks just behind bracket.before, from `earliest` on, for a moment at which `predicate` is certain: if there is
 /// one, it is bracket.after, else that is `end`.
-template <class Ask>
-bool witness(Ask&& ask, Bracket& bracket, double earliest, double end) {
+template <class Predicate>
+bool witness(Predicate&& predicate, Bracket& bracket, double earliest, double end) {
   double step = bracket.before > 0 ? 0x1p-48 * bracket.before : 0x1p-60 * end;
   for (int attempt = 0; attempt < 9; ++attempt, step *= 64) {
     const double tau = std::max(bracket.before + (attempt == 0 ? 0 : step), earliest);
     if (tau > end) break;
-    if (!ask(tau)) continue;
+    if (!predicate(tau)) continue;
     bracket.after = tau;
     return true;
   }
   bracket.after = end;
-  return end >= earliest && ask(end);
+  return end >= earliest && predicate(end);
 }
 
 }  // namespace foresee

@@ -51,13 +51,13 @@ struct LengthRows {
 
 /// When both exist, from now on: rounded outward, and inward.
 struct Lives {
-  Interval<Doubles> asked, inner;
+  Interval<Doubles> queried, inner;
 
   Lives(const LanesQuestion& q, const Rows& a, const Rows& b) {
     constexpr double u = unit_roundoff;
     const Doubles start = greater(greater(a(q.a.t), b(q.b.t)), Doubles(q.now)) - q.now;
     const Doubles stop = lesser(a(q.a.until, for_ever), b(q.b.until, for_ever)) - q.now;
-    asked = {start * (1 - 2 * u), lesser(stop * (1 + 2 * u), Doubles(q.h))};
+    queried = {start * (1 - 2 * u), lesser(stop * (1 + 2 * u), Doubles(q.h))};
     inner = {start * (1 + 2 * u), lesser(stop * (1 - 2 * u), Doubles(q.h))};
   }
 };
@@ -78,9 +78,9 @@ class Look {
 
   /// Only then can they touch.
   Interval<Doubles> interval() const {
-    const Chord<D, Doubles> chord(relative_, lives_.asked.end);
-    const Interval<Doubles> near = chord.between(q_.set.hull, q_.set.hull_count, lengths_, lives_.asked);
-    return {select(usual_, near.begin, lives_.asked.begin), select(usual_, near.end, lives_.asked.end)};
+    const Chord<D, Doubles> chord(relative_, lives_.queried.end);
+    const Interval<Doubles> near = chord.between(q_.set.hull, q_.set.hull_count, lengths_, lives_.queried);
+    return {select(usual_, near.begin, lives_.queried.begin), select(usual_, near.end, lives_.queried.end)};
   }
 
   /// At a moment they certainly touch.

@@ -54,7 +54,7 @@ class ExactApproach {
     const auto [first, second] = minima();
     AlgebraicRoot& best = second && second_is_nearer(*first, *second) ? *second : *first;
     const double distance = distance_at(best);
-    if (&best == &begin_) return {m.t_begin, m.dt_begin, distance};
+    if (&best == &begin_) return {m.t_start, m.dt_start, distance};
     if (&best == &end_) return {m.t_end, m.dt_end, distance};
     return {rounded(best, moments_.now), rounded(best, Dyadic()), distance};
   }

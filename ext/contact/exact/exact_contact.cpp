@@ -43,7 +43,7 @@ class ExactPair {
       intervals.insert(intervals.end(), held.begin(), held.end());
     }
     if (intervals.empty()) return {};
-    std::iter_swap(intervals.begin(), std::min_element(intervals.begin(), intervals.end(), begins_before));
+    std::iter_swap(intervals.begin(), std::min_element(intervals.begin(), intervals.end(), starts_before));
     std::size_t joined = joined_to_first(intervals);
     while (between && goes_on_after(intervals, joined, between)) {
       if (joined == intervals.size()) {
@@ -104,7 +104,7 @@ class ExactPair {
 
   Instant instant(AlgebraicRoot& moment) const {
     const Moments& m = moments_.rounded;
-    if (&moment == &begin_) return {m.dt_begin, m.t_begin};
+    if (&moment == &begin_) return {m.dt_start, m.t_start};
     if (&moment == &end_) return {m.dt_end, m.t_end};
     return {rounded(moment, Dyadic()), rounded(moment, moments_.now)};
   }
@@ -191,7 +191,7 @@ class ExactPair {
 
   /// Two intervals that certainly overlap are one contact whichever begins before: no need to compare
   /// exactly.
-  static bool begins_before(const TimeInterval& a, const TimeInterval& b) {
+  static bool starts_before(const TimeInterval& a, const TimeInterval& b) {
     const int rough = (a.first->at - b.first->at).sign();
     if (rough != unknown_sign) return rough < 0;
     if ((b.last->at - a.first->at).sign() == 1 && (a.last->at - b.first->at).sign() == 1) return false;
@@ -262,7 +262,7 @@ ExactMoments exact_moments_of(const Setup& setup, const double* row_a, const dou
   moments.rounded = moments_of(setup, row_a, row_b);
   moments.now = Dyadic(setup.horizon.now);
   const Moments& m = moments.rounded;
-  moments.begin = Dyadic(m.t_begin) - moments.now;
+  moments.begin = Dyadic(m.t_start) - moments.now;
   moments.end = m.ends_with_horizon ? Dyadic(setup.horizon.h) : Dyadic(m.t_end) - moments.now;
   return moments;
 }

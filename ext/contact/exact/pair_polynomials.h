@@ -34,7 +34,7 @@ class PiecePolynomials : public PolynomialSource {
   LazyPolynomial& polynomial(std::size_t number) { return polynomials_[number]; }
 
   /// From now on what takes microseconds, as each piece does, is some steps, which must outlive this.
-  void heed(Steps& steps) { steps_ = &steps; }
+  void set_interrupt(Steps& steps) { steps_ = &steps; }
   void step() {
     if (steps_) steps_->costly(256);  // microseconds, where others take some nanoseconds
   }

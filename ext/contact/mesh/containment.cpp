@@ -133,7 +133,7 @@ bool is_enclosed(const TriangleTree& solid, SeenCorner& corner, Steps& steps) {
   return Ray(solid, corner, steps).crossings(BoxTree<3>::root) % 2 != 0;
 }
 
-bool Containment::at_begin() {
+bool Containment::at_start() {
   return may_be() && at(exact_moments_of(setup_, row_a_, row_b_).begin);
 }
 

@@ -79,7 +79,7 @@ class Containment {
   /// Whether one of the two has an inside.
   bool may_be() const { return a_.solid() || b_.solid(); }
   /// When what is asked about begins. Where the surfaces touch then it may say anything.
-  bool at_begin();
+  bool at_start();
   /// At a moment from now on. Requires: the surfaces do not touch then.
   bool at(const Dyadic& moment);
 

@@ -23,10 +23,10 @@ class DiscTests {
   DiscTests(const SpacePieces& a, const SpacePieces& b, const Chord<3>& chord,
             const CertainMotion<3>& relative, const SpaceSizes<Bounded>& sizes, double end);
 
-  Interval<double> near(Node a, Node b, const Interval<double>& asked) const {
-    if (!a_) return boxes_.near(a, b, asked);
+  Interval<double> near(Node a, Node b, const Interval<double>& queried) const {
+    if (!a_) return boxes_.near(a, b, queried);
     const BoundingDisc &one = a_->of(a), &other = b_->of(b);
-    const Interval<double> near = boxes_.boxes().quickly_between(one, other, asked);
+    const Interval<double> near = boxes_.boxes().quickly_between(one, other, queried);
     return near.begin <= near.end ? cut(one, other, near) : near;
   }
   bool is_larger(Node a, Node b) const {

@@ -37,8 +37,12 @@ struct Corners {
 class Passing {
  public:
   Passing(const Corners& a, const Corners& b, const std::array<Coefficients<Bounded, 2>, 3>& x,
-          const Bounded& radius, const UncertainInterval& asked)
-      : a_(a), b_(b), radius_(radius.value + radius.error), begin_(asked.begin.low), end_(asked.end.high) {
+          const Bounded& radius, const UncertainInterval& queried)
+      : a_(a),
+        b_(b),
+        radius_(radius.value + radius.error),
+        begin_(queried.begin.low),
+        end_(queried.end.high) {
     double size = a.size() + b.size(), lost = 0;
     for (std::size_t j = 0; j < 3; ++j) {
       place_[j] = x[j][0].value, speed_[j] = x[j][1].value + end_ * x[j][2].value;
@@ -114,9 +118,9 @@ constexpr unsigned all_axes = ~0U;
 
 TriangleFilter filter_triangles(const SpacePiece& a, const SpacePiece& b,
                                 const std::array<Coefficients<Bounded, 2>, 3>& x, const Bounded& radius,
-                                const UncertainInterval& asked) {
+                                const UncertainInterval& queried) {
   const Corners corners_a(a), corners_b(b);
-  Passing passing(corners_a, corners_b, x, radius, asked);
+  Passing passing(corners_a, corners_b, x, radius, queried);
   for (const Corners* corners : {&corners_a, &corners_b})
     if (passing.are_apart_across(corners->edge(0), corners->edge(1))) return apart;
   for (std::size_t i = 0; i < 3; ++i)

@@ -1,7 +1,7 @@
 // When do two pieces in space touch, certainly and possibly? All conditions of their sum, grown or not
 // (round_parts.h, round_parts.h), in doubles with error bounds.
 //
-//   SpaceTests<1> tests(a, b, relative, asked, sizes, true, space);
+//   SpaceTests<1> tests(a, b, relative, queried, sizes, true, space);
 //   for (const PieceInterval& interval : tests.of(triangle_a, triangle_b)) best = std::min(best, interval.begin.high);
 //
 // Where the sum is flat, as that of a triangle and a point is, d goes through it in a moment: begin and end
@@ -22,7 +22,7 @@ namespace foresee {
 // What do plain doubles tell of two triangles that pass each other? The first question about a pair of them,
 // which lets most go, and saves the rest most of what is asked with error bounds.
 //
-//   const TriangleFilter passing = filter_triangles(a, b, x, radius, asked);
+//   const TriangleFilter passing = filter_triangles(a, b, x, radius, queried);
 //   if (passing.is_apart() || passing.near.begin > by) return;      // else they may touch by then
 //   SpaceHull(a, b).for_each(take, passing.axes);                   // the planes that matter
 //
@@ -42,18 +42,18 @@ struct TriangleFilter {
 /// `x`: d by powers of the time from now on. Requires: two triangles.
 TriangleFilter filter_triangles(const SpacePiece& a, const SpacePiece& b,
                                 const std::array<Coefficients<Bounded, 2>, 3>& x, const Bounded& radius,
-                                const UncertainInterval& asked);
+                                const UncertainInterval& queried);
 
 template <int Degree>
 class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   using Base = PairTests<SpaceTests, SpaceCondition>;
 
  public:
-  /// `asked`: the moments asked about, enclosed. What is given must outlive this.
+  /// `queried`: the moments asked about, enclosed. What is given must outlive this.
   SpaceTests(const SpacePieces& a, const SpacePieces& b, const CertainMotion<3>& relative,
-             const UncertainInterval& asked, const SpaceSizes<Bounded>& sizes, bool times_wanted,
+             const UncertainInterval& queried, const SpaceSizes<Bounded>& sizes, bool times_wanted,
              PieceWorkspace<SpaceCondition>& space)
-      : Base(asked, times_wanted, space),
+      : Base(queried, times_wanted, space),
         a_(a),
         b_(b),
         relative_(relative),
@@ -66,8 +66,8 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
  private:
   friend Base;
   using Kind = SpaceCondition::Kind;
-  using Base::asked_, Base::space_;
   using Base::begin_part, Base::end_part, Base::keep;
+  using Base::queried_, Base::space_;
 
   static std::array<Coefficients<Bounded, Degree>, 3> from_now(const CertainMotion<3>& relative,
                                                                const SpaceSizes<Bounded>& sizes) {
@@ -83,7 +83,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     const SpacePiece a = a_.piece(pair.a), b = b_.piece(pair.b);
     unsigned axes = ~0U;
     if (!a.is_box() && !b.is_box()) {
-      const TriangleFilter passing = filter_triangles(a, b, plain_x_, radius_, asked_);
+      const TriangleFilter passing = filter_triangles(a, b, plain_x_, radius_, queried_);
       if (passing.is_apart()) return true;
       if (passing.near.begin > by) return false;
       axes = passing.axes;
@@ -176,16 +176,16 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     // Along the plane, in it: what has no error is 0.
     if (std::all_of(p.begin(), p.end(), [](const Bounded& c) { return c.value == 0 && c.error == 0; }))
       return SublevelIntervals::one(UncertainInterval::always());
-    return times_inside(p, lost_, asked_.end.high);
+    return times_inside(p, lost_, queried_.end.high);
   }
 
   void keep_round(const SpaceCondition& round) {
     if (space_.clipped.empty()) return;
     if (round.kind == Kind::slab) return keep_slab(round);
     if constexpr (Degree > 1)
-      keep(round, sublevel_by_leaps([&](double tau) { return polynomial_at(round, tau); }, lost_, asked_));
+      keep(round, sublevel_by_leaps([&](double tau) { return polynomial_at(round, tau); }, lost_, queried_));
     else
-      keep(round, times_inside(round_polynomial<Degree>(round, x_, radius_), lost_, asked_.end.high));
+      keep(round, times_inside(round_polynomial<Degree>(round, x_, radius_), lost_, queried_.end.high));
   }
   /// As two planes: fewer powers than their square has.
   void keep_slab(const SpaceCondition& slab) {

@@ -91,7 +91,7 @@ Coefficients<T, 2 * K> round_polynomial(const Condition& condition, const Coeffi
   subtract_square_multiple<2 * K>(p, radius, Once{});
   for (int j = 0; j < 2; ++j) {
     Coefficients<T, K> gap = x[j];
-    gap[0] = gap[0] - begin_of<T>(condition.edge, j);
+    gap[0] = gap[0] - start_of<T>(condition.edge, j);
     p[0] = p[0] + square(gap[0]);
     add_square_above<K>(p, gap);
   }

@@ -61,7 +61,7 @@ class ConvexSum {
 
 /// Where it begins, on an axis.
 template <class T>
-T begin_of(const SumEdge& edge, int axis) {
+T start_of(const SumEdge& edge, int axis) {
   return axis == 0 ? Exactly<T>::difference_of(edge.p->x, edge.q->x)
                    : Exactly<T>::difference_of(edge.p->y, edge.q->y);
 }
@@ -88,7 +88,7 @@ template <int K, class T>
 Coefficients<T, K> beyond(const SumEdge& edge, const Coefficients<T, K>* x) {
   const T ex = run_of<T>(edge, 0), ey = run_of<T>(edge, 1);
   Coefficients<T, K> p{};
-  p[0] = ey * (x[0][0] - begin_of<T>(edge, 0)) - ex * (x[1][0] - begin_of<T>(edge, 1));
+  p[0] = ey * (x[0][0] - start_of<T>(edge, 0)) - ex * (x[1][0] - start_of<T>(edge, 1));
   for (int k = 1; k <= K; ++k) p[k] = ey * x[0][k] - ex * x[1][k];
   return p;
 }

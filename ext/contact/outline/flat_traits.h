@@ -19,7 +19,7 @@ namespace foresee {
 // When do two convex pieces touch, certainly and possibly? All conditions of their sum (convex_sum.h), in
 // doubles with error bounds.
 //
-//   PieceTests<2, 1> tests(a, b, relative, asked, sizes, true, space);
+//   PieceTests<2, 1> tests(a, b, relative, queried, sizes, true, space);
 //   for (const PieceInterval& interval : tests.of(piece_a, piece_b)) best = std::min(best, interval.begin.high);
 //
 // Corners are differenced before the motion comes in, and the motion's positions before that, so that far
@@ -36,11 +36,11 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
   using Base = PairTests<PieceTests, Condition>;
 
  public:
-  /// `asked`: the moments asked about, enclosed. What is given must outlive this.
+  /// `queried`: the moments asked about, enclosed. What is given must outlive this.
   PieceTests(const ObjectPieces& a, const ObjectPieces& b, const CertainMotion<D>& relative,
-             const UncertainInterval& asked, const PairSizes<Bounded>& sizes, bool times_wanted,
+             const UncertainInterval& queried, const PairSizes<Bounded>& sizes, bool times_wanted,
              FlatSpace& space)
-      : Base(asked, times_wanted, space),
+      : Base(queried, times_wanted, space),
         a_(a),
         b_(b),
         relative_(relative),
@@ -48,13 +48,13 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
         lost_(relative.underflow + 0x1p-1060),
         edges_(space.edges),
         x_(expanded_at<Degree>(relative, 0)),
-        chord_(relative, asked.end.high) {}
+        chord_(relative, queried.end.high) {}
 
  private:
   friend Base;
   using Kind = Condition::Kind;
-  using Base::asked_, Base::space_;
   using Base::begin_part, Base::end_part, Base::is_decided, Base::keep, Base::share;
+  using Base::queried_, Base::space_;
 
   bool test(const PiecePair& pair, double /*by*/) {
     Base::begin_test();
@@ -122,10 +122,10 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
   Interval<double> near_edge(const SumEdge& edge, const Interval<double>& when) const {
     static constexpr Faces faces[] = {{.axis = 0, .below = {0}, .above = {1}},
                                       {.axis = 1, .below = {2}, .above = {3}}};
-    const Bounded radius = largest(sizes_.radius, asked_.end.high);
+    const Bounded radius = largest(sizes_.radius, queried_.end.high);
     Bounded reach[4];
     for (int j = 0; j < 2; ++j) {
-      const Bounded begin = begin_of<Bounded>(edge, j), end = end_of<Bounded>(edge, j);
+      const Bounded begin = start_of<Bounded>(edge, j), end = end_of<Bounded>(edge, j);
       const double error = std::max(begin.error, end.error);
       reach[2 * j] = radius - Bounded{std::min(begin.value, end.value), error};
       reach[2 * j + 1] = radius + Bounded{std::max(begin.value, end.value), error};
@@ -137,9 +137,9 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
     if (space_.clipped.empty()) return;
     if (Degree > 1 && condition.kind == Kind::corner)
       return keep(condition, sublevel_by_leaps([&](double tau) { return around_corner(condition, tau); },
-                                               lost_, asked_));
+                                               lost_, queried_));
     // Of more powers are sides alone, which beside() has, and corners.
-    with_polynomial<Degree>(condition, x_, sizes_, [&, last = asked_.end.high](const auto& p) {
+    with_polynomial<Degree>(condition, x_, sizes_, [&, last = queried_.end.high](const auto& p) {
       if constexpr (std::tuple_size_v<std::decay_t<decltype(p)>> < 5)
         this->keep(condition, times_inside(p, lost_, last));
     });
@@ -152,7 +152,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
       for (Bounded& c : p) c = -c;
     // R may be large: what underflow loses of the square counts before the product.
     subtract_multiple<Degree>(p, sizes_.radius, sqrt(with_lost(squared_length<Bounded>(edge), 0x1p-1060)));
-    return times_inside(p, lost_, asked_.end.high);
+    return times_inside(p, lost_, queried_.end.high);
   }
 
   Coefficients<Bounded, 4> around_corner(const Condition& condition, double tau) const {
@@ -190,7 +190,7 @@ struct FlatTraits {
     Containment(const Setup&, const double*, const double*, const Pieces&, const Pieces&,
                 const CertainMotion<D>&, Steps&) {}
     static constexpr bool may_be() { return false; }
-    static constexpr bool at_begin() { return false; }
+    static constexpr bool at_start() { return false; }
     static constexpr bool at(const Dyadic&) { return false; }
   };
 

@@ -125,7 +125,7 @@ FilterAnswer filter_outlines(const LinearPath& path, const ObjectPieces& a, cons
     if (!times_wanted || !pair.may_touch_at_start ||
         is_near(one, other, path.begin, path.begin, radius, path.slack) != Verdict::yes)
       continue;
-    all.touches = Verdict::yes, all.at_begin = true;
+    all.touches = Verdict::yes, all.at_start = true;
     // A convex set has all of a line that has both ends in it.
     const auto holds_at = [&](const Corner& d) {
       return is_near(one, other, d, d, radius, path.slack + path.bend) == Verdict::yes;

@@ -25,19 +25,19 @@ class EndpointRounding {
  public:
   EndpointRounding(const Setup& setup, const double* row_a, const double* row_b,
                    const CertainMotion<D>& certain, const Sizes<Bounded>& sizes, const Moments& moments,
-                   const UncertainInterval& asked)
+                   const UncertainInterval& queried)
       : setup_(setup),
         row_a_(row_a),
         row_b_(row_b),
         certain_(certain),
         moments_(moments),
-        asked_(asked),
+        queried_(queried),
         sizes_(sizes) {}
 
   /// Requires: the stay is certain, and these are its ends.
   Instant begin(const UncertainInterval& interval, std::span<const EndpointCandidate<Condition>> ends) {
     Instant begin{-UncertainInterval::inf, -UncertainInterval::inf};
-    if (asked_.begin.meets(interval.begin)) begin = {moments_.dt_begin, moments_.t_begin};
+    if (queried_.begin.meets(interval.begin)) begin = {moments_.dt_start, moments_.t_start};
     for (const EndpointCandidate<Condition>& end : ends)
       if (end.direction == CrossingDirection::entering)
         begin = later(begin, instant<CrossingDirection::entering>(end));
@@ -45,7 +45,7 @@ class EndpointRounding {
   }
   Instant end(const UncertainInterval& interval, std::span<const EndpointCandidate<Condition>> ends) {
     Instant last{UncertainInterval::inf, UncertainInterval::inf};
-    if (asked_.end.meets(interval.end)) last = {moments_.dt_end, moments_.t_end};
+    if (queried_.end.meets(interval.end)) last = {moments_.dt_end, moments_.t_end};
     for (const EndpointCandidate<Condition>& end : ends)
       if (end.direction == CrossingDirection::leaving)
         last = earlier(last, instant<CrossingDirection::leaving>(end));
@@ -56,7 +56,7 @@ class EndpointRounding {
   template <CrossingDirection direction>
   Instant instant(const EndpointCandidate<Condition>& end) {
     const double width = (end.at.high - end.at.low) * (1 + 4 * unit_roundoff);
-    const double base = std::clamp(end.at.low + 0.5 * width, 0.0, asked_.end.high);
+    const double base = std::clamp(end.at.low + 0.5 * width, 0.0, queried_.end.high);
     const auto place = place_at(base);
     const DoubleDouble value = with_polynomial<0>(end.condition, place, expanded_at(*fine_sizes_, base),
                                                   [](const auto& p) { return p[0]; });
@@ -96,7 +96,7 @@ class EndpointRounding {
   const double *row_a_, *row_b_;
   const CertainMotion<D>& certain_;
   const Moments& moments_;
-  const UncertainInterval& asked_;
+  const UncertainInterval& queried_;
   const Sizes<Bounded>& sizes_;
   std::optional<Sizes<DoubleDouble>> fine_sizes_;  ///< and the motion, once they are needed
   RelativeMotion<DoubleDouble, D> relative_;

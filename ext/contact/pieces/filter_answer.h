@@ -7,7 +7,7 @@ namespace foresee {
 
 struct FilterAnswer {
   Verdict touches = Verdict::uncertain;
-  bool at_begin = false;   ///< they surely touch when what is asked about begins
+  bool at_start = false;   ///< they surely touch when what is asked about begins
   bool all_along = false;  ///< and until it ends
 };
 

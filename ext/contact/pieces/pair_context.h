@@ -33,9 +33,9 @@ struct PairContext {
         moments(moments),
         steps(steps),
         relative(certain_motion_of<Traits::axes, Traits::degree>(setup, row_a, row_b)),
-        asked(asked_of(moments)),
+        queried(queried_of(moments)),
         sizes(Traits::template sizes_of<Bounded>(setup, row_a, row_b)),
-        walk(a, b, relative, {asked.begin.low, asked.end.high}, sizes, steps) {}
+        walk(a, b, relative, {queried.begin.low, queried.end.high}, sizes, steps) {}
 
   PairContext(const PairContext&) = delete;
   PairContext& operator=(const PairContext&) = delete;
@@ -46,18 +46,18 @@ struct PairContext {
   const Moments& moments;
   Steps& steps;
   const CertainMotion<Traits::axes> relative;
-  const UncertainInterval asked;  ///< the moments, enclosed
+  const UncertainInterval queried;  ///< the moments, enclosed
   const typename Traits::template Sizes<Bounded> sizes;
   const TreeWalk<Traits::axes, Pieces, typename Traits::NodeTests> walk;
 
  private:
   /// Outward and inward.
-  static UncertainInterval asked_of(const Moments& moments) {
+  static UncertainInterval queried_of(const Moments& moments) {
     constexpr double u = unit_roundoff;
-    const double begin = moments.dt_begin, end = moments.dt_end;
-    const double wider_begin = moments.begin_exact ? 0 : 2 * u * begin;
+    const double begin = moments.dt_start, end = moments.dt_end;
+    const double wider_start = moments.start_exact ? 0 : 2 * u * begin;
     const double wider_end = moments.end_exact ? 0 : 2 * u * end;
-    return {{begin - wider_begin, begin + wider_begin}, {end - wider_end, end + wider_end}};
+    return {{begin - wider_start, begin + wider_start}, {end - wider_end, end + wider_end}};
   }
 };
 

@@ -21,7 +21,7 @@ class PairIntervals {
       : context_(context),
         containment_(context.setup, context.row_a, context.row_b, context.a, context.b, context.relative,
                      context.steps),
-        tests_(context.a, context.b, context.relative, context.asked, context.sizes, times_wanted, space) {}
+        tests_(context.a, context.b, context.relative, context.queried, context.sizes, times_wanted, space) {}
 
   PairIntervals(const PairIntervals&) = delete;
   PairIntervals& operator=(const PairIntervals&) = delete;
@@ -45,17 +45,17 @@ class PairIntervals {
     double until = from, passed_by = from;
     while (passed_by <= until) {
       passed_by = UncertainInterval::inf;
-      const auto begins_by_then = [&](double begin) {
+      const auto starts_by_then = [&](double begin) {
         if (begin > until) passed_by = std::min(passed_by, begin);
         return begin <= until;
       };
       context_.walk.visit(
           Order::earlier_first,
-          [&](const Interval<double>& near) { return near.end >= from && begins_by_then(near.begin); },
+          [&](const Interval<double>& near) { return near.end >= from && starts_by_then(near.begin); },
           [&](std::size_t a, std::size_t b, const Interval<double>& near) {
             for (const PieceInterval& interval : tests_.of(a, b)) {
               const auto [begin, end] = possible(interval, near);
-              if (begin <= end && end >= from && begins_by_then(begin)) until = std::max(until, end);
+              if (begin <= end && end >= from && starts_by_then(begin)) until = std::max(until, end);
             }
           });
     }
@@ -82,10 +82,10 @@ class PairIntervals {
   }
   /// Whether one lies within the other when what is asked about begins. Where the surfaces touch then it may
   /// say anything.
-  bool is_within_at_begin() {
+  bool is_within_at_start() {
     const Interval<double>& near = context_.walk.near();
-    return containment_.may_be() && near.begin <= context_.asked.begin.high && near.begin <= near.end &&
-           containment_.at_begin();
+    return containment_.may_be() && near.begin <= context_.queried.begin.high && near.begin <= near.end &&
+           containment_.at_start();
   }
   bool is_grown() const { return is_of_size(context_.sizes.radius); }  ///< near counts as touching
 

@@ -50,14 +50,14 @@ class PairTests {
   }
 
  protected:
-  PairTests(const UncertainInterval& asked, bool times_wanted, PieceWorkspace<Condition>& space)
-      : asked_(asked), times_wanted_(times_wanted), space_(space) {
+  PairTests(const UncertainInterval& queried, bool times_wanted, PieceWorkspace<Condition>& space)
+      : queried_(queried), times_wanted_(times_wanted), space_(space) {
     space.clear();
   }
 
   void begin_test() {
     ++space_.tests;
-    space_.clipped.start(asked_);
+    space_.clipped.start(queried_);
     space_.all_ends.clear();
     space_.shared_ends = 0;
   }
@@ -102,10 +102,10 @@ class PairTests {
   bool is_decided() const {
     if (space_.intervals.empty() || !space_.intervals.back().is_certain()) return false;
     const PieceInterval& last = space_.intervals.back();
-    return !times_wanted_ || (last.begin.high <= asked_.begin.low && last.end.low >= asked_.end.high);
+    return !times_wanted_ || (last.begin.high <= queried_.begin.low && last.end.low >= queried_.end.high);
   }
 
-  const UncertainInterval asked_;
+  const UncertainInterval queried_;
   const bool times_wanted_;
   PieceWorkspace<Condition>& space_;
 

@@ -22,7 +22,7 @@ namespace foresee {
 // boxes that all lie within two others: whatever is the same for all of them is added up first.
 //
 //   const BoxChord<2> chord(Chord<2>(relative, end), box_around_a, box_around_b, grown);
-//   const Interval<double> near = chord.between(box_of_a, box_of_b, asked);        // empty: they never touch
+//   const Interval<double> near = chord.between(box_of_a, box_of_b, queried);  // empty: they never touch
 //
 // Rounding loses far less than the slack that all of it is given. Numbers too large for that take the way of
 // the chord itself. Cost: some nanoseconds.
@@ -44,31 +44,31 @@ class BoxChord {
     }
   }
 
-  /// Of `asked`.
-  Interval<double> between(const Box<axes>& a, const Box<axes>& b, const Interval<double>& asked) const {
-    return is_plain_ ? quickly_between(a, b, asked) : carefully_between(a, b, asked);
+  /// Of `queried`.
+  Interval<double> between(const Box<axes>& a, const Box<axes>& b, const Interval<double>& queried) const {
+    return is_plain_ ? quickly_between(a, b, queried) : carefully_between(a, b, queried);
   }
 
   bool is_plain() const { return is_plain_; }
   /// Also of boxes of floats. Requires: is_plain().
   template <class AnyBox>
-  Interval<double> quickly_between(const AnyBox& a, const AnyBox& b, Interval<double> asked) const {
+  Interval<double> quickly_between(const AnyBox& a, const AnyBox& b, Interval<double> queried) const {
     const auto gap = [](double to, double from) { return to - from; };
     for (int i = 0; i < axes; ++i) {
       const auto j = static_cast<decltype(a.lower.size())>(i);
       const double one = (gap(a.lower[j], b.upper[j]) + below_[i]) * steep_[i];
       const double other = (gap(a.upper[j], b.lower[j]) + above_[i]) * steep_[i];
-      asked.begin = greater(lesser(one, other), asked.begin);
-      asked.end = lesser(greater(one, other), asked.end);
+      queried.begin = greater(lesser(one, other), queried.begin);
+      queried.end = lesser(greater(one, other), queried.end);
     }
-    return asked;
+    return queried;
   }
 
  private:
   static Vec<axes> reach(const Box<axes>& box) { return box.lower.abs().max(box.upper.abs()); }
 
   [[gnu::noinline]] Interval<double> carefully_between(const Box<axes>& a, const Box<axes>& b,
-                                                       const Interval<double>& asked) const {
+                                                       const Interval<double>& queried) const {
     static constexpr Faces faces[] = {{.axis = 0, .below = {0}, .above = {1}},
                                       {.axis = 1, .below = {2}, .above = {3}},
                                       {.axis = 2, .below = {4}, .above = {5}}};
@@ -77,7 +77,7 @@ class BoxChord {
       most[2 * j] = Bounded{b.upper[j]} - Bounded{a.lower[j]} + grown_;
       most[2 * j + 1] = Bounded{a.upper[j]} - Bounded{b.lower[j]} + grown_;
     }
-    return chord_.between(faces, axes, most, asked);
+    return chord_.between(faces, axes, most, queried);
   }
 
   const Chord<D>& chord_;
@@ -101,9 +101,9 @@ class BoxTests {
            const Sizes& sizes, double end)
       : a_(a), b_(b), boxes_(chord, a.box(Pieces::root), b.box(Pieces::root), largest(sizes.radius, end)) {}
 
-  /// Of `asked`, when what is below the nodes could touch.
-  Interval<double> near(Node a, Node b, const Interval<double>& asked) const {
-    return boxes_.between(a_.box(a), b_.box(b), asked);
+  /// Of `queried`, when what is below the nodes could touch.
+  Interval<double> near(Node a, Node b, const Interval<double>& queried) const {
+    return boxes_.between(a_.box(a), b_.box(b), queried);
   }
   /// Whether the first node is the larger.
   bool is_larger(Node a, Node b) const { return margin(a_.box(a)) >= margin(b_.box(b)); }
@@ -122,17 +122,17 @@ class BoxTests {
 template <int D, class Pieces, class NodeTests = BoxTests<D, Pieces>>
 class TreeWalk {
  public:
-  /// `asked`: the moments asked about. `sizes`: how near counts as touching, and of prisms how far along z.
+  /// `queried`: the moments asked about. `sizes`: how near counts as touching, and of prisms how far along z.
   /// Each pair of nodes is a step, each of pieces takes as long as some.
   template <class Sizes>
-  TreeWalk(const Pieces& a, const Pieces& b, const CertainMotion<D>& relative, const Interval<double>& asked,
-           const Sizes& sizes, Steps& steps)
+  TreeWalk(const Pieces& a, const Pieces& b, const CertainMotion<D>& relative,
+           const Interval<double>& queried, const Sizes& sizes, Steps& steps)
       : a_(a),
         b_(b),
-        chord_(relative, asked.end),
-        asked_(overlap_along_z(chord_, asked, sizes)),
-        tests_(a, b, chord_, relative, sizes, asked.end),
-        near_(tests_.near(Pieces::root, Pieces::root, asked_)),
+        chord_(relative, queried.end),
+        queried_(overlap_along_z(chord_, queried, sizes)),
+        tests_(a, b, chord_, relative, sizes, queried.end),
+        near_(tests_.near(Pieces::root, Pieces::root, queried_)),
         steps_(steps) {}
 
   /// When the two could touch, at most: never if the end is before the begin.
@@ -187,23 +187,23 @@ class TreeWalk {
     return tests_.is_larger(a, b);
   }
 
-  /// Of `asked`, when two prisms could overlap along z, whatever their outlines.
+  /// Of `queried`, when two prisms could overlap along z, whatever their outlines.
   template <class Sizes>
-  static Interval<double> overlap_along_z(const Chord<D>& chord, const Interval<double>& asked,
+  static Interval<double> overlap_along_z(const Chord<D>& chord, const Interval<double>& queried,
                                           const Sizes& sizes) {
     if constexpr (D == axes) {
-      return asked;
+      return queried;
     } else {
       const Faces faces{
           .axis = 2, .below = {0}, .above = {1}, .has_below = sizes.has_below, .has_above = sizes.has_above};
-      const Bounded reach[] = {largest(sizes.below, asked.end), largest(sizes.above, asked.end)};
-      return chord.between(&faces, 1, reach, asked);
+      const Bounded reach[] = {largest(sizes.below, queried.end), largest(sizes.above, queried.end)};
+      return chord.between(&faces, 1, reach, queried);
     }
   }
 
   const Pieces &a_, &b_;
   const Chord<D> chord_;
-  const Interval<double> asked_;
+  const Interval<double> queried_;
   const NodeTests tests_;
   const Interval<double> near_;  ///< of the roots
   Steps& steps_;

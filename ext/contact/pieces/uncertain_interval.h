@@ -94,7 +94,7 @@ SublevelIntervals times_inside(const Coefficients<Bounded, 2>& p, double lost, d
 /// polynomial_at(tau): by powers of the time after tau.
 template <class PolynomialAt>
 SublevelIntervals sublevel_by_leaps(PolynomialAt&& polynomial_at, double lost,
-                                    const UncertainInterval& asked);
+                                    const UncertainInterval& queried);
 
 class IntervalUnion {
  public:
@@ -120,8 +120,8 @@ class IntervalUnion {
 
 template <class PolynomialAt>
 SublevelIntervals sublevel_by_leaps(PolynomialAt&& polynomial_at, double lost,
-                                    const UncertainInterval& asked) {
-  const double last = asked.end.high;
+                                    const UncertainInterval& queried) {
+  const double last = queried.end.high;
   const auto lasts = [&](double side) {
     return [&polynomial_at, side, lost, last](double tau) {
       return positive_during(polynomial_at(tau), side, lost, (last - tau) * (1 + 4 * unit_roundoff));
@@ -134,7 +134,7 @@ SublevelIntervals sublevel_by_leaps(PolynomialAt&& polynomial_at, double lost,
     };
   };
   SublevelIntervals found = SublevelIntervals::never();
-  double tau = asked.begin.low;
+  double tau = queried.begin.low;
   while (found.count < 2) {
     Bracket in, out;
     in.before = leap(lasts(1), tau, last);
@@ -143,7 +143,7 @@ SublevelIntervals sublevel_by_leaps(PolynomialAt&& polynomial_at, double lost,
     interval = {{in.before, UncertainInterval::inf}, {-UncertainInterval::inf, UncertainInterval::inf}};
     if (!witness(is_certain(-1), in, in.before, last)) break;
     interval.begin =
-        in.after > asked.begin.low ? Enclosure{in.before, in.after} : UncertainInterval::always().begin;
+        in.after > queried.begin.low ? Enclosure{in.before, in.after} : UncertainInterval::always().begin;
     out.before = leap(lasts(-1), in.after, last);
     interval.end.low = std::min(out.before, UncertainInterval::inf);
     if (out.before == for_ever || !witness(is_certain(1), out, out.before, last)) break;

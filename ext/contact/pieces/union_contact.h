@@ -30,7 +30,7 @@ class UnionContact final : public Contact {
   UnionContact(const Setup& setup, const Tables& tables) : setup_(setup), tables_(tables) {}
 
   Reach reach() const override { return {setup_.within, setup_.within_z}; }
-  void heed(Interrupt& interrupt) override { steps_.emplace(interrupt); }
+  void set_interrupt(Interrupt& interrupt) override { steps_.emplace(interrupt); }
 
   std::string effort() const override {
     return a_pair(pieces_) + " pieces, " + a_pair(steps_->taken()) + " node tests and " +
@@ -92,9 +92,9 @@ class UnionContact final : public Contact {
     const FilterAnswer plain = filter_answer(context, true);
     if (plain.touches == Verdict::no) return {};
     if (plain.all_along)
-      return ContactTimes{moments.t_begin, moments.t_end, moments.dt_begin, moments.dt_end};
-    if (plain.at_begin && wanted != TimesWanted::both)
-      return ContactTimes{moments.t_begin, moments.t_begin, moments.dt_begin, moments.dt_begin};
+      return ContactTimes{moments.t_start, moments.t_end, moments.dt_start, moments.dt_end};
+    if (plain.at_start && wanted != TimesWanted::both)
+      return ContactTimes{moments.t_start, moments.t_start, moments.dt_start, moments.dt_start};
     Staged staged(context, true, space_);
     Instant begin;
     const Verdict touches = staged.first_contact(begin);
@@ -137,13 +137,13 @@ class UnionContact final : public Contact {
   static std::size_t at_a_time(const Staged& staged) { return staged.is_grown() ? 32 : 256; }
 
   [[gnu::noinline]] bool exactly_touches(const Rows& rows, Staged& staged) {
-    const ExactMoments asked = exact_moments_of(setup_, rows.a, rows.b);
+    const ExactMoments queried = exact_moments_of(setup_, rows.a, rows.b);
     std::vector<PiecePair> pairs;
     const auto met = [&] {
       if (pairs.empty()) return false;
       Polynomials polynomials = polynomials_of(rows, staged, pairs);
-      polynomials.all().heed(*steps_);
-      return exact_touches(polynomials.all(), asked);
+      polynomials.all().set_interrupt(*steps_);
+      return exact_touches(polynomials.all(), queried);
     };
     bool touches = false;
     staged.possible_pairs({-UncertainInterval::inf, UncertainInterval::inf}, [&](const PiecePair& pair) {
@@ -161,7 +161,7 @@ class UnionContact final : public Contact {
   /// `met_by`, when they touch, the end is infinite.
   [[gnu::noinline]] std::optional<ContactTimes> exact_contact(const Rows& rows, Staged& staged, double from,
                                                               double met_by = UncertainInterval::inf) {
-    const ExactMoments asked = exact_moments_of(setup_, rows.a, rows.b);
+    const ExactMoments queried = exact_moments_of(setup_, rows.a, rows.b);
     std::optional<ContactTimes> found;  // of a contact that lasts until `from`
     if (from == -UncertainInterval::inf)
       from = staged.first_possible(from);
@@ -169,11 +169,11 @@ class UnionContact final : public Contact {
       found.emplace();
     double until = -UncertainInterval::inf,
            exact_until = until;  // what may touch from `from` on, and what was told of it
-    while (from < UncertainInterval::inf && !(asked.end < Dyadic(from))) {
+    while (from < UncertainInterval::inf && !(queried.end < Dyadic(from))) {
       if (exact_until == until)
         until = met_by < UncertainInterval::inf ? met_by : staged.possible_until(from);
       exact_until = until;
-      const auto times = exact_times_between(rows, staged, asked, from, exact_until);
+      const auto times = exact_times_between(rows, staged, queried, from, exact_until);
       const bool is_all = exact_until == until;
       if (times) {
         if (!found) found = times;
@@ -183,18 +183,18 @@ class UnionContact final : public Contact {
       }
       from = is_all ? staged.first_possible(until) : exact_until;
       if (!is_all) continue;
-      if (times && !is_within_between(staged, asked, until, from)) return ended_at(*found, asked, until);
+      if (times && !is_within_between(staged, queried, until, from)) return ended_at(*found, queried, until);
     }
-    if (found) found->t_end = asked.rounded.t_end, found->dt_end = asked.rounded.dt_end;
+    if (found) found->t_end = queried.rounded.t_end, found->dt_end = queried.rounded.dt_end;
     return found;
   }
 
   /// Of the pieces that may touch then; the end is infinite of what lasts until `until`, when more is asked
   /// about. Where too many are needed, `until` becomes earlier.
-  std::optional<ContactTimes> exact_times_between(const Rows& rows, Staged& staged, const ExactMoments& asked,
-                                                  double from, double& until) {
-    ExactMoments moments = asked;
-    begin_at(moments, from);
+  std::optional<ContactTimes> exact_times_between(const Rows& rows, Staged& staged,
+                                                  const ExactMoments& queried, double from, double& until) {
+    ExactMoments moments = queried;
+    start_at(moments, from);
     end_at(moments, until);
     std::vector<PiecePair> pairs;
     Interval<double> interval{from, until};
@@ -209,7 +209,7 @@ class UnionContact final : public Contact {
     });
     until = interval.end;
     Polynomials polynomials = polynomials_of(rows, staged, pairs);
-    polynomials.all().heed(*steps_);
+    polynomials.all().set_interrupt(*steps_);
     if constexpr (Traits::has_solids)
       return exact_times_of_solids(polynomials.all(), moments,
                                    [&staged](const Dyadic& moment) { return staged.is_within_at(moment); });
@@ -221,7 +221,7 @@ class UnionContact final : public Contact {
   double keep_needed(const Rows& rows, const Staged& staged, const ExactMoments& moments,
                      std::vector<PiecePair>& pairs, std::size_t most) {
     Polynomials polynomials = polynomials_of(rows, staged, pairs);
-    polynomials.all().heed(*steps_);
+    polynomials.all().set_interrupt(*steps_);
     const NeededPieces needed = needed_pieces(polynomials.all(), moments, most);
     const std::span<const std::uint32_t> ends = polynomials.ends();
     std::size_t kept = 0;
@@ -235,11 +235,11 @@ class UnionContact final : public Contact {
   }
 
   /// Nothing before `from` is asked about: the pieces may touch again, but others before.
-  static void begin_at(ExactMoments& moments, double from) {
+  static void start_at(ExactMoments& moments, double from) {
     const Dyadic begin(from);
     if (!(moments.begin < begin)) return;
     moments.begin = begin;
-    moments.rounded.dt_begin = from, moments.rounded.t_begin = rounded(begin + moments.now);
+    moments.rounded.dt_start = from, moments.rounded.t_start = rounded(begin + moments.now);
   }
   static void end_at(ExactMoments& moments, double until) {
     const Dyadic end(until);
@@ -249,14 +249,14 @@ class UnionContact final : public Contact {
   }
 
   /// Whether contact goes on after `until`, as far as `next`, when more pieces may touch.
-  static bool is_within_between(Staged& staged, const ExactMoments& asked, double until, double next) {
+  static bool is_within_between(Staged& staged, const ExactMoments& queried, double until, double next) {
     const Dyadic from(until),
-        to = next < UncertainInterval::inf ? std::min(Dyadic(next), asked.end) : asked.end;
+        to = next < UncertainInterval::inf ? std::min(Dyadic(next), queried.end) : queried.end;
     return from < to && staged.is_within_at(half_of(from + to));
   }
 
-  static ContactTimes ended_at(ContactTimes found, const ExactMoments& asked, double until) {
-    found.dt_end = until, found.t_end = rounded(Dyadic(until) + asked.now);
+  static ContactTimes ended_at(ContactTimes found, const ExactMoments& queried, double until) {
+    found.dt_end = until, found.t_end = rounded(Dyadic(until) + queried.now);
     return found;
   }
 

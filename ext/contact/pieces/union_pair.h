@@ -25,12 +25,12 @@ class UnionPair : public PairIntervals<Traits> {
   UnionPair(const PairContext<Traits>& context, bool times_wanted, typename Traits::Space& space)
       : Base(context, times_wanted, space),
         instants_(context.setup, context.row_a, context.row_b, context.relative, context.sizes,
-                  context.moments, context.asked),
+                  context.moments, context.queried),
         seen_(space.seen) {}
 
   /// Is there a contact? Stops at the first that is certain. If it is uncertain, the pieces alone tell.
   Verdict touches() {
-    if (Base::is_within_at_begin()) return Verdict::yes;
+    if (Base::is_within_at_start()) return Verdict::yes;
     Verdict touches = Verdict::no;
     context_.walk.visit(
         Order::earlier_first, [&](const Interval<double>&) { return touches != Verdict::yes; },
@@ -43,24 +43,24 @@ class UnionPair : public PairIntervals<Traits> {
 
   /// Is there a contact, and when does it begin? yes: `begin` is known.
   Verdict first_contact(Instant& begin) {
-    begins_within_ = Base::is_within_at_begin();
-    if (begins_within_) {
-      met_by_ = context_.asked.begin.high, begin = {context_.moments.dt_begin, context_.moments.t_begin};
+    starts_within_ = Base::is_within_at_start();
+    if (starts_within_) {
+      met_by_ = context_.queried.begin.high, begin = {context_.moments.dt_start, context_.moments.t_start};
       return Verdict::yes;
     }
     bool possible = false;
     context_.walk.visit(
         Order::earlier_first,
-        [this](const Interval<double>& near) { return near.begin <= met_by_ && !begins_at_once(); },
+        [this](const Interval<double>& near) { return near.begin <= met_by_ && !starts_at_once(); },
         [&](std::size_t a, std::size_t b, const Interval<double>&) {
-          if (tests_.is_full()) take_begins();
+          if (tests_.is_full()) take_starts();
           for (const PieceInterval& interval : tests_.of(a, b, met_by_)) {
             possible = true;
             if (interval.is_certain()) met_by_ = std::min(met_by_, interval.begin.high);
           }
         });
     if (!possible) return Verdict::no;
-    begin = earliest_begin();
+    begin = earliest_start();
     return begin.known() ? Verdict::yes : Verdict::uncertain;
   }
 
@@ -69,8 +69,8 @@ class UnionPair : public PairIntervals<Traits> {
 
   /// Requires: the begin is known. `lasts_until_met_by`: that the contact does is known.
   Instant end_of_contact(bool lasts_until_met_by) {
-    if (begins_within_)
-      last_ = context_.asked.begin;
+    if (starts_within_)
+      last_ = context_.queried.begin;
     else if (lasts_until_met_by || !Traits::has_solids)  // stays of what fills its shape last a while
       go_on_from_met_by();
     else if (!enter(-UncertainInterval::inf))
@@ -86,10 +86,10 @@ class UnionPair : public PairIntervals<Traits> {
 
  private:
   /// They certainly touch when what is asked about begins.
-  bool begins_at_once() const { return met_by_ <= context_.asked.begin.low; }
+  bool starts_at_once() const { return met_by_ <= context_.queried.begin.low; }
 
   /// Of the stays found so far that may be the first, when they begin.
-  void take_begins() {
+  void take_starts() {
     for (const PieceInterval& interval : tests_.all()) {
       if (interval.begin.low > met_by_) continue;
       const Instant begin =
@@ -101,9 +101,9 @@ class UnionPair : public PairIntervals<Traits> {
     }
   }
 
-  Instant earliest_begin() {
-    if (begins_at_once()) return {context_.moments.dt_begin, context_.moments.t_begin};
-    take_begins();
+  Instant earliest_start() {
+    if (starts_at_once()) return {context_.moments.dt_start, context_.moments.t_start};
+    take_starts();
     return unknown_from_ <= met_by_ ? unknown_instant() : earliest_;
   }
 
@@ -149,12 +149,12 @@ class UnionPair : public PairIntervals<Traits> {
     at_the_end([&](const PieceInterval& interval) { in_doubt |= may_continue_it(interval); });
     if (in_doubt) return false;
     all_seen_ = false;  // as others may be tested
-    const double next = Base::first_possible(last_.high), until = std::min(next, context_.asked.end.low);
+    const double next = Base::first_possible(last_.high), until = std::min(next, context_.queried.end.low);
     const double between = last_.high + (until - last_.high) / 2;
     end_in_doubt_ = !(last_.high < between && between < until);
     if (end_in_doubt_ || !containment_.at(Dyadic(between))) return false;
     if (next == UncertainInterval::inf)
-      return last_ = {context_.asked.end.high, context_.asked.end.high}, true;
+      return last_ = {context_.queried.end.high, context_.queried.end.high}, true;
     end_in_doubt_ = !enter(last_.high);
     if (end_in_doubt_) last_ = {between, between};
     return !end_in_doubt_;
@@ -207,7 +207,7 @@ class UnionPair : public PairIntervals<Traits> {
     }
   }
 
-  bool lasts_to_the_end() const { return last_.low >= context_.asked.end.high; }
+  bool lasts_to_the_end() const { return last_.low >= context_.queried.end.high; }
 
   bool is_joined(const PieceInterval& interval) const {
     if (interval.is_instant && last_is_instant_ && interval.end.low == last_.low &&
@@ -241,25 +241,25 @@ class UnionPair : public PairIntervals<Traits> {
     if constexpr (Traits::has_solids) return false;
     int ending = 0;
     bool at_a_cut = false;
-    double latest_begin = -UncertainInterval::inf, earliest_end = UncertainInterval::inf;
+    double latest_start = -UncertainInterval::inf, earliest_end = UncertainInterval::inf;
     Enclosure reached = last_;
     at_the_end([&](const PieceInterval& interval) {
       if (may_end_it(interval)) {
         ++ending, at_a_cut = ends_at_a_cut(interval);
       } else if (may_continue_it(interval)) {
-        latest_begin = std::max(latest_begin, interval.begin.high);
+        latest_start = std::max(latest_start, interval.begin.high);
         earliest_end = std::min(earliest_end, interval.end.low);
         reached = {std::max(reached.low, interval.end.low), std::max(reached.high, interval.end.high)};
       }
     });
     if (ending != 1 || !at_a_cut) return false;
-    if (!(latest_begin <= earliest_end && reached.low > last_.high)) return false;
+    if (!(latest_start <= earliest_end && reached.low > last_.high)) return false;
     last_ = reached;
     return true;
   }
 
   bool ends_at_a_cut(const PieceInterval& interval) const {
-    if (context_.asked.end.meets(interval.end)) return false;
+    if (context_.queried.end.meets(interval.end)) return false;
     const EndpointCandidate<typename Traits::Condition>* only = nullptr;
     for (const auto& end : tests_.ends(interval)) {
       if (end.direction == CrossingDirection::entering) continue;
@@ -284,7 +284,7 @@ class UnionPair : public PairIntervals<Traits> {
   EndpointRounding<Traits> instants_;
   std::vector<PieceInterval>& seen_;  ///< by the last walk of follow()
   bool all_seen_ = false;             ///< and known still
-  bool begins_within_ = false;        ///< one in the other
+  bool starts_within_ = false;        ///< one in the other
   bool end_in_doubt_ = false;
   bool last_is_instant_ = false;            ///< when the contact was entered again, alone
   double met_by_ = UncertainInterval::inf;  ///< by then they certainly touch

@@ -40,9 +40,9 @@ struct RelativeAxisMotion {
 
 /// When both exist within the horizon, measured from now and absolute; each rounded once.
 struct Moments {
-  double dt_begin, dt_end;
-  double t_begin, t_end;
-  bool begin_exact, end_exact;  ///< dt_begin, dt_end are the exact values
+  double dt_start, dt_end;
+  double t_start, t_end;
+  bool start_exact, end_exact;  ///< dt_start, dt_end are the exact values
   bool ends_with_horizon;       ///< the end is now + h, not an object's own
   bool none;                    ///< the two never exist together during the horizon
 };

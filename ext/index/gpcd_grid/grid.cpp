@@ -56,7 +56,7 @@ Grid<D>::Grid(const MovingSource<D>& a, const MovingSource<D>* b, GridSpace& spa
     if (source)
       sides_.push_back(std::make_unique<Side>(*source, frame, columns, partition_, space.sides[sides_.size()],
                                               helpers, interrupt));
-  if (giant_count() == 0 || !a.all_begin(interrupt) || (b && !b->all_begin(interrupt))) return;
+  if (giant_count() == 0 || !a.all_start(interrupt) || (b && !b->all_start(interrupt))) return;
   sides_[0]->giants.find_cores(a, frame, partition_);
   if (b) sides_[1]->giants.find_cores(*b, frame, partition_);
 }

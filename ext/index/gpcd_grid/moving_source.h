@@ -41,8 +41,8 @@ class MovingSource {
     }
   }
   /// Whether all that have a box are there when the horizon begins.
-  bool all_begin(Interrupt& interrupt) const {
-    return all_exist_at_begin(boxes_.bodies, boxes_.horizon, interrupt);
+  bool all_start(Interrupt& interrupt) const {
+    return all_exist_at_start(boxes_.bodies, boxes_.horizon, interrupt);
   }
   /// What row i covers then: all that lies in it touches the row.
   Box<D> core(std::size_t i) const { return core_box<D>(boxes_.bodies, i, boxes_.horizon.now); }

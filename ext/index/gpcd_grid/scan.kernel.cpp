@@ -129,7 +129,7 @@ std::size_t first_lane(Scan<D>& scan, std::size_t i) {
 
 /// Asks for the object behind a later row, early enough for memory, late enough for stripes of some hundred.
 template <int D>
-[[gnu::always_inline]] inline void ask_for_object(const LaneView<D>& rows, std::size_t i) {
+[[gnu::always_inline]] inline void prefetch_object(const LaneView<D>& rows, std::size_t i) {
   constexpr std::size_t ahead = 128, line = 64;
   const ObjectRows& objects = rows.objects;
   if (!objects.first || i + ahead >= rows.size) return;
@@ -151,7 +151,7 @@ std::size_t run_rows(Scan<D>& scan, Pair* out, std::size_t room, std::size_t& st
     const std::size_t i = scan.row;
     const std::uint32_t id = rows.ids[i], classes = rows.classes[i] | sentinel;
     const Beams<V, D, time> row(rows, [i](const float* column) { return V::all(column[i]); });
-    ask_for_object(rows, i);
+    prefetch_object(rows, i);
     const float upper = keep == Keep::covered ? rows.core_upper[0][i]
                         : rows.to             ? rows.to[i]
                                               : rows.upper[0][i];

@@ -43,17 +43,17 @@ constexpr std::size_t chunks_per_check = 64, entries_per_check = 8192;
 template <int D>
 Stripes<D>::Stripes(const MovingSource<D>& source, const Frame<D>& frame, const Partition<D>& partition,
                     FloatRows<D>& rows, GridSpace::Side& memory, std::size_t helpers, Interrupt& interrupt)
-    : partition_(partition), rows_(rows), begins_(memory.stripes.room(partition.stripes() + 1)) {
+    : partition_(partition), rows_(rows), starts_(memory.stripes.room(partition.stripes() + 1)) {
   std::vector<Part> parts(helpers + 1);
   if (memory.parts.size() < parts.size()) memory.parts.resize(parts.size());
   const std::size_t count = source.count();
-  run_together(helpers, interrupt, [&](std::size_t part, std::size_t of, Interrupt& asked) {
-    read(source, frame, part * count / of, (part + 1) * count / of, memory.parts[part], parts[part], asked);
+  run_together(helpers, interrupt, [&](std::size_t part, std::size_t of, Interrupt& queried) {
+    read(source, frame, part * count / of, (part + 1) * count / of, memory.parts[part], parts[part], queried);
   });
   add_up(parts);
   keys_ = memory.keys.room(entry_count_);
   run_together(helpers, interrupt,
-               [&](std::size_t part, std::size_t, Interrupt& asked) { place(parts[part], asked); });
+               [&](std::size_t part, std::size_t, Interrupt& queried) { place(parts[part], queried); });
 }
 
 template <int D>
@@ -122,10 +122,10 @@ void Stripes<D>::add_up(std::span<Part> parts) {
   if (entry_count_ > std::numeric_limits<std::uint32_t>::max()) throw Error("too many objects for one grid");
   std::uint32_t place = 0;
   for (std::size_t stripe = 0; stripe < partition_.stripes(); ++stripe) {
-    begins_[stripe] = place;
+    starts_[stripe] = place;
     for (Part& part : parts) place += std::exchange(part.counts[stripe], place);
   }
-  begins_[partition_.stripes()] = place;
+  starts_[partition_.stripes()] = place;
 }
 
 template <int D>

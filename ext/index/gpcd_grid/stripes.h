@@ -90,7 +90,7 @@ class Stripes {
   const std::vector<std::uint32_t>& giants() const { return giants_; }
   /// The boxes in one stripe.
   std::span<const Key> entries(std::size_t stripe) const {
-    return {keys_ + begins_[stripe], begins_[stripe + 1] - begins_[stripe]};
+    return {keys_ + starts_[stripe], starts_[stripe + 1] - starts_[stripe]};
   }
   std::size_t entry_count() const { return entry_count_; }
 
@@ -117,7 +117,7 @@ class Stripes {
   Partition<D> partition_;
   FloatRows<D>& rows_;
   std::vector<std::uint32_t> giants_;
-  std::uint32_t* begins_;  // of each stripe in keys_; one more at the end
+  std::uint32_t* starts_;  // of each stripe in keys_; one more at the end
   Key* keys_ = nullptr;
   std::size_t entry_count_ = 0;
 };

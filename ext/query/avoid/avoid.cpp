@@ -22,21 +22,21 @@ constexpr double least_number = std::numeric_limits<double>::denorm_min();
 class Manoeuvring {
  public:
   Manoeuvring(const AvoidQuestion& question, const OwnMotion& stored, const OwnMotion& base,
-              const QueriedChanges& asked, Interrupt& interrupt)
+              const QueriedChanges& queried, Interrupt& interrupt)
       : question_(question),
         stored_(stored),
         base_(base),
-        asked_(asked),
-        change_{asked.manoeuvre, speed_of(base), stored.t - earliest(stored, asked)},
-        reference_motion_(reference_motion(base, stored, asked)),
-        turns_(turns_with_course(question, asked.manoeuvre)),
+        queried_(queried),
+        change_{queried.manoeuvre, speed_of(base), stored.t - earliest(stored, queried)},
+        reference_motion_(reference_motion(base, stored, queried)),
+        turns_(turns_with_course(question, queried.manoeuvre)),
         interrupt_(interrupt),
         exact_(question, scenes(), interrupt) {}
 
   std::vector<AvoidRow> rows() {
-    if (asked_.lo == asked_.hi || changes_nothing()) {
-      const double k = asked_.lo == asked_.hi ? asked_.lo : 0;
-      add_row(is_clear(k), asked_.lo, asked_.hi);
+    if (queried_.lo == queried_.hi || changes_nothing()) {
+      const double k = queried_.lo == queried_.hi ? queried_.lo : 0;
+      add_row(is_clear(k), queried_.lo, queried_.hi);
     } else {
       tile(clear_ranges());
     }
@@ -46,12 +46,12 @@ class Manoeuvring {
 
  private:
   /// When a delayed motion begins at first: no k of the range makes it begin before.
-  static double earliest(const OwnMotion& stored, const QueriedChanges& asked) {
-    return asked.manoeuvre == Manoeuvre::delay && asked.lo < 0 ? stored.t + asked.lo : stored.t;
+  static double earliest(const OwnMotion& stored, const QueriedChanges& queried) {
+    return queried.manoeuvre == Manoeuvre::delay && queried.lo < 0 ? stored.t + queried.lo : stored.t;
   }
   /// What all changed motions are seen from: time counts from its begin, so that none is there before.
-  static OwnMotion reference_motion(OwnMotion base, const OwnMotion& stored, const QueriedChanges& asked) {
-    const double t = earliest(stored, asked);
+  static OwnMotion reference_motion(OwnMotion base, const OwnMotion& stored, const QueriedChanges& queried) {
+    const double t = earliest(stored, queried);
     if (t < stored.t) base.until -= stored.t - t, base.t = t;
     return base;
   }
@@ -59,7 +59,7 @@ class Manoeuvring {
   ExactAvoidance::Scenes scenes() {
     ExactAvoidance::Scenes near;
     const auto search = [&](const Searched& others, std::optional<std::int64_t> itself) {
-      near.push_back(intruders(question_, reference_motion_, change_, asked_, others, itself,
+      near.push_back(intruders(question_, reference_motion_, change_, queried_, others, itself,
                                reach_to(others), interrupt_));
     };
     search(question_.others, question_.own->ids[0]);
@@ -80,7 +80,7 @@ class Manoeuvring {
   /// Who does not move cannot turn, but for an outline with a heading: all changes are one.
   bool changes_nothing() const {
     const auto none = [](const std::array<double, 3>& v) { return v[0] == 0 && v[1] == 0; };
-    return asked_.manoeuvre == Manoeuvre::turn && none(base_.v) && none(base_.a) && !turns_;
+    return queried_.manoeuvre == Manoeuvre::turn && none(base_.v) && none(base_.a) && !turns_;
   }
 
   OwnMotion motion_at(double k) const { return k == 0 ? stored_ : changed(base_, change_, k); }
@@ -91,13 +91,13 @@ class Manoeuvring {
 
   /// Whom this touches at first is touched already: the place as it is stored with all changes but a delay.
   std::vector<double> record_at_first() const {
-    const bool delayed = asked_.manoeuvre == Manoeuvre::delay;
+    const bool delayed = queried_.manoeuvre == Manoeuvre::delay;
     return ExactAvoidance::with_motion(question_.own->layout, question_.record, delayed ? stored_ : base_);
   }
 
   /// Those that make the change touch, exactly.
   std::vector<Intruder> touched_by(double k) {
-    const bool delayed = asked_.manoeuvre == Manoeuvre::delay;
+    const bool delayed = queried_.manoeuvre == Manoeuvre::delay;
     if (k == 0 || !(delayed || turns_)) return exact_.by(record_at(k));
     static const std::vector<Intruder> none;
     if (delayed && question_.touching == Touching::part) return exact_.by(record_at(k), &none);
@@ -123,7 +123,7 @@ class Manoeuvring {
     std::vector<KRange> clear;
     if (is_finite(base_))
       clear = with_axes(question_.own->layout.axes, [&]<int D>(Axes<D>) { return proven<D>(); });
-    if (asked_.lo > 0 || asked_.hi < 0) return clear;
+    if (queried_.lo > 0 || queried_.hi < 0) return clear;
     const auto after = std::find_if(clear.begin(), clear.end(), [](const KRange& r) { return r.to >= 0; });
     const bool has_0 = after != clear.end() && after->from <= 0;
     if (is_clear(0) == has_0) return clear;
@@ -140,7 +140,7 @@ class Manoeuvring {
 
   template <int D>
   std::vector<KRange> proven() {
-    const bool delayed = asked_.manoeuvre == Manoeuvre::delay;
+    const bool delayed = queried_.manoeuvre == Manoeuvre::delay;
     std::vector<std::vector<std::uint8_t>> first;
     for (const auto& near : near_) first.emplace_back(near->size());
     for (const Intruder& intruder : exact_.at_first(record_at_first()))
@@ -182,23 +182,23 @@ class Manoeuvring {
     std::vector<IntruderCertificate<D>> certificates;
     for (Ordered& one : ordered) certificates.push_back(std::move(one.certificate));
     return ClearRanges<D>(reference_motion_, change_, std::move(certificates), interrupt_)
-        .between(asked_.lo, asked_.hi);
+        .between(queried_.lo, queried_.hi);
   }
 
   /// Clear ranges and what lies between them.
   void tile(const std::vector<KRange>& clear) {
-    double from = asked_.lo;
+    double from = queried_.lo;
     for (const KRange& range : clear) {
       if (range.from > from) add_row(false, from, range.from);
       add_row(true, range.from, range.to);
       from = range.to;
     }
-    if (from < asked_.hi || clear.empty()) add_row(false, from, asked_.hi);
+    if (from < queried_.hi || clear.empty()) add_row(false, from, queried_.hi);
   }
 
   void add_row(bool clear, double from, double to) {
     const double k = from > 0 ? from : to < 0 ? to : 0;
-    rows_.push_back({asked_.manoeuvre, clear, from, to, k, {}, {}, {}});
+    rows_.push_back({queried_.manoeuvre, clear, from, to, k, {}, {}, {}});
     if (question_.wants_motion) rows_.back().record = record_at(k);
   }
 
@@ -226,7 +226,7 @@ class Manoeuvring {
       if (auto found = at(end)) return found;
     const double room = std::abs(other - end), direction = other > end ? 1 : -1;
     bool passed_0 = end == 0 || (end > 0) == (other > 0);
-    for (double step = (asked_.hi - asked_.lo) * 0x1p-42; step < room; step *= 2) {
+    for (double step = (queried_.hi - queried_.lo) * 0x1p-42; step < room; step *= 2) {
       const double k = end + direction * step;
       if (!passed_0 && (k > 0) != (end > 0)) {
         passed_0 = true;
@@ -241,7 +241,7 @@ class Manoeuvring {
 
   const AvoidQuestion& question_;
   const OwnMotion &stored_, &base_;
-  QueriedChanges asked_;
+  QueriedChanges queried_;
   Change change_;
   const OwnMotion reference_motion_;
   bool turns_;  ///< an outline of its own
@@ -261,8 +261,8 @@ std::vector<AvoidRow> avoid(const AvoidQuestion& question, Interrupt& interrupt)
   const OwnMotion stored = ExactAvoidance::motion_in(question.own->layout, question.record);
   if (life_of(stored.t, stored.until, {question.now, question.h}).none) return rows;
   const OwnMotion base = motion_from(stored, std::max(question.now, stored.t));
-  for (const QueriedChanges& asked : queried_changes(question, stored, base)) {
-    std::vector<AvoidRow> some = Manoeuvring(question, stored, base, asked, interrupt).rows();
+  for (const QueriedChanges& queried : queried_changes(question, stored, base)) {
+    std::vector<AvoidRow> some = Manoeuvring(question, stored, base, queried, interrupt).rows();
     std::move(some.begin(), some.end(), std::back_inserter(rows));
   }
   return rows;

@@ -36,9 +36,9 @@ std::vector<KRange> ClearRanges<D>::between(double lo, double hi) {
   std::iota(open_.begin(), open_.end(), 0U);
   const int parts =
       change_.manoeuvre == Manoeuvre::turn ? static_cast<int>(std::ceil(width_ / widest_arc)) : 1;
-  const auto part_begin = [&](int part) { return lo + part * (width_ / parts); };
+  const auto part_start = [&](int part) { return lo + part * (width_ / parts); };
   for (int part = 0; part < parts; ++part)
-    search(part_begin(part), part + 1 < parts ? part_begin(part + 1) : hi, 0, all, nowhere);
+    search(part_start(part), part + 1 < parts ? part_start(part + 1) : hi, 0, all, nowhere);
   return std::move(clear_);
 }
 

@@ -207,7 +207,7 @@ bool ExactAvoidance::separates(const Intruder& intruder) {
   const Bodies own = own_.bodies(), others = near.bodies();
   const double *own_row = own.row(0), *row = others.row(intruder.row);
   const Moments moments = moments_of({own, others, {question_.now, question_.h}}, own_row, row);
-  if (moments.none || (moments.t_begin == moments.t_end && moments.dt_begin == moments.dt_end)) return true;
+  if (moments.none || (moments.t_start == moments.t_end && moments.dt_start == moments.dt_end)) return true;
   const Horizon first{first_instant_, 0};
   if (has_outlines(own.layout, others.layout) && !touches_first(intruder))
     return !touches(*contacts_[static_cast<std::size_t>(intruder.table)], intruder);
@@ -263,7 +263,7 @@ std::optional<Blocker> ExactAvoidance::first_of(const std::vector<double>& recor
     pairs.clear(), hits.clear(), times.clear();
     for (const Intruder& intruder : touched)
       if (static_cast<std::size_t>(intruder.table) == table) pairs.push_back({0, intruder.row});
-    contacts_[table]->first_contacts(pairs, TimesWanted::begins, hits, times);
+    contacts_[table]->first_contacts(pairs, TimesWanted::starts, hits, times);
     for (std::size_t i = 0; i < hits.size(); ++i) {
       const Blocker blocker{near_[table]->ids[hits[i].b], static_cast<int>(table), times[i].t};
       if (!first ||

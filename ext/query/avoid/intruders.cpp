@@ -93,14 +93,14 @@ void walk_scene(const Scene& all, MovingBox<D> box, const Horizon& horizon,
 }  // namespace
 
 std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const OwnMotion& base,
-                                       const Change& change, const QueriedChanges& asked,
+                                       const Change& change, const QueriedChanges& queried,
                                        const Searched& others, std::optional<std::int64_t> itself,
                                        const Contact::Reach& reach, Interrupt& interrupt) {
   auto near = std::make_shared<Scene>();
   near->name = others.name, near->layout = others.layout();
   const Horizon horizon{question.now, question.h};
   with_axes(near->layout.axes, [&]<int D>(Axes<D>) {
-    const MotionSet<D> all = motions_between<D>(base, change, asked.lo, asked.hi);
+    const MotionSet<D> all = motions_between<D>(base, change, queried.lo, queried.hi);
     const Vec<D> margin = 2 * margin_of<D>(reach);  // of both together
     const MovingBox<D> box = box_around<D>(question, base, change, all, margin);
     if (others.scene)

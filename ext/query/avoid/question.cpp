@@ -123,14 +123,14 @@ bool turns_with_course(const AvoidQuestion& question, Manoeuvre manoeuvre) {
 std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const OwnMotion& stored,
                                             const OwnMotion& base) {
   const double m = speed_of(base);
-  std::vector<QueriedChanges> asked;
+  std::vector<QueriedChanges> queried;
   const auto add = [&](Manoeuvre manoeuvre, double lo, double hi) {
-    asked.push_back({manoeuvre, question.lo.value_or(lo), question.hi.value_or(hi)});
+    queried.push_back({manoeuvre, question.lo.value_or(lo), question.hi.value_or(hi)});
   };
   const bool moves = m > 0 && std::isfinite(m);
   if (!question.how && question.own->layout.axes > 1) add(Manoeuvre::turn, -180, 180);
   if (!question.how && moves) add(Manoeuvre::speed, -m, m);
-  if (!question.how) return asked;
+  if (!question.how) return queried;
   switch (*question.how) {
     case Manoeuvre::turn:
       add(Manoeuvre::turn, -180, 180);
@@ -148,7 +148,7 @@ std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const
       add(Manoeuvre::delay, 0, 0);
       break;
   }
-  return asked;
+  return queried;
 }
 
 }  // namespace foresee

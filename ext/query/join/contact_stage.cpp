@@ -6,7 +6,7 @@ namespace foresee {
 
 ContactStage::ContactStage(const JoinQuestion& question, Interrupt& interrupt)
     : question_(question), interrupt_(interrupt), contact_(contact_of(question)) {
-  contact_->heed(interrupt);
+  contact_->set_interrupt(interrupt);
 }
 
 // The exact arithmetic may take some ten microseconds a pair, so a batch is asked in slices that can be
@@ -20,40 +20,40 @@ void ContactStage::in_slices(std::size_t count, Work work) {
   }
 }
 
-void ContactStage::ask(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
-                       Hits& hits) {
+void ContactStage::query(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
+                         Hits& hits) {
   constexpr double inf = std::numeric_limits<double>::infinity();
-  const bool all_times = slab.from == -inf && slab.before == inf && question_.asks_about_all_times();
+  const bool all_times = slab.from == -inf && slab.before == inf && question_.queries_all_times();
   const bool times_matter = !all_times || question_.wants.contact || question_.order != JoinOrder::any;
   const std::size_t before = hits.pairs.size();
   // Where some are left out or not reached, only the others need an end.
   hits.with_ends = all_times && question_.order == JoinOrder::any && question_.wants.ends;
   if (candidates.touching() && !hits.with_ends) {
-    if (asks_about_begin(slab)) take_touching(batch, hits);
+    if (queries_start(slab)) take_touching(batch, hits);
     return;
   }
-  keep_asked_pairs(batch);
+  keep_queried_pairs(batch);
   in_slices(batch.size(), [&](std::size_t begin, std::size_t count) {
     const auto pairs = std::span(batch).subspan(begin, count);
     if (times_matter)
-      contact_->first_contacts(pairs, hits.with_ends ? TimesWanted::both : TimesWanted::begins, hits.pairs,
+      contact_->first_contacts(pairs, hits.with_ends ? TimesWanted::both : TimesWanted::starts, hits.pairs,
                                hits.times);
     else
       contact_->decide(pairs, hits.pairs);
   });
   hits.times.resize(hits.pairs.size());
-  if (!all_times) keep_asked_times(slab, before, hits);
+  if (!all_times) keep_queried_times(slab, before, hits);
 }
 
-bool ContactStage::asks_about_begin(const TimeSlab& slab) const {
+bool ContactStage::queries_start(const TimeSlab& slab) const {
   const double now = question_.now;
-  return slab.horizon.now == now && slab.holds(now) && question_.asked_t.holds(now) &&
-         question_.asked_dt.holds(0);
+  return slab.horizon.now == now && slab.holds(now) && question_.queried_t.holds(now) &&
+         question_.queried_dt.holds(0);
 }
 
 void ContactStage::take_touching(std::vector<Pair>& batch, Hits& hits) const {
   const double now = question_.now;
-  keep_asked_pairs(batch);
+  keep_queried_pairs(batch);
   hits.pairs.insert(hits.pairs.end(), batch.begin(), batch.end());
   hits.times.resize(hits.pairs.size(), {now, now, 0, 0});
 }
@@ -71,7 +71,7 @@ void order_by_id(const std::vector<std::int64_t>& ids, std::vector<Pair>& pairs)
 
 }  // namespace
 
-void ContactStage::keep_asked_pairs(std::vector<Pair>& batch) const {
+void ContactStage::keep_queried_pairs(std::vector<Pair>& batch) const {
   const Scene& a = *question_.a;
   const Scene& b = question_.b ? *question_.b : a;
   if (question_.b == question_.a) std::erase_if(batch, [](Pair pair) { return pair.a == pair.b; });
@@ -87,11 +87,11 @@ void ContactStage::keep_asked_pairs(std::vector<Pair>& batch) const {
   });
 }
 
-void ContactStage::keep_asked_times(const TimeSlab& slab, std::size_t first, Hits& hits) const {
+void ContactStage::keep_queried_times(const TimeSlab& slab, std::size_t first, Hits& hits) const {
   std::size_t kept = first;
   for (std::size_t i = first; i < hits.pairs.size(); ++i) {
     const ContactTimes& times = hits.times[i];
-    if (!slab.holds(times.t) || !question_.asked_t.holds(times.t) || !question_.asked_dt.holds(times.dt))
+    if (!slab.holds(times.t) || !question_.queried_t.holds(times.t) || !question_.queried_dt.holds(times.dt))
       continue;
     hits.pairs[kept] = hits.pairs[i];
     hits.times[kept++] = times;
@@ -138,11 +138,11 @@ bool ContactStage::would_only_write(const Candidates& candidates) const {
 void ContactStage::answer(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab,
                           std::vector<JoinRow>& rows) {
   if (would_only_write(candidates)) {
-    if (asks_about_begin(slab)) write_touching(batch, rows);
+    if (queries_start(slab)) write_touching(batch, rows);
     return;
   }
   hits_.clear();
-  ask(candidates, batch, slab, hits_);
+  query(candidates, batch, slab, hits_);
   write(hits_, rows);
 }
 

@@ -2,7 +2,7 @@
 //
 //   ContactStage stage(question, interrupt);
 //   stage.answer(candidates, batch, slab, rows);         // at once, or where hits are sorted in between:
-//   stage.ask(candidates, batch, slab, hits);            // contact, and all that the question leaves out
+//   stage.query(candidates, batch, slab, hits);            // contact, and all that the question leaves out
 //   stage.write(hits, rows);                             // ids, times, closest approach
 //
 // Of a batch that touches for certain when the slab begins nothing is asked.
@@ -35,7 +35,7 @@ class ContactStage {
   /// Appends those of the last batch that are hits and that `slab` holds to `hits`, in order; the batch is
   /// lost. Ends may be left for write(). Times are computed where they are read or decide, and where it is
   /// not certain what they are.
-  void ask(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab, Hits& hits);
+  void query(const Candidates& candidates, std::vector<Pair>& batch, const TimeSlab& slab, Hits& hits);
 
   /// Appends a row for each hit, in order, with the columns that the question wants.
   void write(Hits& hits, std::vector<JoinRow>& rows);
@@ -47,7 +47,7 @@ class ContactStage {
   /// Whether answer() would do no more with the last batch than write_touching().
   bool would_only_write(const Candidates& candidates) const;
   /// Whether pairs that touch when the slab begins are rows of it, and not of an earlier one.
-  bool asks_about_begin(const TimeSlab& slab) const;
+  bool queries_start(const TimeSlab& slab) const;
   /// Appends their rows.
   void write_touching(std::span<const Pair> pairs, std::vector<JoinRow>& rows) const;
 
@@ -59,10 +59,10 @@ class ContactStage {
   void take_touching(std::vector<Pair>& batch, Hits& hits) const;
   /// Leaves the pairs that the question asks about, in order and in its columns: the ids asked for, no object
   /// with itself, and within one scene the smaller id first.
-  void keep_asked_pairs(std::vector<Pair>& batch) const;
+  void keep_queried_pairs(std::vector<Pair>& batch) const;
   /// Of the hits from number `first` on leaves those whose times the slab holds and the question asks about,
   /// in order.
-  void keep_asked_times(const TimeSlab& slab, std::size_t first, Hits& hits) const;
+  void keep_queried_times(const TimeSlab& slab, std::size_t first, Hits& hits) const;
   /// The same hits, with the ends of their contacts.
   void add_ends(Hits& hits);
 

@@ -20,7 +20,7 @@ constexpr const char* test_names[paper_stage_count] = {"projection overlap", "ce
                                                        "trajectory intersection"};
 
 /// In a tile: pairs of the objects that it needs.
-std::uint64_t pairs_asked_about(const JoinQuestion& question) {
+std::uint64_t queried_pairs(const JoinQuestion& question) {
   const auto pairs = [&](std::uint64_t a, std::uint64_t b) { return question.b ? a * b : a * (a - 1) / 2; };
   if (question.own) return pairs(question.own->needed_a, question.own->needed_b);
   return pairs(question.a->size(), question.b ? question.b->size() : 0);
@@ -37,15 +37,15 @@ class Explanation {
         contact_(contact_of(question, true)),
         refinement_(has(Shape::outline) || has(Shape::mesh) ? contact_of(question) : nullptr),
         plan_(plan_join(question, contact_->reach())) {
-    if (refinement_) refinement_->heed(interrupt);
+    if (refinement_) refinement_->set_interrupt(interrupt);
     open_axes();
-    candidates_count_.before = pairs_asked_about(question);
+    candidates_count_.before = queried_pairs(question);
   }
 
   void run() {
     for (std::vector<Pair> pairs; next_candidates(pairs); pairs.clear()) {
       stages_->prune(pairs);
-      ask_exactly(pairs);
+      decide_exactly(pairs);
     }
   }
 
@@ -100,7 +100,7 @@ class Explanation {
   }
 
   /// In slices that can be interrupted: a pair may take some ten microseconds.
-  void ask_exactly(const std::vector<Pair>& pairs) {
+  void decide_exactly(const std::vector<Pair>& pairs) {
     const double begin = thread_seconds();
     for (std::size_t i = 0; i < pairs.size(); i += slice) {
       interrupt_.check();
@@ -111,7 +111,7 @@ class Explanation {
         continue;
       }
       const std::size_t before = hits_.size();
-      contact_->first_contacts(some, TimesWanted::begins, hits_, times_);
+      contact_->first_contacts(some, TimesWanted::starts, hits_, times_);
       exact_count_.after += hits_.size() - before;
       for (const ContactTimes& times : times_) touching_ += times.dt == 0;
       times_.clear();
@@ -129,7 +129,7 @@ class Explanation {
     for (std::size_t i = 0; i < hits_.size(); i += slice) {
       interrupt_.check();
       refinement_->first_contacts(std::span(hits_).subspan(i, std::min(slice, hits_.size() - i)),
-                                  TimesWanted::begins, touching, times_);
+                                  TimesWanted::starts, touching, times_);
       times_.clear();
     }
     refinement_count_.before += hits_.size();
@@ -195,11 +195,11 @@ class Explanation {
 
 }  // namespace
 
-std::vector<ExplainRow> explain_join(const JoinQuestion& asked, Interrupt& interrupt) {
+std::vector<ExplainRow> explain_join(const JoinQuestion& queried, Interrupt& interrupt) {
   const FloatEnvironment environment;
-  JoinQuestion question = in_tile(asked, interrupt);
+  JoinQuestion question = in_tile(queried, interrupt);
   question.only_a = question.only_b = {};
-  question.asked_t = question.asked_dt = {};
+  question.queried_t = question.queried_dt = {};
   Explanation explanation(question, interrupt);
   if (question.a->size() == 0 || (question.b && question.b->size() == 0)) return {};
   if (question.own && (question.own->needed_a == 0 || question.own->needed_b == 0)) return {};

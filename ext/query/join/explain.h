@@ -41,7 +41,7 @@ struct ExplainRow {
   }
 };
 
-/// Throws Error as Join does. Of the question's wishes (only_a, asked_t, order, wants) none is regarded.
+/// Throws Error as Join does. Of the question's wishes (only_a, queried_t, order, wants) none is regarded.
 std::vector<ExplainRow> explain_join(const JoinQuestion& question, Interrupt& interrupt);
 
 }  // namespace foresee

@@ -14,8 +14,8 @@ namespace foresee {
 
 /// A question and how far it is answered.
 struct Join::Progress {
-  Progress(JoinQuestion asked, Interrupt& interrupt)
-      : question(with_space(in_tile(std::move(asked), interrupt))),
+  Progress(JoinQuestion queried, Interrupt& interrupt)
+      : question(with_space(in_tile(std::move(queried), interrupt))),
         interrupt(interrupt),
         stage(question, interrupt),
         plan(plan_join(question, stage.reach())),
@@ -66,7 +66,7 @@ struct Join::Progress {
       return true;
     }
     hits.clear();
-    stage.ask(*candidates, pairs, *slab, hits);
+    stage.query(*candidates, pairs, *slab, hits);
     sorted.add(hits, interrupt);
     return true;
   }

@@ -58,10 +58,10 @@ double share_that_meets(const JoinQuestion& question, const Horizon& horizon, co
   const std::vector<Box<D>> other =
       between ? sample_of<D>(*question.b, horizon, margin) : std::vector<Box<D>>{};
   const std::vector<Box<D>>& b = between ? other : a;
-  std::size_t asked = 0, meetings = 0;
+  std::size_t queried = 0, meetings = 0;
   for (std::size_t i = 0; i < a.size(); ++i)
-    for (std::size_t j = between ? 0 : i + 1; j < b.size(); ++j) ++asked, meetings += a[i].meets(b[j]);
-  return asked == 0 ? 0 : static_cast<double>(meetings) / static_cast<double>(asked);
+    for (std::size_t j = between ? 0 : i + 1; j < b.size(); ++j) ++queried, meetings += a[i].meets(b[j]);
+  return queried == 0 ? 0 : static_cast<double>(meetings) / static_cast<double>(queried);
 }
 
 /// Which part of all pairs meets at one moment: a few rows against many, for a few giants may touch more than
@@ -75,11 +75,11 @@ double share_that_touches(const JoinQuestion& question, double moment, const Vec
   std::size_t meetings = 0;
   for (const Box<D>& box : b)
     for (const Box<D>& other : a) meetings += box.meets(other);
-  const double asked = static_cast<double>(a.size() * b.size());
-  if (asked == 0) return 0;
+  const double queried = static_cast<double>(a.size() * b.size());
+  if (queried == 0) return 0;
   // With themselves, as far as the samples share rows.
-  const double same = between ? 0 : asked / static_cast<double>(question.a->size());
-  return std::max(0.0, static_cast<double>(meetings) - same) / asked;
+  const double same = between ? 0 : queried / static_cast<double>(question.a->size());
+  return std::max(0.0, static_cast<double>(meetings) - same) / queried;
 }
 
 /// The middle one of so many equal parts of the horizon.
@@ -90,13 +90,13 @@ Horizon middle_part(const JoinQuestion& question, double begin, double length, s
 
 /// What the moments asked about look like as a horizon: seconds from now, near enough for a plan. No length
 /// where there is none.
-struct AskedSpan {
+struct QueriedSpan {
   double begin, length;
 };
 
-AskedSpan span_of(const JoinQuestion& question) {
-  const double begin = std::max({0.0, question.asked_dt.least, question.asked_t.least - question.now});
-  const double end = std::min({question.h, question.asked_dt.most, question.asked_t.most - question.now});
+QueriedSpan span_of(const JoinQuestion& question) {
+  const double begin = std::max({0.0, question.queried_dt.least, question.queried_t.least - question.now});
+  const double end = std::min({question.h, question.queried_dt.most, question.queried_t.most - question.now});
   return {begin, std::max(0.0, end - begin)};
 }
 
@@ -115,7 +115,7 @@ double expected_contacts(const JoinQuestion& question, const Contact::Reach& rea
 /// More slabs while that makes the grid cheaper. Each costs its objects again, so it is soon seen where more
 /// cannot pay.
 SlabChoice choose_slabs(const JoinQuestion& question, const Contact::Reach& reach) {
-  const AskedSpan span = span_of(question);
+  const QueriedSpan span = span_of(question);
   const auto meetings = [&](std::size_t parts) {
     return expected_meetings(question, reach, middle_part(question, span.begin, span.length, parts));
   };
@@ -163,7 +163,7 @@ TimeSlabs slabs_of(const JoinPlan& plan, const JoinQuestion& question) {
   const double step = plan.slabs > 1 ? length / static_cast<double>(plan.slabs) : endless;
   if (question.order == JoinOrder::any) return {question, {step, step}};
   constexpr double first_share = 1.0 / 64;
-  return {question, {step, std::min(step, length * first_share), question.asked_dt.least <= 0}};
+  return {question, {step, std::min(step, length * first_share), question.queried_dt.least <= 0}};
 }
 
 }  // namespace foresee

@@ -33,12 +33,12 @@ struct JoinWants {
 };
 
 /// Both ends included. Rows outside are left out.
-struct AskedTimes {
+struct QueriedTimes {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
 
   bool holds(double time) const { return least <= time && time <= most; }
-  bool are_all() const { return least == AskedTimes{}.least && most == AskedTimes{}.most; }
+  bool are_all() const { return least == QueriedTimes{}.least && most == QueriedTimes{}.most; }
 };
 
 inline constexpr std::size_t all_rows = std::numeric_limits<std::size_t>::max();
@@ -63,7 +63,7 @@ struct JoinQuestion {
   std::optional<std::int64_t> only_a = {};  ///< only pairs whose column a has this id: linear in the objects
   std::optional<std::int64_t> only_b = {};
   std::optional<Tile> tile = {};  ///< only pairs that it owns
-  AskedTimes asked_t = {}, asked_dt = {};
+  QueriedTimes queried_t = {}, queried_dt = {};
   JoinOrder order = JoinOrder::any;
   std::size_t likely_rows = all_rows;  ///< that will be read; of more, in an order, some are found twice
   JoinWants wants = {};
@@ -72,7 +72,7 @@ struct JoinQuestion {
   std::shared_ptr<const Ownership> own =
       nullptr;  ///< of the tile, by in_tile() (tile_scenes.h); null: all pairs
 
-  bool asks_about_all_times() const { return asked_t.are_all() && asked_dt.are_all(); }
+  bool queries_all_times() const { return queried_t.are_all() && queried_dt.are_all(); }
 };
 
 struct JoinRow {

@@ -31,9 +31,9 @@ struct SlabHelpers::Shared {
     bool done = false;
   };
 
-  Shared(const JoinQuestion& asked, const TimeSlab& part_of_time, bool sorted, const Contact::Reach& reach,
+  Shared(const JoinQuestion& queried, const TimeSlab& part_of_time, bool sorted, const Contact::Reach& reach,
          Interrupt& of_caller)
-      : question(asked),
+      : question(queried),
         slab(part_of_time),
         sorts(sorted),
         interrupt(of_caller),
@@ -98,10 +98,10 @@ struct SlabHelpers::Shared {
     pairs.clear();
     if (!part.next(pairs)) return false;
     if (sorts)
-      stage.ask(part, pairs, slab, batch.hits);
+      stage.query(part, pairs, slab, batch.hits);
     else if (!stage.would_only_write(part))
       batch.add_rows([&](std::vector<JoinRow>& rows) { stage.answer(part, pairs, slab, rows); });
-    else if (stage.asks_about_begin(slab))
+    else if (stage.queries_start(slab))
       batch.add_touching(pairs);
     return true;
   }

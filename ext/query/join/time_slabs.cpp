@@ -24,9 +24,10 @@ TimeSlabs::TimeSlabs(const JoinQuestion& question, const SlabLengths& lengths)
     : horizon_{question.now, question.h}, lengths_(lengths) {
   const FloatEnvironment environment;
   // A dt of at least d stands for a real number above the double before d, and so on.
-  begin_ = std::max({question.now, question.asked_t.least, question.now + before(question.asked_dt.least)});
+  begin_ =
+      std::max({question.now, question.queried_t.least, question.now + before(question.queried_dt.least)});
   end_ = std::min(
-      {question.now + question.h, question.asked_t.most, question.now + after(question.asked_dt.most)});
+      {question.now + question.h, question.queried_t.most, question.now + after(question.queried_dt.most)});
   at_ = begin_;
   done_ = !(begin_ <= end_);
 }

@@ -38,7 +38,7 @@ struct SlabLengths {
 
 class TimeSlabs {
  public:
-  /// Slabs for those moments that the question asks about (asked_t, asked_dt).
+  /// Slabs for those moments that the question asks about (queried_t, queried_dt).
   TimeSlabs(const JoinQuestion& question, const SlabLengths& lengths);
 
   /// The next one, later than all before; nothing behind the last. Each t that is asked for is held by

@@ -61,7 +61,7 @@ Vec<D> sweep_margin(double within, std::optional<double> within_z) {
 }
 
 /// Between which numbers a box's corners are asked for, per axis: both ends included.
-struct AskedCorners {
+struct QueriedCorners {
   double lower_least, lower_most, upper_least, upper_most;
 };
 
@@ -71,7 +71,7 @@ struct SweepQuestion {
   double h = 0;
   double within = 0;
   std::optional<double> within_z = {};
-  std::vector<AskedCorners> asked = {};  ///< of the first axes
+  std::vector<QueriedCorners> queried = {};  ///< of the first axes
 };
 
 struct SweepRow {

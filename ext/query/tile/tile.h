@@ -24,10 +24,10 @@ namespace foresee {
 using TileMarks = std::uint8_t;
 
 struct Tile {
-  static constexpr TileMarks begins_in_x = 1;  ///< its low end is at or behind x0
-  static constexpr TileMarks begins_in_y = 2;
+  static constexpr TileMarks starts_in_x = 1;  ///< its low end is at or behind x0
+  static constexpr TileMarks starts_in_y = 2;
   static constexpr TileMarks unneeded = 4;
-  static constexpr TileMarks owned = begins_in_x | begins_in_y;
+  static constexpr TileMarks owned = starts_in_x | starts_in_y;
 
   // Infinite: no bound, so that the outermost tiles own infinite corners too.
   double x0 = -std::numeric_limits<double>::infinity(), x1 = std::numeric_limits<double>::infinity();
@@ -43,7 +43,7 @@ struct Tile {
       meets &= box.lower[1] < y1 && box.upper[1] >= y0;
       in_y = box.lower[1] >= y0;
     }
-    return static_cast<TileMarks>((box.lower[0] >= x0 ? begins_in_x : 0) | (in_y ? begins_in_y : 0) |
+    return static_cast<TileMarks>((box.lower[0] >= x0 ? starts_in_x : 0) | (in_y ? starts_in_y : 0) |
                                   (meets ? 0 : unneeded));
   }
 

@@ -203,7 +203,7 @@ Window::Window(WindowQuestion question, Interrupt& interrupt)
       candidates_(window_candidates(question_.objects, faces_around(question_), question_.zone != nullptr,
                                     {question_.now, question_.h}, interrupt)),
       contact_(make_window_contact(window_, candidates_->bodies(), {question_.now, question_.h})) {
-  contact_->heed(interrupt);
+  contact_->set_interrupt(interrupt);
 }
 
 std::span<const WindowRow> Window::next() {
@@ -215,8 +215,8 @@ std::span<const WindowRow> Window::next() {
     for (const std::uint32_t row : batch_.doubtful) pairs_.push_back({0, row});
     take_inside();
     const WindowWants& wants = question_.wants;
-    if (wants.begins || wants.ends)
-      contact_->first_contacts(pairs_, wants.ends ? TimesWanted::both : TimesWanted::begins, hits_, times_);
+    if (wants.starts || wants.ends)
+      contact_->first_contacts(pairs_, wants.ends ? TimesWanted::both : TimesWanted::starts, hits_, times_);
     else
       contact_->decide(pairs_, hits_);
     times_.resize(hits_.size());

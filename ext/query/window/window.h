@@ -54,7 +54,7 @@ std::unique_ptr<ObjectCandidates> window_candidates(const Searched& objects, con
                                                     Interrupt& interrupt);
 
 struct WindowWants {
-  bool begins = true;  ///< t, dt
+  bool starts = true;  ///< t, dt
   bool ends = true;    ///< t_end, dt_end
 };
 

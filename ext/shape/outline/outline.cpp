@@ -3,7 +3,7 @@
 namespace foresee {
 
 void Outline::begin_part() {
-  part_begins_.push_back(static_cast<std::uint32_t>(rings()));
+  part_starts_.push_back(static_cast<std::uint32_t>(rings()));
   begin_hole();
 }
 

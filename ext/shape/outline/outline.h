@@ -48,15 +48,15 @@ class Outline {
   /// All corners, ring after ring.
   std::span<const Corner> corners() const { return corners_; }
   std::size_t rings() const { return ring_ends_.size(); }
-  std::size_t parts() const { return part_begins_.size(); }
+  std::size_t parts() const { return part_starts_.size(); }
   std::span<const Corner> ring(std::size_t r) const {
-    return corners().subspan(ring_begin(r), ring_ends_[r] - ring_begin(r));
+    return corners().subspan(ring_start(r), ring_ends_[r] - ring_start(r));
   }
   /// Where the corners of ring r begin among all.
-  std::size_t ring_begin(std::size_t r) const { return r == 0 ? 0 : ring_ends_[r - 1]; }
+  std::size_t ring_start(std::size_t r) const { return r == 0 ? 0 : ring_ends_[r - 1]; }
   /// The rings of part p are those from the first of this part to the first of the next; the first encloses
   /// it.
-  std::size_t part_begin(std::size_t p) const { return p == parts() ? rings() : part_begins_[p]; }
+  std::size_t part_start(std::size_t p) const { return p == parts() ? rings() : part_starts_[p]; }
 
   /// The smallest box around it, seen from the position. Requires: a corner.
   Extents<2> extents() const;
@@ -66,7 +66,7 @@ class Outline {
  private:
   std::vector<Corner> corners_;
   std::vector<std::uint32_t> ring_ends_;    ///< where the corners of each ring end
-  std::vector<std::uint32_t> part_begins_;  ///< the first ring of each part
+  std::vector<std::uint32_t> part_starts_;  ///< the first ring of each part
 };
 
 }  // namespace foresee

@@ -11,7 +11,7 @@ SweepEdges::SweepEdges(const Outline& outline) {
   last_.reserve(outline.corners().size());
   for (std::size_t r = 0; r < outline.rings(); ++r) {
     const std::span<const Corner> ring = outline.ring(r);
-    const auto begin = static_cast<std::uint32_t>(outline.ring_begin(r));
+    const auto begin = static_cast<std::uint32_t>(outline.ring_start(r));
     const auto size = static_cast<std::uint32_t>(ring.size());
     for (std::uint32_t i = 0; i < size; ++i) {
       const std::uint32_t next = i + 1 == size ? 0 : i + 1;

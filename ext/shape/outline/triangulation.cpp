@@ -21,7 +21,7 @@ class Triangulator {
  public:
   explicit Triangulator(const Outline& outline)
       : corners_(outline.corners()), edges_(outline), hole_(outline.rings(), true), gaps_(edges_.size()) {
-    for (std::size_t part = 0; part < outline.parts(); ++part) hole_[outline.part_begin(part)] = false;
+    for (std::size_t part = 0; part < outline.parts(); ++part) hole_[outline.part_start(part)] = false;
     sides_.reserve(3 * (corners_.size() + 2 * outline.rings()));
     sweep(edges_, [this](const Meeting& m) { meet(m); });
   }

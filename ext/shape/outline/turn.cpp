@@ -80,8 +80,8 @@ Outline turned(const Outline& outline, double heading) {
   Turn turn(heading);
   Outline turned_outline;
   for (std::size_t part = 0; part < outline.parts(); ++part)
-    for (std::size_t r = outline.part_begin(part); r < outline.part_begin(part + 1); ++r) {
-      r == outline.part_begin(part) ? turned_outline.begin_part() : turned_outline.begin_hole();
+    for (std::size_t r = outline.part_start(part); r < outline.part_start(part + 1); ++r) {
+      r == outline.part_start(part) ? turned_outline.begin_part() : turned_outline.begin_hole();
       for (const Corner& corner : outline.ring(r)) turned_outline.add(finite_turn(turn, corner, heading));
       turned_outline.close_ring();
     }

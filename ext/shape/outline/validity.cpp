@@ -18,15 +18,15 @@ namespace {
 
 std::size_t ring_of(const Outline& outline, std::uint32_t corner) {
   std::size_t ring = 0;
-  while (outline.ring_begin(ring + 1) <= corner) ++ring;
+  while (outline.ring_start(ring + 1) <= corner) ++ring;
   return ring;
 }
 
 /// "(0 0, 2 2)"
 std::string shown_edge(const Outline& outline, std::uint32_t begin) {
   const std::size_t ring = ring_of(outline, begin);
-  const bool last = begin + 1 == outline.ring_begin(ring + 1);
-  const std::size_t end = last ? outline.ring_begin(ring) : begin + 1;
+  const bool last = begin + 1 == outline.ring_start(ring + 1);
+  const std::size_t end = last ? outline.ring_start(ring) : begin + 1;
   return '(' + shown(outline.corners()[begin]) + ", " + shown(outline.corners()[end]) + ')';
 }
 
@@ -90,7 +90,7 @@ class Validity {
         ring_of_part_(outline.rings()),
         within_(outline.rings(), unknown) {
     for (std::uint32_t part = 0, ring = 0; part < outline.parts(); ++part)
-      for (const std::uint32_t first = ring; ring < outline.part_begin(part + 1); ++ring)
+      for (const std::uint32_t first = ring; ring < outline.part_start(part + 1); ++ring)
         ring_of_part_[ring] = first;
   }
 
@@ -211,7 +211,7 @@ class Validity {
     within_[ring] = around;
     const bool hole = ring_of_part_[ring] != ring;
     const auto fail_ring = [&](Flaw::Kind kind) {
-      const std::size_t begin = around == nothing ? 0 : outline_.ring_begin(around);
+      const std::size_t begin = around == nothing ? 0 : outline_.ring_start(around);
       throw FlawFound{{kind, edge, static_cast<EdgeNumber>(begin), {}}};
     };
     if (hole && around == nothing) fail_ring(Flaw::Kind::hole_outside);
@@ -229,7 +229,7 @@ class Validity {
 std::optional<Flaw> ring_of_few_corners(const Outline& outline) {
   for (std::size_t r = 0; r < outline.rings(); ++r)
     if (outline.ring(r).size() < 3) {
-      const auto begin = static_cast<std::uint32_t>(outline.ring_begin(r));
+      const auto begin = static_cast<std::uint32_t>(outline.ring_start(r));
       return Flaw{Flaw::Kind::few_corners, begin, begin, {}};
     }
   return std::nullopt;

@@ -127,8 +127,8 @@ void write_ring(std::span<const Corner> ring, std::string& text) {
 
 /// "((0 0, 9 0, 5 9, 0 0), (4 1, 5 1, 5 2, 4 1))"
 void write_part(const Outline& outline, std::size_t part, std::string& text) {
-  for (std::size_t r = outline.part_begin(part); r < outline.part_begin(part + 1); ++r) {
-    text += r == outline.part_begin(part) ? "(" : ", ";
+  for (std::size_t r = outline.part_start(part); r < outline.part_start(part + 1); ++r) {
+    text += r == outline.part_start(part) ? "(" : ", ";
     write_ring(outline.ring(r), text);
   }
   text += ')';
@@ -142,8 +142,8 @@ std::string shown(const Corner& corner) {
 
 std::string name_of_ring(const Outline& outline, std::size_t ring) {
   std::size_t part = 0;
-  while (outline.part_begin(part + 1) <= ring) ++part;
-  const std::string name = "ring " + std::to_string(ring - outline.part_begin(part) + 1);
+  while (outline.part_start(part + 1) <= ring) ++part;
+  const std::string name = "ring " + std::to_string(ring - outline.part_start(part) + 1);
   return outline.parts() == 1 ? name : name + " of part " + std::to_string(part + 1);
 }
 

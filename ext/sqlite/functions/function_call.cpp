@@ -22,7 +22,7 @@ char limit_letter(int op) {
 }
 
 /// Whether the call itself leaves out what does not meet a constraint.
-bool is_heeded(const TableFunction& function, const sqlite3_index_info& info, int i) {
+bool is_applied(const TableFunction& function, const sqlite3_index_info& info, int i) {
   const auto& constraint = info.aConstraint[i];
   if (info.aConstraintUsage[i].argvIndex == 0) return false;
   if (constraint.iColumn >= static_cast<int>(function.outputs.size())) return true;
@@ -34,7 +34,7 @@ bool is_heeded(const TableFunction& function, const sqlite3_index_info& info, in
 
 void take_row_limit(const TableFunction& function, sqlite3_index_info& info, std::string& arguments) {
   for (int i = 0; i < info.nConstraint; ++i)
-    if (!limit_letter(info.aConstraint[i].op) && !is_heeded(function, info, i)) return;
+    if (!limit_letter(info.aConstraint[i].op) && !is_applied(function, info, i)) return;
   for (int i = 0; i < info.nConstraint; ++i) {
     const char letter = limit_letter(info.aConstraint[i].op);
     if (!letter || !info.aConstraint[i].usable) continue;

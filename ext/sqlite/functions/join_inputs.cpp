@@ -98,7 +98,7 @@ std::shared_ptr<const Scene> scene_of(const OpenTable& table, std::int64_t id, I
 }
 
 /// One side becomes the object that is asked about, the other what may touch it.
-void take_object_and_near(Connection& connection, const JoinedTables& tables, const AskedIds& ids,
+void take_object_and_near(Connection& connection, const JoinedTables& tables, const QueriedIds& ids,
                           JoinQuestion& question) {
   const bool by_a = ids.a.has_value();
   const std::int64_t id = by_a ? *ids.a : *ids.b;
@@ -159,7 +159,7 @@ JoinInputs read_join_inputs(const FunctionCall& call) {
   return inputs;
 }
 
-JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const AskedIds& ids) {
+JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const QueriedIds& ids) {
   Connection& connection = call.connection();
   const JoinedTables tables = open_tables(connection, inputs);
   JoinQuestion question;

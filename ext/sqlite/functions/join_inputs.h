@@ -19,7 +19,7 @@ namespace foresee {
 
 struct JoinInputs {
   double h = 0;
-  AskedTable tbl = {};  ///< with `schema`, where `other` is too
+  QueriedTable tbl = {};  ///< with `schema`, where `other` is too
   double within = 0;
   std::optional<std::string> other = {};  ///< none: pairs within tbl, each once
   std::optional<double> now = {};         ///< none: the newest t stored
@@ -35,7 +35,7 @@ std::vector<const char*> join_input_names();
 JoinInputs read_join_inputs(const FunctionCall& call);
 
 /// The ids that the query wants in columns a and b.
-struct AskedIds {
+struct QueriedIds {
   std::optional<std::int64_t> a = {}, b = {};
 };
 
@@ -44,6 +44,6 @@ struct AskedIds {
 /// those near it, looked up in the tree, unless another method was asked for. The call is told what was used
 /// for inputs that were left out; the method is 'auto' then, since one statement may go two ways (a = ? OR t
 /// < ?).
-JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const AskedIds& ids = {});
+JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const QueriedIds& ids = {});
 
 }  // namespace foresee

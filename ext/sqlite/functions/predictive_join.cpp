@@ -60,13 +60,13 @@ JoinOrder order_of(std::span<const int> outputs) {
   return outputs.size() > 1 ? JoinOrder::by_t_and_ids : JoinOrder::by_t;
 }
 
-AskedTimes asked(const FunctionCall::Bounds& bounds) {
+QueriedTimes queried(const FunctionCall::Bounds& bounds) {
   return {bounds.least, bounds.most};
 }
 
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   JoinQuestion question = join_question(call, read_join_inputs(call), {call.only(out_a), call.only(out_b)});
-  question.asked_t = asked(call.bounds(out_t)), question.asked_dt = asked(call.bounds(out_dt));
+  question.queried_t = queried(call.bounds(out_t)), question.queried_dt = queried(call.bounds(out_dt));
   question.order = order_of(call.order());
   question.likely_rows = call.limit().in_all().value_or(all_rows);
   question.helpers = call.connection().helper_threads();

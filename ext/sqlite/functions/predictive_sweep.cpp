@@ -39,7 +39,7 @@ class SweepRows final : public FunctionRows {
   std::size_t row_ = 0;
 };
 
-AskedCorners asked_corners(const FunctionCall& call, int axis) {
+QueriedCorners queried_corners(const FunctionCall& call, int axis) {
   const FunctionCall::Bounds lower = call.bounds(out_x0 + 2 * axis),
                              upper = call.bounds(out_x0 + 2 * axis + 1);
   return {lower.least, lower.most, upper.least, upper.most};
@@ -55,7 +55,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   const auto table = open_table(connection, {call.text(in_tbl), call.text(in_schema)});
   question.tree = table.store->take_snapshot();
   question.now = now ? *now : read_newest_t(*question.tree);
-  question.asked = {asked_corners(call, 0), asked_corners(call, 1)};
+  question.queried = {queried_corners(call, 0), queried_corners(call, 1)};
   return std::make_unique<SweepRows>(std::move(question), connection.interrupt());
 }
 

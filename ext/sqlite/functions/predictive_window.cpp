@@ -83,7 +83,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   SearchedTable table = searched_table(call, {in_tbl, in_now, in_method, in_schema});
   question.objects = std::move(table.objects);
   question.now = table.now;
-  question.wants.begins = call.reads(out_t) || call.reads(out_dt);
+  question.wants.starts = call.reads(out_t) || call.reads(out_dt);
   question.wants.ends = call.reads(out_t_end) || call.reads(out_dt_end);
   return std::make_unique<WindowRows>(std::move(question), call.connection().interrupt());
 }

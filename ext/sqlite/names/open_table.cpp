@@ -36,7 +36,7 @@ std::string list_of(const std::vector<VisibleTable>& tables, bool with_schemas) 
 }
 
 /// The one table that is meant when nobody names one.
-AskedTable only_table(sqlite3* db, const std::optional<std::string>& schema) {
+QueriedTable only_table(sqlite3* db, const std::optional<std::string>& schema) {
   const std::vector<VisibleTable> tables = visible_tables(db);
   const VisibleTable* only = nullptr;
   for (const VisibleTable& table : tables) {
@@ -59,14 +59,14 @@ std::string with_schema_apart(const std::vector<VisibleTable>& tables, const std
 }
 
 /// SQL's text ends at a NUL: no name has one.
-bool can_be_named(const AskedTable& name) {
+bool can_be_named(const QueriedTable& name) {
   const std::string text = *name.table + name.schema.value_or("");
   return std::strlen(text.c_str()) == text.size();
 }
 
 /// The table that SQLite finds under this name, or nothing if it is none of ours. Throws StoreError where
 /// SQLite finds none.
-std::optional<Connection::OpenTable> find_open(Connection& connection, const AskedTable& name) {
+std::optional<Connection::OpenTable> find_open(Connection& connection, const QueriedTable& name) {
   TableLookups& lookups = connection.lookups();
   const auto find = [&]() -> const Connection::OpenTable* {
     const auto number = lookups.number_of(name);
@@ -104,8 +104,8 @@ void require_moving_objects(sqlite3* db, const std::string& table, const std::op
               list_of(tables, schema.has_value()));
 }
 
-Connection::OpenTable open_table(Connection& connection, const AskedTable& asked) {
-  const AskedTable name = asked.table ? asked : only_table(connection.db(), asked.schema);
+Connection::OpenTable open_table(Connection& connection, const QueriedTable& queried) {
+  const QueriedTable name = queried.table ? queried : only_table(connection.db(), queried.schema);
   try {
     if (can_be_named(name))
       if (auto open = find_open(connection, name)) return *open;

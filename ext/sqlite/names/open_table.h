@@ -17,7 +17,7 @@ namespace foresee {
 /// Equal tables have equal stores. A copy, because to look up another table may make SQLite connect this one
 /// anew. Throws Error where no such table is to be found or where the choice is not
 /// clear; it lists what there is.
-Connection::OpenTable open_table(Connection& connection, const AskedTable& name);
+Connection::OpenTable open_table(Connection& connection, const QueriedTable& name);
 
 /// 'name', as messages show it.
 std::string quoted(const std::string& name);

@@ -1,6 +1,6 @@
 // What does SQLite find under a table's name? Asked once, and again only when a schema has changed.
 //
-//   const AskedTable name{.table = "ships", .schema = {}};
+//   const QueriedTable name{.table = "ships", .schema = {}};
 //   lookups.number_of(name)          // what the table announced itself as, or nothing
 //   lookups.keep(name, 7, "main")    // and where it was: next time its number is known
 //
@@ -24,11 +24,11 @@
 
 namespace foresee {
 
-struct AskedTable {
+struct QueriedTable {
   std::optional<std::string> table;
   std::optional<std::string> schema;
 
-  friend bool operator==(const AskedTable&, const AskedTable&) = default;
+  friend bool operator==(const QueriedTable&, const QueriedTable&) = default;
 };
 
 class TableLookups {
@@ -37,21 +37,21 @@ class TableLookups {
 
   /// What is kept, else what SQLite says. Throws StoreError where SQLite finds no such table, or one of
   /// another kind. Requires: a table is named.
-  std::optional<std::int64_t> number_of(const AskedTable& name);
+  std::optional<std::int64_t> number_of(const QueriedTable& name);
   /// The number that is kept, if it is certain that the name still means that table; else nothing. Runs its
   /// witness, so SQLite may disconnect tables meanwhile.
-  std::optional<std::int64_t> kept_number(const AskedTable& name);
+  std::optional<std::int64_t> kept_number(const QueriedTable& name);
   /// The next number_of(name) need not ask SQLite; where nothing can be kept it asks. Requires:
   /// number_of(name) has just said so of a table in `schema`.
-  void keep(const AskedTable& name, std::int64_t number, const std::string& schema);
+  void keep(const QueriedTable& name, std::int64_t number, const std::string& schema);
   /// The next time SQLite resolves the name from the start.
-  void forget(const AskedTable& name) noexcept;
+  void forget(const QueriedTable& name) noexcept;
   /// Lets go of all statements that are not running.
   void finalize() noexcept;
 
  private:
   struct Kept {
-    AskedTable name;
+    QueriedTable name;
     std::int64_t number;
     Statement witness;
   };
@@ -59,7 +59,7 @@ class TableLookups {
 
   /// What the table that SQLite finds under the name answers; nothing if it gives no number. Throws as
   /// number_of() does.
-  std::optional<std::int64_t> ask_sqlite(const AskedTable& name);
+  std::optional<std::int64_t> query_sqlite(const QueriedTable& name);
 
   sqlite3* db_;
   std::vector<Kept> kept_;  ///< the latest last

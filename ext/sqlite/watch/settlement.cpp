@@ -68,7 +68,7 @@ void Settlement::compute_anew() {
   if (before_.clock && !before_.anew) adapt_look();
   look_further();
   for (const StoredPair& pair : rows_.pairs()) old_.push_back(watched(pair));
-  JoinQuestion all = question_of_all(connection_, tables_, state_, asked_horizon());
+  JoinQuestion all = question_of_all(connection_, tables_, state_, queried_horizon());
   all.wants = {.contact = true, .ends = true, .approach = false};
   Join join(std::move(all), connection_.interrupt());
   for (auto rows = join.next(); !rows.empty(); rows = join.next()) take(rows);
@@ -86,7 +86,7 @@ void Settlement::follow_changes() {
     reach_ = std::min(std::max(state_.horizon, beyond), std::numeric_limits<double>::max());
   }
   read_old_pairs();
-  ask_due_pairs();
+  query_due_pairs();
   search_changed();
   if (looks_ahead) look_ahead(known_to);
   write_differences(false);
@@ -104,8 +104,8 @@ void Settlement::read_old_pairs() {
 }
 
 /// Of pairs whose objects have not changed. What enters the horizon by time alone begins when it is known to.
-void Settlement::ask_due_pairs() {
-  std::vector<PairIds> asked;
+void Settlement::query_due_pairs() {
+  std::vector<PairIds> queried;
   const auto is_changed = [&](const StoredPair& pair) {
     return changed_a_.holds(pair.a) || (tables_.b ? changed_b_ : changed_a_).holds(pair.b);
   };
@@ -115,16 +115,16 @@ void Settlement::ask_due_pairs() {
     if (!pair.held && pair.t > clock_ && pair.t < horizon_end_)
       new_.push_back({pair.a, pair.b, pair.t, pair.t, pair.t, true});
     else
-      asked.push_back({pair.a, pair.b});
+      queried.push_back({pair.a, pair.b});
   };
   for (const StoredPair& pair : rows_.due_pairs(true, clock_)) look_at(pair);
   for (const StoredPair& pair : rows_.due_pairs(false, horizon_end_)) look_at(pair);
-  take(contacts_of(connection_, tables_, question(asked_horizon()), asked));
+  take(contacts_of(connection_, tables_, question(queried_horizon()), queried));
 }
 
 void Settlement::search_changed() {
   if (changed_a_.ids.empty() && changed_b_.ids.empty()) return;
-  PairSearch search(connection_, tables_, question(asked_horizon()));
+  PairSearch search(connection_, tables_, question(queried_horizon()));
   const auto take_all = [&](std::span<const JoinRow> rows) { take(rows); };
   search.pairs_of(Side::a, changed_a_.ids, take_all);
   if (tables_.b) search.pairs_of(Side::b, changed_b_.ids, take_all);
@@ -132,7 +132,7 @@ void Settlement::search_changed() {
 
 /// What begins from then on, and the ends that are known only now.
 void Settlement::look_ahead(double from) {
-  JoinQuestion all = question_of_all(connection_, tables_, state_, asked_horizon());
+  JoinQuestion all = question_of_all(connection_, tables_, state_, queried_horizon());
   all.wants = {.contact = true, .ends = true, .approach = false};
   const std::size_t first = new_.size();
   std::vector<JoinRow> unknown;

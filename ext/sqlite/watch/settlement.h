@@ -6,8 +6,8 @@
 // Known are all pairs whose first contact begins in [clock, known_to]; those beyond the horizon wait.
 //
 //   changed objects   their old pairs are range reads, their new ones searched for (pair_search.h)
-//   the clock         rows that are due are shown, asked for their next contact, or taken out; when the
-//                     horizon passes known_to, a join looks ahead for what begins or ends beyond it, the
+//   the clock         rows that are due are shown, queried for their next contact, or taken out; when the
+//                     horizon passes known_to, a join looks ahead for what starts or ends beyond it, the
 //                     further the fewer of the pairs that wait are dropped again unseen
 //   anew              where it cannot be told what has changed, or the clock goes back or far ahead: the join
 //                     of all against all rows
@@ -60,7 +60,7 @@ class Settlement {
   void compute_anew();
   void follow_changes();
   void read_old_pairs();
-  void ask_due_pairs();
+  void query_due_pairs();
   void search_changed();
   void look_ahead(double from);
 
@@ -75,7 +75,7 @@ class Settlement {
   bool differ_mostly();
   void write_difference(const WatchedPair* before, const WatchedPair* after);
 
-  Horizon asked_horizon() const { return {clock_, reach_}; }
+  Horizon queried_horizon() const { return {clock_, reach_}; }
   JoinQuestion question(const Horizon& horizon) const;
 
   Connection& connection_;

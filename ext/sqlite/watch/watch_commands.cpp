@@ -49,11 +49,11 @@ std::string watch_fault(WatchTable& table) {
     if (pair.held) held.push_back({pair.a, pair.b, std::max(pair.t, state.now())});
   std::sort(held.begin(), held.end());
   const std::vector<ShownPair> joined = joined_pairs(connection, tables, state);
-  const auto [kept, asked] = std::mismatch(held.begin(), held.end(), joined.begin(), joined.end());
-  if (kept == held.end() && asked == joined.end()) return "";
-  if (asked == joined.end() || (kept != held.end() && *kept < *asked))
+  const auto [kept, queried] = std::mismatch(held.begin(), held.end(), joined.begin(), joined.end());
+  if (kept == held.end() && queried == joined.end()) return "";
+  if (queried == joined.end() || (kept != held.end() && *kept < *queried))
     return name_of(*kept) + " is kept, and predictive_join does not give it so";
-  return name_of(*asked) + " is given by predictive_join, and not kept so";
+  return name_of(*queried) + " is given by predictive_join, and not kept so";
 }
 
 void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value* now) {

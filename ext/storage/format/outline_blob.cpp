@@ -13,8 +13,8 @@ namespace {
 struct Counts {
   std::uint32_t rings, parts, corners;
 
-  std::size_t part_begins_at() const { return form_header_size + std::size_t{4} * rings; }
-  std::size_t corners_at() const { return part_begins_at() + std::size_t{4} * parts; }
+  std::size_t part_starts_at() const { return form_header_size + std::size_t{4} * rings; }
+  std::size_t corners_at() const { return part_starts_at() + std::size_t{4} * parts; }
   std::size_t size() const { return corners_at() + sizeof(Corner) * corners + form_checksum_size; }
 };
 
@@ -28,11 +28,11 @@ Counts counts_of(const std::byte* blob) {
 const char* read_rings(const std::byte* blob, const Counts& counts, Outline& outline) {
   std::uint32_t corner = 0, part = 0;
   for (std::uint32_t ring = 0; ring < counts.rings; ++ring) {
-    const bool begins_part =
-        part < counts.parts && load_number<std::uint32_t>(blob + counts.part_begins_at() + 4 * part) == ring;
-    if (ring == 0 && !begins_part) return "its first ring begins no part";
-    part += begins_part;
-    begins_part ? outline.begin_part() : outline.begin_hole();
+    const bool starts_part =
+        part < counts.parts && load_number<std::uint32_t>(blob + counts.part_starts_at() + 4 * part) == ring;
+    if (ring == 0 && !starts_part) return "its first ring begins no part";
+    part += starts_part;
+    starts_part ? outline.begin_part() : outline.begin_hole();
     const auto end = load_number<std::uint32_t>(blob + form_header_size + std::size_t{4} * ring);
     if (end <= corner || end > counts.corners) return "its rings do not follow one another";
     for (; corner < end; ++corner) {
@@ -58,9 +58,9 @@ std::vector<std::byte> encode_outline(const Outline& outline) {
     at += sizeof count;
   }
   for (std::uint32_t ring = 0; ring < counts.rings; ++ring, at += 4)
-    store_number(at, static_cast<std::uint32_t>(outline.ring_begin(ring) + outline.ring(ring).size()));
+    store_number(at, static_cast<std::uint32_t>(outline.ring_start(ring) + outline.ring(ring).size()));
   for (std::uint32_t part = 0; part < counts.parts; ++part, at += 4)
-    store_number(at, static_cast<std::uint32_t>(outline.part_begin(part)));
+    store_number(at, static_cast<std::uint32_t>(outline.part_start(part)));
   for (const Corner& corner : outline.corners()) {
     store_number(at, corner);
     at += sizeof corner;

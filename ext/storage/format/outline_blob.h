@@ -3,7 +3,7 @@
 //     byte 0   1      2..3   4..7    8..11   12..15
 //   +--------+------+------+-------+-------+---------+-----------------+------------------+----------+
 //   | format | kind | 0    | rings | parts | corners | ring ends, part | x, y of each     | checksum |
-//   |  1     | 1    |      |       |       |         | begins          | corner           |          |
+//   |  1     | 1    |      |       |       |         | starts          | corner           |          |
 //   +--------+------+------+-------+-------+---------+-----------------+------------------+----------+
 //
 // Counts, ends and begins are of 4 bytes, corners two doubles of 8, little-endian. The last four bytes are

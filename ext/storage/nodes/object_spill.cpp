@@ -14,8 +14,8 @@ constexpr std::size_t largest_row = 256 << 10;  // bytes: more makes no write ch
 /// Who may not ask, as an authorizer may say, gets a file.
 bool keeps_in_memory(sqlite3* db) try {
   constexpr std::int64_t memory = 2;
-  Statement asks(db, "PRAGMA temp_store");
-  Statement::Run run(asks);
+  Statement pragma(db, "PRAGMA temp_store");
+  Statement::Run run(pragma);
   return run.step() && run.integer(0) == memory;
 } catch (const StoreError&) {
   return false;

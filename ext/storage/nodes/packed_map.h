@@ -46,8 +46,8 @@ class PackedMap {
     constexpr std::size_t many = 1 << 14;
     std::vector<IdHashMap::Entry> part;
     for (std::size_t i = 0; i < ids_.size(); ++i) {
-      const bool begins_block = i > 0 && IdBlock::base_of(ids_[i]) != IdBlock::base_of(ids_[i - 1]);
-      if (begins_block && part.size() >= many) each(std::span<const IdHashMap::Entry>(part)), part.clear();
+      const bool starts_block = i > 0 && IdBlock::base_of(ids_[i]) != IdBlock::base_of(ids_[i - 1]);
+      if (starts_block && part.size() >= many) each(std::span<const IdHashMap::Entry>(part)), part.clear();
       part.push_back({ids_[i], first_leaf_ + leaves_[i]});
     }
     if (!part.empty()) each(std::span<const IdHashMap::Entry>(part));

@@ -130,7 +130,7 @@ void StatementInterrupt::finalize() noexcept {
 
 // While the statement runs it is nobody's but this function's: SQLite may compile it anew and before that
 // disconnect tables, which finalizes what is kept.
-void StatementInterrupt::ask() {
+void StatementInterrupt::poll() {
   sqlite3_stmt* statement = std::exchange(statement_, nullptr);
   int rc = SQLITE_OK;
   if (statement == nullptr)

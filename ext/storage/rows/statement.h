@@ -123,14 +123,14 @@ class StatementInterrupt final : public Interrupt {
     const auto now = std::chrono::steady_clock::now();
     if (now < next_) return;
     next_ = now + std::chrono::milliseconds(1);
-    ask();
+    poll();
   }
 
   /// Lets go of the statement; the next check makes a new one.
   void finalize() noexcept;
 
  private:
-  void ask();
+  void poll();
 
   sqlite3* db_;
   sqlite3_stmt* statement_ = nullptr;

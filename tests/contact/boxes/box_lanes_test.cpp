@@ -34,7 +34,7 @@ class LaneOfPair {
         relative_(certain_motion_of<D, Degree>(setup_, row_a_.data(), row_b_.data())) {}
 
   bool from_now() const {
-    return !moments_.none && moments_.begin_exact && moments_.dt_begin == 0 &&
+    return !moments_.none && moments_.start_exact && moments_.dt_start == 0 &&
            relative_.underflow <= usual_underflow;
   }
 
@@ -254,7 +254,7 @@ void ask(const Bodies& bodies, std::span<const Pair> pairs, TimesWanted wanted, 
   const auto contact = make_contact(bodies, bodies, {.horizon = {2, 3}, .within = 0.25}, "a", "a");
   contact->decide(pairs, answers.decided);
   contact->first_contacts(pairs, wanted, answers.hits, answers.times);
-  if (wanted == TimesWanted::begins)
+  if (wanted == TimesWanted::starts)
     for (ContactTimes& times : answers.times) times.t_end = times.dt_end = 0;  // anything
 }
 
@@ -276,7 +276,7 @@ TEST(BoxLanes, PairsAnswerAloneAsInABatch) {
   std::vector<Pair> pairs;
   for (std::uint32_t a = 0; a < count; ++a)
     for (std::uint32_t b = a + 1; b < count; ++b) pairs.push_back({a, b});
-  for (const TimesWanted wanted : {TimesWanted::begins, TimesWanted::both}) {
+  for (const TimesWanted wanted : {TimesWanted::starts, TimesWanted::both}) {
     Answers alone;
     for (const Pair& pair : pairs) ask(bodies, {&pair, 1}, wanted, alone);
     EXPECT_GT(alone.hits.size(), 1000u);

@@ -110,48 +110,50 @@ unsigned side_of(const Facet& plane, const Facet& other, const Whole& squared) {
   return side;
 }
 
-std::optional<Span> corner_meets(const Arrow& corner, const Arrow& velocity, const Facet& facet, Span asked) {
+std::optional<Span> corner_meets(const Arrow& corner, const Arrow& velocity, const Facet& facet,
+                                 Span queried) {
   if (facet.squared == 0) return {};
   const Arrow gap = corner - facet.corners[0];
-  if (!cut(asked, {dot(gap, facet.normal), dot(velocity, facet.normal)}, 0, 0)) return {};
+  if (!cut(queried, {dot(gap, facet.normal), dot(velocity, facet.normal)}, 0, 0)) return {};
   const Steady u{dot(gap, facet.to_u), dot(velocity, facet.to_u)};
-  if (!cut(asked, u, 0, facet.squared)) return {};
+  if (!cut(queried, u, 0, facet.squared)) return {};
   const Steady w{dot(gap, facet.to_w), dot(velocity, facet.to_w)};
-  if (!cut(asked, w, 0, facet.squared)) return {};
-  if (!cut(asked, {u.value + w.value, u.slope + w.slope}, 0, facet.squared)) return {};
-  return asked;
+  if (!cut(queried, w, 0, facet.squared)) return {};
+  if (!cut(queried, {u.value + w.value, u.slope + w.slope}, 0, facet.squared)) return {};
+  return queried;
 }
 
 std::optional<Span> edge_meets(const Arrow& p, const Arrow& e, const Arrow& q, const Arrow& f,
-                               const Arrow& velocity, Span asked) {
+                               const Arrow& velocity, Span queried) {
   const Arrow gap = q - p, turn = cross(e, f);
   const Whole squared = dot(turn, turn);
   if (squared != 0) {
-    if (!cut(asked, {dot(gap, turn), dot(velocity, turn)}, 0, 0)) return {};
+    if (!cut(queried, {dot(gap, turn), dot(velocity, turn)}, 0, 0)) return {};
     const Arrow to_e = cross(f, turn), to_f = cross(e, turn);
-    if (!cut(asked, {dot(gap, to_e), dot(velocity, to_e)}, 0, squared)) return {};
-    if (!cut(asked, {dot(gap, to_f), dot(velocity, to_f)}, 0, squared)) return {};
-    return asked;
+    if (!cut(queried, {dot(gap, to_e), dot(velocity, to_e)}, 0, squared)) return {};
+    if (!cut(queried, {dot(gap, to_f), dot(velocity, to_f)}, 0, squared)) return {};
+    return queried;
   }
   // Parallel: in one line, and overlapping in it. An edge without length is a point.
   const Arrow& line = is_zero(e) ? f : e;
-  if (is_zero(line)) return cut_to_zero(asked, gap, velocity) ? std::optional(asked) : std::nullopt;
-  if (!cut_to_zero(asked, cross(gap, line), cross(velocity, line))) return {};
+  if (is_zero(line)) return cut_to_zero(queried, gap, velocity) ? std::optional(queried) : std::nullopt;
+  if (!cut_to_zero(queried, cross(gap, line), cross(velocity, line))) return {};
   const Whole zero, reach_e = dot(e, line), reach_f = dot(f, line);
   const Whole low = std::min(zero, reach_e) - std::max(zero, reach_f);
   const Whole high = std::max(zero, reach_e) - std::min(zero, reach_f);
-  if (cut(asked, {dot(gap, line), dot(velocity, line)}, low, high)) return asked;
+  if (cut(queried, {dot(gap, line), dot(velocity, line)}, low, high)) return queried;
   return {};
 }
 
-std::optional<Span> features_meet(const Facet& a, const Facet& b, const Arrow& velocity, const Span& asked) {
+std::optional<Span> features_meet(const Facet& a, const Facet& b, const Arrow& velocity,
+                                  const Span& queried) {
   const Arrow back = Whole(-1) * velocity;
   std::optional<Span> all;
   for (std::size_t i = 0; i < 3; ++i) {
-    widen(all, corner_meets(a.corners[i], back, b, asked));
-    widen(all, corner_meets(b.corners[i], velocity, a, asked));
+    widen(all, corner_meets(a.corners[i], back, b, queried));
+    widen(all, corner_meets(b.corners[i], velocity, a, queried));
     for (std::size_t j = 0; j < 3; ++j)
-      widen(all, edge_meets(a.corners[i], a.edges[i], b.corners[j], b.edges[j], velocity, asked));
+      widen(all, edge_meets(a.corners[i], a.edges[i], b.corners[j], b.edges[j], velocity, queried));
   }
   return all;
 }

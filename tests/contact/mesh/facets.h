@@ -52,16 +52,17 @@ struct Span {
   Fraction begin, end;
 };
 
-/// When, of `asked`, is a corner that flies past the triangle on it? Never where the triangle has no area.
-std::optional<Span> corner_meets(const Arrow& corner, const Arrow& velocity, const Facet& facet, Span asked);
+/// When, of `queried`, is a corner that flies past the triangle on it? Never where the triangle has no area.
+std::optional<Span> corner_meets(const Arrow& corner, const Arrow& velocity, const Facet& facet,
+                                 Span queried);
 
-/// When, of `asked`, does the edge from p along e meet that from q along f, which flies by?
+/// When, of `queried`, does the edge from p along e meet that from q along f, which flies by?
 std::optional<Span> edge_meets(const Arrow& p, const Arrow& e, const Arrow& q, const Arrow& f,
-                               const Arrow& velocity, Span asked);
+                               const Arrow& velocity, Span queried);
 
-/// The moments of `asked` at which a corner of one triangle is on the other, or their edges meet: from the
+/// The moments of `queried` at which a corner of one triangle is on the other, or their edges meet: from the
 /// first to the last of all. b flies past a.
-std::optional<Span> features_meet(const Facet& a, const Facet& b, const Arrow& velocity, const Span& asked);
+std::optional<Span> features_meet(const Facet& a, const Facet& b, const Arrow& velocity, const Span& queried);
 
 /// Both at rest.
 bool touch(const Facet& a, const Facet& b);

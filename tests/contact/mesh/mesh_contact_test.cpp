@@ -31,12 +31,12 @@ SpacePlace place_at(const Encounter& encounter, const Rational& moment) {
 /// Empty if the answer is right, else what is wrong.
 std::string judged(const MeshScene& scene, const std::optional<ContactTimes>& answer) {
   const Encounter encounter = encounter_of(scene);
-  const SlopeSign asked = encounter.asked();
+  const SlopeSign queried = encounter.queried();
   const SpacePlace velocity{encounter.velocity(0), encounter.velocity(1), encounter.velocity(2)};
   std::optional<SlopeSign> exact;
-  if (asked.begin <= asked.end)
+  if (queried.begin <= queried.end)
     exact =
-        oracle::first_contact(body_of(scene.a), body_of(scene.b), place_at(encounter, 0), velocity, asked);
+        oracle::first_contact(body_of(scene.a), body_of(scene.b), place_at(encounter, 0), velocity, queried);
   return oracle::compared(exact, answer, scene.question.horizon.now);
 }
 

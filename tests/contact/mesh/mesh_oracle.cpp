@@ -69,11 +69,11 @@ bool is_within(const Arrow& corner, const std::vector<Facet>& solid) {
 
 /// Some triangle of `inner` is within `outer`. Requires: their surfaces do not touch.
 bool holds_one(const std::vector<Facet>& outer, const std::vector<Facet>& inner) {
-  std::vector<Arrow> asked;
+  std::vector<Arrow> queried;
   return std::any_of(inner.begin(), inner.end(), [&](const Facet& facet) {
     const Arrow& corner = facet.corners[0];
-    if (std::find(asked.begin(), asked.end(), corner) != asked.end()) return false;
-    asked.push_back(corner);
+    if (std::find(queried.begin(), queried.end(), corner) != queried.end()) return false;
+    queried.push_back(corner);
     return is_within(corner, outer);
   });
 }
@@ -128,8 +128,8 @@ bool stays_beside(const Still& first, const Still& last, std::size_t i, std::siz
 class Scene {
  public:
   Scene(const Body& a, const Body& b, const SpacePlace& place, const SpacePlace& velocity,
-        const SlopeSign& asked)
-      : a_is_solid_(a.is_solid), b_is_solid_(b.is_solid), asked_(asked) {
+        const SlopeSign& queried)
+      : a_is_solid_(a.is_solid), b_is_solid_(b.is_solid), queried_(queried) {
     CommonUnit unit;
     unit.measure(a), unit.measure(b), unit.measure(place), unit.measure(velocity);
     a_ = unit.in_units(a, {}), b_ = unit.in_units(b, place);
@@ -138,24 +138,24 @@ class Scene {
 
   std::optional<SlopeSign> first_contact() {
     meet_surfaces();
-    for (const SlopeSign& gap : gaps_between(contacts_, asked_))
+    for (const SlopeSign& gap : gaps_between(contacts_, queried_))
       if (lies_within((gap.begin + gap.end) / 2)) contacts_.push_back(gap);
     return first_of(contacts_);
   }
 
  private:
   void meet_surfaces() {
-    const Span asked{fraction_of(asked_.begin), fraction_of(asked_.end)};
-    const Still first(a_, b_, velocity_, asked.begin), last(a_, b_, velocity_, asked.end);
+    const Span queried{fraction_of(queried_.begin), fraction_of(queried_.end)};
+    const Still first(a_, b_, velocity_, queried.begin), last(a_, b_, velocity_, queried.end);
     for (std::size_t i = 0; i < a_.size(); ++i)
       for (std::size_t j = 0; j < b_.size(); ++j) {
         if (stays_beside(first, last, i, j)) continue;
         const bool at_first = touch(first.a[i], first.b[j]);
         const bool at_last = touch(last.a[i], last.b[j]);
-        auto met = at_first && at_last ? asked : features_meet(a_[i], b_[j], velocity_, asked);
+        auto met = at_first && at_last ? queried : features_meet(a_[i], b_[j], velocity_, queried);
         if (!met && !at_first && !at_last) continue;
-        contacts_.push_back({at_first ? asked_.begin : rational_of(met->begin),
-                             at_last ? asked_.end : rational_of(met->end)});
+        contacts_.push_back({at_first ? queried_.begin : rational_of(met->begin),
+                             at_last ? queried_.end : rational_of(met->end)});
       }
   }
 
@@ -165,7 +165,7 @@ class Scene {
   }
 
   const bool a_is_solid_, b_is_solid_;
-  const SlopeSign asked_;
+  const SlopeSign queried_;
   std::vector<Facet> a_, b_;
   Arrow velocity_;
   std::vector<SlopeSign> contacts_;
@@ -197,8 +197,8 @@ Body box_body(double half_x, double half_y, double half_z) {
 }
 
 std::optional<SlopeSign> first_contact(const Body& a, const Body& b, const SpacePlace& place,
-                                       const SpacePlace& velocity, const SlopeSign& asked) {
-  return Scene(a, b, place, velocity, asked).first_contact();
+                                       const SpacePlace& velocity, const SlopeSign& queried) {
+  return Scene(a, b, place, velocity, queried).first_contact();
 }
 
 bool touch_at(const Body& a, const Body& b, const SpacePlace& place, const Rational& radius) {

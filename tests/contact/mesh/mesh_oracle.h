@@ -30,9 +30,9 @@ Body body_of(const Mesh& mesh);
 /// Where halves are 0 a rectangle, an edge or a point.
 Body box_body(double half_x, double half_y, double half_z);
 
-/// The first stretch of contact within `asked` of `a` at rest and `b`, which is at place + s velocity.
+/// The first stretch of contact within `queried` of `a` at rest and `b`, which is at place + s velocity.
 std::optional<SlopeSign> first_contact(const Body& a, const Body& b, const SpacePlace& place,
-                                       const SpacePlace& velocity, const SlopeSign& asked);
+                                       const SpacePlace& velocity, const SlopeSign& queried);
 
 /// Does b, moved by `place`, come within `radius` of a, or lie in it? At one moment, whatever the motion.
 bool touch_at(const Body& a, const Body& b, const SpacePlace& place, const Rational& radius);

@@ -75,7 +75,7 @@ std::optional<ContactTimes> mesh_contact(const MeshScene& scene, Interrupt& inte
   if (a.layout.shape == Shape::mesh) a.meshes = &mesh_a;
   if (b.layout.shape == Shape::mesh) b.meshes = &mesh_b;
   const auto contact = make_contact(a, b, scene.question, "a", "b");
-  contact->heed(interrupt);
+  contact->set_interrupt(interrupt);
   return answer_of(*contact);
 }
 

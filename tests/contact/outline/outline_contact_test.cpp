@@ -32,12 +32,12 @@ Encounter encounter_of(const OutlineScene& scene) {
 /// Empty if the answer is right, else what is wrong.
 std::string judged(const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
   const Encounter encounter = encounter_of(scene);
-  const SlopeSign asked = encounter.asked();
+  const SlopeSign queried = encounter.queried();
   std::optional<SlopeSign> exact;
-  if (asked.begin <= asked.end)
+  if (queried.begin <= queried.end)
     exact = oracle::first_contact(region_of(scene.a), region_of(scene.b),
                                   {encounter.place(0, 0), encounter.place(1, 0)},
-                                  {encounter.velocity(0), encounter.velocity(1)}, asked);
+                                  {encounter.velocity(0), encounter.velocity(1)}, queried);
   return oracle::compared(exact, answer, scene.question.horizon.now);
 }
 

@@ -24,7 +24,7 @@ TEST(PlainlyNear, TellsOfTwoAtRest) {
   for (const double x : {-3.0, 0.0, 7.5, 14.0}) {
     const FilterAnswer near = squares({x, 9}, {x, 9}, 5);
     EXPECT_EQ(near.touches, Verdict::yes) << x;
-    EXPECT_TRUE(near.at_begin && near.all_along) << x;
+    EXPECT_TRUE(near.at_start && near.all_along) << x;
   }
   EXPECT_EQ(squares({14, 14}, {14, 14}, 5).touches, Verdict::no) << "corner from corner";
   EXPECT_EQ(squares({15.5, 0}, {15.5, 0}, 5).touches, Verdict::no);
@@ -43,9 +43,9 @@ TEST(PlainlyNear, TellsOfThoseThatMove) {
   EXPECT_EQ(squares({-30, 30}, {0, 16}, 5).touches, Verdict::no);
   const FilterAnswer through = squares({-30, 3}, {30, 3}, 5);
   EXPECT_EQ(through.touches, Verdict::yes);
-  EXPECT_FALSE(through.at_begin);
+  EXPECT_FALSE(through.at_start);
   const FilterAnswer leaving = squares({12, 0}, {30, 0}, 5);
-  EXPECT_TRUE(leaving.at_begin);
+  EXPECT_TRUE(leaving.at_start);
   EXPECT_FALSE(leaving.all_along);
   EXPECT_TRUE(squares({12, 0}, {-12, 1}, 5).all_along) << "near at both ends of a line";
 }
@@ -56,7 +56,7 @@ TEST(PlainlyNear, LeavesRoomForWhatIsBesideTheChord) {
   EXPECT_EQ(squares({-30, 13}, {30, 13}, 5, 1).touches, Verdict::yes);
   EXPECT_EQ(squares({-30, 13}, {30, 13}, 5, 3).touches, Verdict::uncertain);
   const FilterAnswer swings = squares({12, 0}, {12, 1}, 5, 4);
-  EXPECT_TRUE(swings.at_begin);
+  EXPECT_TRUE(swings.at_start);
   EXPECT_FALSE(swings.all_along);
 }
 

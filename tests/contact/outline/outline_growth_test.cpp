@@ -25,7 +25,7 @@ OutlinedObject outlined(const std::vector<Ring>& rings, double x, double y, doub
   return o;
 }
 
-std::optional<ContactTimes> asked(const OutlinedObject& a, const OutlinedObject& b, double now, double h) {
+std::optional<ContactTimes> queried(const OutlinedObject& a, const OutlinedObject& b, double now, double h) {
   return outline_contact({a, b, {.horizon = {now, h}}});
 }
 
@@ -35,27 +35,28 @@ void expect_begin(const std::optional<ContactTimes>& found, double t) {
 }
 
 TEST(OutlineGrowth, ClosesTheGapBetweenWhatIsAtRest) {
-  expect_begin(asked(outlined({growing_square}, 0, 0, 0.25), outlined({growing_square}, 4, 0, 0.5), 0, 10),
+  expect_begin(queried(outlined({growing_square}, 0, 0, 0.25), outlined({growing_square}, 4, 0, 0.5), 0, 10),
                4);
   // Corner to corner: 3-4-5.
-  expect_begin(asked(outlined({growing_square}, 0, 0, 0.5), outlined({growing_square}, 4, 5, 0.5), 0, 10), 5);
-  EXPECT_FALSE(asked(outlined({growing_square}, 0, 0, 0.5), outlined({growing_square}, 4, 5, 0.5), 0,
-                     std::nextafter(5, 0)));
+  expect_begin(queried(outlined({growing_square}, 0, 0, 0.5), outlined({growing_square}, 4, 5, 0.5), 0, 10),
+               5);
+  EXPECT_FALSE(queried(outlined({growing_square}, 0, 0, 0.5), outlined({growing_square}, 4, 5, 0.5), 0,
+                       std::nextafter(5, 0)));
 }
 
 TEST(OutlineGrowth, CountsFromEachReport) {
   // At 10 one has grown by 2.5 for ten, the other for two.
   expect_begin(
-      asked(outlined({growing_square}, 0, 0, 0.25), outlined({growing_square}, 5, 0, 0.5, 8), 10, 10),
+      queried(outlined({growing_square}, 0, 0, 0.25), outlined({growing_square}, 5, 0, 0.5, 8), 10, 10),
       32.0 / 3);
   // One that has just begun to exist has not grown.
-  expect_begin(asked(outlined({growing_square}, 0, 0, 0), outlined({growing_square}, 3, 0, 1, 15), 10, 10),
+  expect_begin(queried(outlined({growing_square}, 0, 0, 0), outlined({growing_square}, 3, 0, 1, 15), 10, 10),
                17);
 }
 
 TEST(OutlineGrowth, LeavesAPointInAHoleAloneUntilItsRimComes) {
-  expect_begin(asked(outlined(rims, 0, 0, 0.5), outlined({}, 5, 5, 0), 0, 10), 6);
-  expect_begin(asked(outlined(rims, 0, 0, 0.5), outlined({}, 5, 5, 0.25), 0, 10), 4);
+  expect_begin(queried(outlined(rims, 0, 0, 0.5), outlined({}, 5, 5, 0), 0, 10), 6);
+  expect_begin(queried(outlined(rims, 0, 0, 0.5), outlined({}, 5, 5, 0.25), 0, 10), 4);
 }
 
 TEST(OutlineGrowth, OfPrismsIsApartAlongZ) {
@@ -65,9 +66,9 @@ TEST(OutlineGrowth, OfPrismsIsApartAlongZ) {
     o.row.x[2] = z, o.row.hz = 1, o.row.growth_z = growth_z;
     return o;
   };
-  expect_begin(asked(prism(0, 0, 0, 0.25), prism(0, 4, 0, 0.25), 0, 10), 4);
-  EXPECT_FALSE(asked(prism(0, 0, 9, 0), prism(0, 4, 9, 0), 0, 10));
-  expect_begin(asked(prism(0, 0, 0.5, 0.25), prism(6, 4, 0.5, 0.25), 0, 10), 5);
+  expect_begin(queried(prism(0, 0, 0, 0.25), prism(0, 4, 0, 0.25), 0, 10), 4);
+  EXPECT_FALSE(queried(prism(0, 0, 9, 0), prism(0, 4, 9, 0), 0, 10));
+  expect_begin(queried(prism(0, 0, 0.5, 0.25), prism(6, 4, 0.5, 0.25), 0, 10), 5);
 }
 
 /// Before the end it is smaller: who touches the outline that grows touches the largest.

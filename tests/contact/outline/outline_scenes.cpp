@@ -203,8 +203,8 @@ Outline outline_of(const std::vector<std::vector<Ring>>& parts) {
 Outline changed(const Outline& outline, const Corner& factor) {
   Outline changed;
   for (std::size_t p = 0; p < outline.parts(); ++p)
-    for (std::size_t r = outline.part_begin(p); r < outline.part_begin(p + 1); ++r) {
-      r == outline.part_begin(p) ? changed.begin_part() : changed.begin_hole();
+    for (std::size_t r = outline.part_start(p); r < outline.part_start(p + 1); ++r) {
+      r == outline.part_start(p) ? changed.begin_part() : changed.begin_hole();
       for (const Corner& c : outline.ring(r)) changed.add({factor.x * c.x + 0.0, factor.y * c.y + 0.0});
     }
   return changed;
@@ -260,7 +260,7 @@ std::optional<ContactTimes> outline_contact(const OutlineScene& scene, Interrupt
   const OneOutline a(scene.a.outline), b(scene.b.outline);
   const int degree = scene.a.row.layout.law == Law::uniform ? 1 : 2;
   const auto contact = make_outline_contact(setup, {&a, &b}, degree);
-  contact->heed(interrupt);
+  contact->set_interrupt(interrupt);
   return answer_of(*contact);
 }
 

@@ -35,23 +35,23 @@ bool cut(SlopeSign& stretch, const Steady& number, const Rational& low, const Ra
 
 /// When the segment from p along e meets that from q along f, which moves as d does.
 std::optional<SlopeSign> meeting(const Place& p, const Place& e, const Place& q, const Place& f,
-                                 const Place& d, const Place& v, SlopeSign asked) {
+                                 const Place& d, const Place& v, SlopeSign queried) {
   const Place gap{d.x + q.x - p.x, d.y + q.y - p.y};
   const Rational turn = cross(e, f);
   if (turn != 0) {
     const Steady along_e{cross(gap, f) / turn, cross(v, f) / turn};
     const Steady along_f{cross(gap, e) / turn, cross(v, e) / turn};
-    if (cut(asked, along_e, 0, 1) && cut(asked, along_f, 0, 1)) return asked;
+    if (cut(queried, along_e, 0, 1) && cut(queried, along_f, 0, 1)) return queried;
     return {};
   }
   // Parallel: in one line, and overlapping in it. A point is a segment without length.
   const bool e_is_point = e.x == 0 && e.y == 0;
   const Place& line = e_is_point ? f : e;
-  if (!cut(asked, {cross(gap, line), cross(v, line)}, 0, 0)) return {};
+  if (!cut(queried, {cross(gap, line), cross(v, line)}, 0, 0)) return {};
   const Rational reach_e = dot(e, line), reach_f = dot(f, line);
   const Rational low = std::min<Rational>(0, reach_e) - std::max<Rational>(0, reach_f);
   const Rational high = std::max<Rational>(0, reach_e) - std::min<Rational>(0, reach_f);
-  if (cut(asked, {dot(gap, line), dot(v, line)}, low, high)) return asked;
+  if (cut(queried, {dot(gap, line), dot(v, line)}, low, high)) return queried;
   return {};
 }
 
@@ -97,8 +97,8 @@ void for_each_edge(const Region& region, Take&& take) {
 
 class Scene {
  public:
-  Scene(const Region& a, const Region& b, const Place& place, const Place& velocity, const SlopeSign& asked)
-      : a_(a), b_(b), place_(place), velocity_(velocity), asked_(asked) {}
+  Scene(const Region& a, const Region& b, const Place& place, const Place& velocity, const SlopeSign& queried)
+      : a_(a), b_(b), place_(place), velocity_(velocity), queried_(queried) {}
 
   std::optional<SlopeSign> first_contact() {
     meet_boundaries();
@@ -110,14 +110,14 @@ class Scene {
   void meet_boundaries() {
     for_each_edge(a_, [&](const Place& p, const Place& e) {
       for_each_edge(b_, [&](const Place& q, const Place& f) {
-        if (const auto met = meeting(p, e, q, f, place_, velocity_, asked_)) contacts_.push_back(*met);
+        if (const auto met = meeting(p, e, q, f, place_, velocity_, queried_)) contacts_.push_back(*met);
       });
     });
   }
 
   /// Where no boundaries meet, nothing enters or leaves.
   void fill_gaps() {
-    for (const SlopeSign& gap : gaps_between(contacts_, asked_)) fill(gap.begin, gap.end);
+    for (const SlopeSign& gap : gaps_between(contacts_, queried_)) fill(gap.begin, gap.end);
   }
 
   void fill(const Rational& begin, const Rational& end) {
@@ -128,15 +128,15 @@ class Scene {
 
   const Region &a_, &b_;
   const Place &place_, &velocity_;
-  const SlopeSign asked_;
+  const SlopeSign queried_;
   std::vector<SlopeSign> contacts_;
 };
 
 }  // namespace
 
 std::optional<SlopeSign> first_contact(const Region& a, const Region& b, const Place& place,
-                                       const Place& velocity, const SlopeSign& asked) {
-  return Scene(a, b, place, velocity, asked).first_contact();
+                                       const Place& velocity, const SlopeSign& queried) {
+  return Scene(a, b, place, velocity, queried).first_contact();
 }
 
 bool touch_at(const Region& a, const Region& b, const Place& place, const Rational& radius) {

@@ -22,9 +22,9 @@ struct Place {
 /// Rings of one region: a point is within if it is inside of an odd number of them. A point is a ring of one.
 using Region = std::vector<std::vector<Corner>>;
 
-/// The first stretch of contact within `asked` of `a` at rest and `b`, which is at place + s velocity.
+/// The first stretch of contact within `queried` of `a` at rest and `b`, which is at place + s velocity.
 std::optional<SlopeSign> first_contact(const Region& a, const Region& b, const Place& place,
-                                       const Place& velocity, const SlopeSign& asked);
+                                       const Place& velocity, const SlopeSign& queried);
 
 /// Does b, moved by `place`, come within `radius` of a, or lie in it? At one moment, whatever the motion.
 bool touch_at(const Region& a, const Region& b, const Place& place, const Rational& radius);

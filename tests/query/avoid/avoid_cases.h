@@ -93,11 +93,11 @@ inline void expect_sound(const AvoidQuestion& question, const std::vector<AvoidR
     }
     if (!row.clear) continue;
     const double width = row.k_to - row.k_from;
-    std::vector<double> asked{row.k_from, row.k_to, row.k};
-    for (int j = 0; j < 6; ++j) asked.push_back(row.k_from + width * random.unit());
+    std::vector<double> queried{row.k_from, row.k_to, row.k};
+    for (int j = 0; j < 6; ++j) queried.push_back(row.k_from + width * random.unit());
     for (int j = 0; j < 4; ++j) {
       const double near = width * std::exp2(-random.in(1, 45));
-      asked.push_back(row.k_from + near), asked.push_back(row.k_to - near);
+      queried.push_back(row.k_from + near), queried.push_back(row.k_to - near);
     }
     // What is ignored as it has grown since its report need not touch at first in a new one.
     const bool ignores = question.touching == Touching::ignore && grows(question.own->layout);
@@ -110,7 +110,7 @@ inline void expect_sound(const AvoidQuestion& question, const std::vector<AvoidR
         const std::vector<AvoidRow> answer = rows_of(stored);
         ASSERT_TRUE(answer.empty() || answer[0].clear) << shown(k) << " aside, in\n" << told(rows);
       }
-    for (const double k : asked)
+    for (const double k : queried)
       if (row.k_from <= k && k <= row.k_to) {
         ASSERT_TRUE(is_clear(question, row.manoeuvre, k))
             << name_of(row.manoeuvre) << " " << shown(k) << " in\n"

@@ -54,7 +54,7 @@ RandomScene turned_right(RandomScene scene) {
   return scene;
 }
 
-std::vector<AvoidRow> asked(const RandomScene& scene, std::size_t i, Manoeuvre how, double hi) {
+std::vector<AvoidRow> queried(const RandomScene& scene, std::size_t i, Manoeuvre how, double hi) {
   AvoidQuestion question = avoid_question(scene, i, testing::as_scene(scene));
   question.how = how, question.lo = -hi, question.hi = hi;
   question.wants_ends = question.wants_motion = false;
@@ -86,7 +86,7 @@ TEST(AvoidLaws, ASceneTurnedByRightAnglesHasTheSameRows) {
   for_each_scene([](const RandomScene& scene, std::size_t i) {
     if (scene.layout.axes == 1) return;
     for (const Manoeuvre how : {Manoeuvre::turn, Manoeuvre::speed})
-      expect_same_rows(asked(scene, i, how, 4), asked(turned_right(scene), i, how, 4), 1);
+      expect_same_rows(queried(scene, i, how, 4), queried(turned_right(scene), i, how, 4), 1);
   });
 }
 
@@ -110,10 +110,10 @@ TEST(AvoidLaws, OtherUnitsChangeNothing) {
   for_each_scene([&](const RandomScene& scene, std::size_t i) {
     const RandomScene other = changed(scene, units);
     const double speed = length / time;
-    expect_same_rows(asked(scene, i, Manoeuvre::speed, 4), asked(other, i, Manoeuvre::speed, 4 * speed),
+    expect_same_rows(queried(scene, i, Manoeuvre::speed, 4), queried(other, i, Manoeuvre::speed, 4 * speed),
                      speed);
     if (scene.layout.axes > 1)
-      expect_same_rows(asked(scene, i, Manoeuvre::turn, 180), asked(other, i, Manoeuvre::turn, 180), 1);
+      expect_same_rows(queried(scene, i, Manoeuvre::turn, 180), queried(other, i, Manoeuvre::turn, 180), 1);
   });
 }
 

@@ -30,19 +30,19 @@ const int rounds = std::getenv("FORESEE_LONG") ? 200 : 1;
 /// Any manoeuvre that the layout can have, with a range of its own.
 void ask_any(AvoidQuestion& question, Random& random) {
   const Layout& layout = question.own->layout;
-  std::vector<QueriedChanges> asked{{Manoeuvre::speed, -4, 4}};
-  if (layout.axes > 1) asked.push_back({Manoeuvre::turn, -180, 180});
-  if (layout.axes > 1) asked.push_back({Manoeuvre::turn, -360, 45});
-  if (layout.axes > 2 && layout.law != Law::rest) asked.push_back({Manoeuvre::climb, -3, 3});
+  std::vector<QueriedChanges> queried{{Manoeuvre::speed, -4, 4}};
+  if (layout.axes > 1) queried.push_back({Manoeuvre::turn, -180, 180});
+  if (layout.axes > 1) queried.push_back({Manoeuvre::turn, -360, 45});
+  if (layout.axes > 2 && layout.law != Law::rest) queried.push_back({Manoeuvre::climb, -3, 3});
   if (layout.law == Law::accelerated || layout.law == Law::forced)
-    asked.push_back({Manoeuvre::accelerate, -0.5, 0.5});
+    queried.push_back({Manoeuvre::accelerate, -0.5, 0.5});
   if (layout.has_t) {
     const double t = question.record[static_cast<std::size_t>(record_offsets(layout).t)];
     // Earlier too, where nothing grows: from now on.
     const double lo = grows(layout) ? std::max(0.0, question.now - t) : question.now - t;
-    asked.push_back({Manoeuvre::delay, lo, std::max(lo, question.now - t + 5)});
+    queried.push_back({Manoeuvre::delay, lo, std::max(lo, question.now - t + 5)});
   }
-  const QueriedChanges& one = asked[random.below(asked.size())];
+  const QueriedChanges& one = queried[random.below(queried.size())];
   question.how = one.manoeuvre, question.lo = one.lo, question.hi = one.hi;
   question.touching = random.below(2) ? Touching::part : Touching::ignore;
 }

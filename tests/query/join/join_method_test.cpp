@@ -159,9 +159,9 @@ TEST(JoinOfManyObjects, WhoseBeginsAloneAreWantedHasTheSameRows) {
         random_scene({.layout = layout, .kind = SceneKind::one_giant, .count = count, .seed = ++seed});
     JoinQuestion question = question_about(scene);
     for (int kind = 0; kind < 6; ++kind) {
-      if (kind == 1) question.asked_dt = after_now;
-      if (kind == 2) question.asked_dt = {0, 0};
-      if (kind == 3) question.asked_dt = {}, question.only_a = scene.ids[scene.size() / 2];
+      if (kind == 1) question.queried_dt = after_now;
+      if (kind == 2) question.queried_dt = {0, 0};
+      if (kind == 3) question.queried_dt = {}, question.only_a = scene.ids[scene.size() / 2];
       if (kind == 4) question.only_a.reset(), question.b = question.a;
       if (kind == 5) question.b = scene_of(scene, "others");
       EXPECT_EQ(begins_of(question, JoinMethod::grid), begins_of(question, JoinMethod::scan))

@@ -100,24 +100,24 @@ TEST(JoinSlabs, LeaveOutTimesThatAreNotAskedFor) {
     const auto all = rows_of(question);
     ASSERT_GT(all.size(), 30u);
     const ContactTimes one = all[all.size() / 3].contact, other = all[all.size() / 2].contact;
-    const AskedTimes t{std::min(one.t, other.t), std::max(one.t, other.t)},
+    const QueriedTimes t{std::min(one.t, other.t), std::max(one.t, other.t)},
         dt{std::min(one.dt, other.dt), std::max(one.dt, other.dt)};
-    const std::pair<AskedTimes, AskedTimes> asked[] = {{t, {}},
-                                                       {{}, dt},
-                                                       {t, dt},
-                                                       {{t.least, inf}, {}},
-                                                       {{-inf, t.most}, {}},
-                                                       {{}, {dt.least, dt.least}},
-                                                       {{}, after_now},
-                                                       {{}, {inf, inf}},
-                                                       {{now + question.h, inf}, {}},
-                                                       {{}, {1, 0}}};
-    for (const auto& [asked_t, asked_dt] : asked) {
+    const std::pair<QueriedTimes, QueriedTimes> queried[] = {{t, {}},
+                                                             {{}, dt},
+                                                             {t, dt},
+                                                             {{t.least, inf}, {}},
+                                                             {{-inf, t.most}, {}},
+                                                             {{}, {dt.least, dt.least}},
+                                                             {{}, after_now},
+                                                             {{}, {inf, inf}},
+                                                             {{now + question.h, inf}, {}},
+                                                             {{}, {1, 0}}};
+    for (const auto& [queried_t, queried_dt] : queried) {
       std::vector<JoinRow> wanted;
       for (const JoinRow& row : all)
-        if (asked_t.holds(row.contact.t) && asked_dt.holds(row.contact.dt)) wanted.push_back(row);
+        if (queried_t.holds(row.contact.t) && queried_dt.holds(row.contact.dt)) wanted.push_back(row);
       JoinQuestion part = question;
-      part.asked_t = asked_t, part.asked_dt = asked_dt;
+      part.queried_t = queried_t, part.queried_dt = queried_dt;
       for (JoinMethod method : {JoinMethod::grid, JoinMethod::scan, JoinMethod::gpcd})
         for (JoinOrder order : {JoinOrder::any, JoinOrder::by_t}) {
           part.method = method, part.order = order;
@@ -165,7 +165,7 @@ struct CountingInterrupt final : Interrupt {
 TEST(JoinSlabs, GiveTheEarliestRowsWithoutLookingAtLaterOnes) {
   const RandomScene scene = random_scene({.layout = discs, .count = 5000, .seed = 11});
   JoinQuestion question = question_about(scene);
-  question.h = 100, question.asked_dt = after_now, question.order = JoinOrder::by_t;
+  question.h = 100, question.queried_dt = after_now, question.order = JoinOrder::by_t;
   CountingInterrupt interrupt;
   Join join(question, interrupt);
   ASSERT_FALSE(join.next().empty());

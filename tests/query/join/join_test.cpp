@@ -94,8 +94,8 @@ TEST(Join, LooksAtOneObjectWhenItsIdIsAskedFor) {
 }
 
 TEST(Join, LeavesOutPairsThatTouchAlready) {
-  EXPECT_EQ(pairs_of({.a = head_on(), .now = 2, .h = 5, .asked_dt = after_now}).size(), 1u);
-  EXPECT_EQ(pairs_of({.a = head_on(), .now = 3, .h = 5, .asked_dt = after_now}).size(), 0u);
+  EXPECT_EQ(pairs_of({.a = head_on(), .now = 2, .h = 5, .queried_dt = after_now}).size(), 1u);
+  EXPECT_EQ(pairs_of({.a = head_on(), .now = 3, .h = 5, .queried_dt = after_now}).size(), 0u);
 }
 
 TEST(Join, ComputesOnlyWhatIsWanted) {

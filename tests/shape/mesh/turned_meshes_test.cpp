@@ -13,10 +13,10 @@ namespace {
 
 struct Rack final : FormSource {
   std::shared_ptr<const Form> form(std::int64_t number) override {
-    ++asked;
+    ++queried;
     return read_form(Shape::mesh, number == 1 ? tetrahedron : "TIN Z(((0 0 3, 4 0 3, 0 5 4, 0 0 3)))");
   }
-  int asked = 0;
+  int queried = 0;
 };
 
 constexpr Layout drones{.axes = 3, .shape = Shape::mesh, .has_heading = true};
@@ -35,7 +35,7 @@ TEST(TurnedMeshes, AreSharedUnlessTheyAreTurned) {
   NeverInterrupt never;
   ScratchPieces<TriangleTree> own;
   const TurnedMeshes meshes(Bodies(drones, rows.data(), 5), rack, never);
-  EXPECT_EQ(rack.asked, 2);
+  EXPECT_EQ(rack.queried, 2);
   EXPECT_EQ(meshes.triangles(1, own), nullptr);
   EXPECT_EQ(meshes.triangles(0, own), meshes.triangles(4, own));
   EXPECT_NE(meshes.triangles(0, own), meshes.triangles(2, own));

@@ -132,9 +132,9 @@ Rational twice_area(const RationalRing& ring) {
 Rational twice_area(const Outline& outline) {
   Rational twice = 0;
   for (std::size_t part = 0; part < outline.parts(); ++part)
-    for (std::size_t r = outline.part_begin(part); r < outline.part_begin(part + 1); ++r) {
+    for (std::size_t r = outline.part_start(part); r < outline.part_start(part + 1); ++r) {
       const Rational area = abs(twice_area(exact(outline.ring(r))));
-      twice += r == outline.part_begin(part) ? area : Rational(-area);
+      twice += r == outline.part_start(part) ? area : Rational(-area);
     }
   return twice;
 }
@@ -168,11 +168,11 @@ bool is_sound(const Outline& outline) {
     for (std::size_t j = 0; j < rings.size(); ++j)
       if (i != j && lies(rings[i], rings[j]) == Lies::crossing) return false;
   for (std::size_t part = 0; part < outline.parts(); ++part) {
-    const std::size_t begin = outline.part_begin(part), end = outline.part_begin(part + 1);
+    const std::size_t begin = outline.part_start(part), end = outline.part_start(part + 1);
     if (!is_sound_part(rings, begin, end)) return false;
     // Another part lies apart, or within a hole.
     for (std::size_t other = 0; other < outline.parts(); ++other) {
-      const RationalRing& ring = rings[outline.part_begin(other)];
+      const RationalRing& ring = rings[outline.part_start(other)];
       if (other == part || lies(ring, rings[begin]) == Lies::apart) continue;
       if (std::none_of(rings.begin() + static_cast<std::ptrdiff_t>(begin) + 1,
                        rings.begin() + static_cast<std::ptrdiff_t>(end),

@@ -23,10 +23,10 @@ TEST(Outline, KnowsItsRingsAndParts) {
       outline_of_parts({{{{0, 0}, {9, 0}, {0, 9}}, {{1, 1}, {2, 1}, {1, 2}}}, {{{20, 0}, {29, 0}, {20, 9}}}});
   EXPECT_EQ(outline.parts(), 2u);
   EXPECT_EQ(outline.rings(), 3u);
-  EXPECT_EQ(outline.part_begin(0), 0u);
-  EXPECT_EQ(outline.part_begin(1), 2u);
-  EXPECT_EQ(outline.part_begin(2), 3u);
-  EXPECT_EQ(outline.ring_begin(1), 3u);
+  EXPECT_EQ(outline.part_start(0), 0u);
+  EXPECT_EQ(outline.part_start(1), 2u);
+  EXPECT_EQ(outline.part_start(2), 3u);
+  EXPECT_EQ(outline.ring_start(1), 3u);
   EXPECT_EQ(outline.ring(1).front(), (Corner{1, 1}));
 }
 

@@ -42,8 +42,8 @@ template <class Move>
 Outline moved(const Outline& outline, Move&& move) {
   Outline there;
   for (std::size_t part = 0; part < outline.parts(); ++part)
-    for (std::size_t r = outline.part_begin(part); r < outline.part_begin(part + 1); ++r) {
-      r == outline.part_begin(part) ? there.begin_part() : there.begin_hole();
+    for (std::size_t r = outline.part_start(part); r < outline.part_start(part + 1); ++r) {
+      r == outline.part_start(part) ? there.begin_part() : there.begin_hole();
       for (const Corner& corner : outline.ring(r)) there.add(move(corner));
       there.close_ring();
     }

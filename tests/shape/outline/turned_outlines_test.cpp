@@ -13,12 +13,12 @@ namespace {
 
 struct Shelf final : FormSource {
   std::shared_ptr<const Form> form(std::int64_t number) override {
-    ++asked;
+    ++queried;
     if (number > 2) throw Error("no such outline");
     return std::make_shared<const SharedOutline>(read_outline(
         number == 1 ? "POLYGON((0 0, 4 0, 0 3, 0 0))" : "POLYGON((-9 -9, -5 -9, -5 -5, -6 -8, -9 -9))"));
   }
-  int asked = 0;
+  int queried = 0;
 };
 
 constexpr Layout ships{.axes = 2, .shape = Shape::outline, .has_heading = true};
@@ -40,7 +40,7 @@ TEST(TurnedOutlines, AreSharedUnlessTheyAreTurned) {
   NeverInterrupt never;
   ScratchPieces<ConvexPieces> own;
   const TurnedOutlines outlines(Bodies(ships, rows.data(), 5), shelf, never);
-  EXPECT_EQ(shelf.asked, 2);
+  EXPECT_EQ(shelf.queried, 2);
   EXPECT_EQ(outlines.pieces(1, own), nullptr);
   EXPECT_EQ(outlines.pieces(0, own), outlines.pieces(4, own));
   EXPECT_NE(outlines.pieces(0, own), outlines.pieces(2, own));

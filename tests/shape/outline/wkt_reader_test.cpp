@@ -38,7 +38,7 @@ TEST(WktReader, ReadsPartsRingsAndCorners) {
       read_outline("MULTIPOLYGON(((0 0, 9 0, 0 9, 0 0), (1 1, 2 1, 1 2, 1 1)), ((20 0, 29 0, 20 9, 20 0)))");
   EXPECT_EQ(outline.parts(), 2u);
   EXPECT_EQ(outline.rings(), 3u);
-  EXPECT_EQ(outline.part_begin(1), 2u);
+  EXPECT_EQ(outline.part_start(1), 2u);
   EXPECT_EQ(outline.corners().size(), 9u);
   EXPECT_EQ(outline.ring(1)[2], (Corner{1, 2}));
   EXPECT_EQ(outline.extents().upper[0], 29);

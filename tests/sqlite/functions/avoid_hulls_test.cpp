@@ -122,10 +122,10 @@ TEST_F(AvoidHulls, TouchAlreadyWhatTheirRoundedPlaceTouches) {
       "INSERT INTO boats VALUES"
       "  (1, 0, 4, 21, -3300000, 2, 2, 1.999999999998181, 'POLYGON((-6 -6, 6 -6, 6 6, -6 6, -6 -6))', 0, 0),"
       "  (2, 0, 0, 0, -3299999, 2, 2, 2, 'POLYGON((-40 -60, 40 -60, 40 60, -40 60, -40 -60))', 0, 1)");
-  const std::string asked = "SELECT clear FROM predictive_avoid(1, 'boats', 1, 0, 'turn', ";
-  EXPECT_EQ(db.rows(asked + "-5, -1, 1)"), "1");
-  EXPECT_EQ(db.rows(asked + "-2, -2, 1)"), "1");
-  EXPECT_EQ(db.rows(asked + "2, 2, 1)"), "0");
+  const std::string queried = "SELECT clear FROM predictive_avoid(1, 'boats', 1, 0, 'turn', ";
+  EXPECT_EQ(db.rows(queried + "-5, -1, 1)"), "1");
+  EXPECT_EQ(db.rows(queried + "-2, -2, 1)"), "1");
+  EXPECT_EQ(db.rows(queried + "2, 2, 1)"), "0");
 }
 
 /// Shapes of many pieces, each pair of which is in doubt for some turns: few of the pairs are kept.

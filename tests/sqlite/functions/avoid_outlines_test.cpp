@@ -113,16 +113,16 @@ constexpr Range ranges[] = {{"turn", -180, 180}, {"turn", -360, 30}, {"speed", -
 const int scenes = (std::getenv("FORESEE_LONG") ? 100 : 1) * (sanitized ? 20 : 40);
 
 /// Changes of a row: its ends, beside them and within.
-std::vector<double> asked_of(Engine& random, const Row& row) {
-  std::vector<double> asked{row.from, row.to, row.k};
+std::vector<double> queried_of(Engine& random, const Row& row) {
+  std::vector<double> queried{row.from, row.to, row.k};
   const double width = row.to - row.from;
   for (int i = 0; i < 3; ++i) {
-    asked.push_back(row.from + width * drawn(random, 0.0, 1.0));
+    queried.push_back(row.from + width * drawn(random, 0.0, 1.0));
     const double near = width * std::exp2(-drawn(random, 1.0, 45.0));
-    asked.push_back(row.from + near), asked.push_back(row.to - near);
+    queried.push_back(row.from + near), queried.push_back(row.to - near);
   }
-  std::erase_if(asked, [&](double k) { return k < row.from || k > row.to; });
-  return asked;
+  std::erase_if(queried, [&](double k) { return k < row.from || k > row.to; });
+  return queried;
 }
 
 /// A blocked row ends next to changes that touch, and holds no clear range of a width.
@@ -168,7 +168,7 @@ TEST(AvoidOutlines, IsSoundAndTightAgainstSingleChanges) {
       ASSERT_EQ(rows[i].from, i == 0 ? range.lo : rows[i - 1].to);
       if (!rows[i].clear && scene.touching == "ignore") ++blocked, expect_tight(scene, range, rows[i]);
       if (!rows[i].clear) continue;
-      for (const double k : asked_of(scene.random, rows[i])) {
+      for (const double k : queried_of(scene.random, rows[i])) {
         ++clear;
         EXPECT_TRUE(scene.is_clear(range.how, k)) << range.text() << ": " << shown_exactly(k);
       }
@@ -184,11 +184,11 @@ TEST(AvoidOutlines, IsSoundAndTightAgainstSingleChanges) {
 /// The rows of two tables with the same motions: ends as near as both are tight.
 void expect_same_rows(Database& db, const std::string& one, const std::string& other, const Range& range) {
   for (int id = 1; id <= 30; ++id) {
-    const auto asked = [&](const std::string& table) {
+    const auto queried = [&](const std::string& table) {
       return rows_of(
           db, "predictive_avoid(20, '" + table + "', " + std::to_string(id) + ", 1.5, " + range.text() + ")");
     };
-    const std::vector<Row> rows = asked(one), others = asked(other);
+    const std::vector<Row> rows = queried(one), others = queried(other);
     ASSERT_EQ(rows.size(), others.size()) << one << ' ' << other << ' ' << range.text() << ' ' << id;
     for (std::size_t i = 0; i < rows.size(); ++i) {
       EXPECT_EQ(rows[i].clear, others[i].clear);

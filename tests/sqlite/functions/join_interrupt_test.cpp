@@ -22,17 +22,17 @@ struct JoinInterrupt : ::testing::Test {
 
   /// Milliseconds from sqlite3_interrupt to the end of the statement.
   double latency(const std::string& sql, std::chrono::milliseconds after) {
-    Clock::time_point asked;
+    Clock::time_point queried;
     std::thread other([&] {
       std::this_thread::sleep_for(after);
-      asked = Clock::now();
+      queried = Clock::now();
       sqlite3_interrupt(db.handle());
     });
     const int rc = db.code_of(sql);
     const Clock::time_point ended = Clock::now();
     other.join();
     EXPECT_EQ(rc, SQLITE_INTERRUPT) << sql;
-    return std::chrono::duration<double, std::milli>(ended - asked).count();
+    return std::chrono::duration<double, std::milli>(ended - queried).count();
   }
 
   double median_latency(const std::string& sql) {

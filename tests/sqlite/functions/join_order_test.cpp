@@ -79,10 +79,10 @@ TEST_F(JoinOrder, LimitsRowsThatAllBeginAtOnceAsAnyTableDoes) {
       "CREATE TEMP TABLE whole AS SELECT * FROM predictive_join(3, 'discs', 0, NULL, 3)");
   ASSERT_EQ(crowd.rows("SELECT count(*) FROM whole WHERE t = 5"), "44850");
   const auto both = [&](const std::string& rest) {
-    const std::string asked =
+    const std::string queried =
         crowd.rows("SELECT a, b, t FROM predictive_join(3, 'discs', 0, NULL, 3) " + rest);
-    EXPECT_EQ(asked, crowd.rows("SELECT a, b, t FROM whole " + rest)) << rest;
-    EXPECT_NE(asked.substr(0, 5), "error");
+    EXPECT_EQ(queried, crowd.rows("SELECT a, b, t FROM whole " + rest)) << rest;
+    EXPECT_NE(queried.substr(0, 5), "error");
   };
   for (const char* limit :
        {"0", "1", "300", "5000", "100000", "-1", "3 OFFSET 2", "3 OFFSET 44848", "2 OFFSET -7",

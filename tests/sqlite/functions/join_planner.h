@@ -26,9 +26,9 @@ struct JoinPlanner : ::testing::Test {
 
   /// The rows of the call, which must be those of a table that holds its whole answer.
   std::string both(const std::string& where) {
-    const std::string asked = db.rows("SELECT * FROM predictive_join(3) " + where);
-    EXPECT_EQ(asked, db.rows("SELECT * FROM whole " + where)) << where;
-    return asked;
+    const std::string queried = db.rows("SELECT * FROM predictive_join(3) " + where);
+    EXPECT_EQ(queried, db.rows("SELECT * FROM whole " + where)) << where;
+    return queried;
   }
 
   /// As db.rows(), with numbers, texts and NULL bound.

@@ -139,9 +139,9 @@ TEST(SchemaChanges, UnderAQuestionLetTheConnectionClose) {
         "CREATE TABLE plain(a); CREATE VIRTUAL TABLE ships USING moving_objects(id, x, r);"
         "WITH RECURSIVE i(n) AS (VALUES (1) UNION ALL SELECT n + 1 FROM i WHERE n < 300)"
         "INSERT INTO ships SELECT n, 0, 1 FROM i");
-    Stepped asked(db, "SELECT 1 FROM " + question);
+    Stepped queried(db, "SELECT 1 FROM " + question);
     int rows = 0;
-    while (asked.step() == SQLITE_ROW)
+    while (queried.step() == SQLITE_ROW)
       if (++rows % 100 == 1 && rows < 300) {
         db.exec("ALTER TABLE plain ADD COLUMN b" + std::to_string(rows));
         std::this_thread::sleep_for(std::chrono::milliseconds(2));  // the next check asks SQLite

@@ -11,10 +11,10 @@ namespace foresee {
 namespace {
 
 /// The ids that are named while these are asked for; none of them twice.
-std::set<std::int64_t> named(const std::vector<std::int64_t>& asked) {
+std::set<std::int64_t> named(const std::vector<std::int64_t>& queried) {
   RisingIds rising;
   std::set<std::int64_t> all;
-  for (const std::int64_t id : asked)
+  for (const std::int64_t id : queried)
     if (const auto first = rising.next(id)) {
       EXPECT_GT(*first, id);
       for (std::int64_t i = 0; i < RisingIds::batch; ++i) EXPECT_TRUE(all.insert(*first + i).second);

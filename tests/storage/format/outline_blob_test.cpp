@@ -53,7 +53,7 @@ TEST(OutlineBlob, EveryChangedByteIsNoticed) {
 
 // As somebody would write them who knows the checksum.
 TEST(OutlineBlob, HostileBytesAreTold) {
-  constexpr std::size_t ends = 16, part_begins = ends + 12, corners = part_begins + 8;
+  constexpr std::size_t ends = 16, part_starts = ends + 12, corners = part_starts + 8;
   Outline outline;
   EXPECT_STREQ(decode_outline({}, outline), "it is too short");
   EXPECT_EQ(fault_of(with(blob(), 0, std::uint8_t{9})), "its format or kind is not known");
@@ -65,8 +65,8 @@ TEST(OutlineBlob, HostileBytesAreTold) {
     }
   EXPECT_EQ(fault_of(with(blob(), ends, 0u)), "its rings do not follow one another");
   EXPECT_EQ(fault_of(with(blob(), ends + 8, 99u)), "its rings do not follow one another");
-  EXPECT_EQ(fault_of(with(blob(), part_begins, 1u)), "its first ring begins no part");
-  EXPECT_EQ(fault_of(with(blob(), part_begins + 4, 7u)), "its rings are not all of it");
+  EXPECT_EQ(fault_of(with(blob(), part_starts, 1u)), "its first ring begins no part");
+  EXPECT_EQ(fault_of(with(blob(), part_starts + 4, 7u)), "its rings are not all of it");
   EXPECT_EQ(fault_of(with(blob(), corners, std::numeric_limits<double>::quiet_NaN())),
             "a corner is not finite");
   EXPECT_EQ(fault_of(with(with(blob(), corners + 16, 0.0), corners + 24, 0.0)), "a corner comes twice");

@@ -171,7 +171,7 @@ TEST_F(LookUp, MoreObjectsThanMemoryHoldsAreFoundAllTheSame) {
 TEST_F(LookUp, RandomLivesAgreeWithAMapAtEveryMoment) {
   std::mt19937 random(8);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
-  std::map<std::int64_t, double> model, at_begin, at_savepoint;
+  std::map<std::int64_t, double> model, at_start, at_savepoint;
   for (int id = 1; id <= objects; ++id) model[id] = id;
   bool in_transaction = false, in_savepoint = false;
   std::vector<StatementBelief> statements(3);
@@ -193,7 +193,7 @@ TEST_F(LookUp, RandomLivesAgreeWithAMapAtEveryMoment) {
     switch (below(40)) {
       case 0:
         if (in_transaction) break;
-        begin(db, *store), at_begin = model, in_transaction = true;
+        begin(db, *store), at_start = model, in_transaction = true;
         break;
       case 1:
         if (!in_transaction) break;
@@ -201,7 +201,7 @@ TEST_F(LookUp, RandomLivesAgreeWithAMapAtEveryMoment) {
         break;
       case 2:
         if (!in_transaction) break;
-        roll_back(db, *store), model = at_begin, in_transaction = in_savepoint = false;
+        roll_back(db, *store), model = at_start, in_transaction = in_savepoint = false;
         break;
       case 3:
         if (!in_transaction || in_savepoint) break;

@@ -8,12 +8,12 @@ class NewIds : public Parts {
  protected:
   NewIds() {
     load();
-    for (std::int64_t id = -320; id < 12'000; id += 3) asked.push_back(id);
+    for (std::int64_t id = -320; id < 12'000; id += 3) queried.push_back(id);
     begin(db, *store);
     store->rebuild(never);
   }
   void expect_known() {
-    for (const std::int64_t id : asked) ASSERT_EQ(store->contains(id), model.contains(id)) << id;
+    for (const std::int64_t id : queried) ASSERT_EQ(store->contains(id), model.contains(id)) << id;
     expect_model();
   }
   /// One that is not there.
@@ -34,7 +34,7 @@ class NewIds : public Parts {
     store->sync();
   }
 
-  std::vector<std::int64_t> asked;
+  std::vector<std::int64_t> queried;
 };
 
 TEST_F(NewIds, AreToldFromThoseThatCameAndWent) {
