@@ -11,7 +11,7 @@
 
 #include <memory>
 
-#include "moments.h"
+#include "agreement.h"
 #include "shape/mesh/mesh.h"
 
 namespace foresee::bench {

@@ -1,7 +1,7 @@
 // What does one pair cost, ours beside rivals, and what do these miss?
 //
 //   PairCosts costs(*contact, pairs);                      // decide(), begins, begins and ends
-//   costs.add_rival("FCL, 10 samples", pairs.size(), [&](const Pair& pair) { return moment or never; });
+//   costs.add_rival("FCL, 10 samples", pairs.size(), [&](const Pair& pair) { return time or never; });
 //   costs.measure(15), costs.print("meshes of 80 triangles");
 //
 // In every repetition each way runs once, one after the other: nanoseconds of processor time a pair, medians.
@@ -11,7 +11,7 @@
 #include <functional>
 #include <string>
 
-#include "moments.h"
+#include "agreement.h"
 
 namespace foresee::bench {
 
@@ -23,7 +23,7 @@ class PairCosts {
   const std::vector<Pair>& pairs() const { return pairs_; }
   /// Asked about the first `most` pairs, in as many repetitions at most; 0: once, without warming up.
   void add_rival(std::string name, std::size_t most, int repetitions,
-                 std::function<double(const Pair&)> first_moment);
+                 std::function<double(const Pair&)> first_time);
   void measure(int repetitions);
   void print(const char* scene) const;
 
@@ -32,8 +32,8 @@ class PairCosts {
     std::string name;
     std::size_t pairs;
     int repetitions;
-    std::function<double(const Pair&)> first_moment;
-    std::vector<double> costs = {}, moments = {};
+    std::function<double(const Pair&)> first_time;
+    std::vector<double> costs = {}, instants = {};
   };
 
   void measure_ours(bool counts);
@@ -42,7 +42,7 @@ class PairCosts {
   Contact& contact_;
   const std::vector<Pair> pairs_;
   std::vector<double> decide_, starts_, both_;  ///< nanoseconds a pair, of each repetition
-  std::vector<double> moments_;
+  std::vector<double> instants_;
   std::vector<Rival> rivals_;
 };
 

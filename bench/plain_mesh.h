@@ -8,7 +8,7 @@
 #include <cmath>
 #include <vector>
 
-#include "moments.h"
+#include "agreement.h"
 #include "shape/mesh/mesh.h"
 
 namespace foresee::bench {

@@ -34,7 +34,7 @@ void first_in_window(sqlite3_context* context, int, sqlite3_value** values) {
   const double h = in[12];
   // Four sides: c + b s + a s²/2 <= 0 inside.
   double c[4], b[4], a[4], first[9] = {0};
-  int moments = 1;
+  int instants = 1;
   for (int side = 0; side < 4; ++side) {
     const int axis = side / 2;
     const double sign = side % 2 ? 1 : -1;
@@ -44,10 +44,10 @@ void first_in_window(sqlite3_context* context, int, sqlite3_value** values) {
     if (root < 0) continue;  // never passes
     const double q = -(b[side] + std::copysign(std::sqrt(root), b[side]));
     for (const double s : {q / a[side], 2 * c[side] / q})
-      if (s >= 0 && s <= h) first[moments++] = s;
+      if (s >= 0 && s <= h) first[instants++] = s;
   }
   double earliest = HUGE_VAL;
-  for (int i = 0; i < moments; ++i) {
+  for (int i = 0; i < instants; ++i) {
     bool inside = first[i] < earliest;
     for (int side = 0; side < 4 && inside; ++side)
       inside = c[side] + first[i] * (b[side] + 0.5 * a[side] * first[i]) <= 1e-9;

@@ -31,7 +31,7 @@ Draft accelerated(Maker& m) {
 
 Draft graze(Maker& m) {
   Draft d = m.plain();
-  const double t0 = m.moment();
+  const double t0 = m.time();
   const int axis = static_cast<int>(m.random.below(3));
   drift(m, d, t0, 0.5, 0.5);
   const double side = m.chance(2) ? 1 : -1, bend = 0.25 + std::abs(m.lattice(2));
@@ -41,7 +41,7 @@ Draft graze(Maker& m) {
 
 Draft simultaneous(Maker& m) {
   Draft d = m.plain();
-  const double t0 = m.moment();
+  const double t0 = m.time();
   drift(m, d, t0, 0.5, 0.25);
   const int leaves = static_cast<int>(m.random.below(3)), enters = (leaves + 1) % 3;
   const double out = 0.5 + std::abs(m.lattice(2)), in = 0.5 + std::abs(m.lattice(2));
@@ -54,7 +54,7 @@ Draft simultaneous(Maker& m) {
 /// Radii 5 k in all, b passing 3 k, 4 k to the side: the distance is least, and exactly 5 k, at t0.
 Draft tangent(Maker& m) {
   Draft d = m.plain();
-  const double t0 = m.moment(), k = 0.125 * static_cast<double>(1 + m.random.below(4));
+  const double t0 = m.time(), k = 0.125 * static_cast<double>(1 + m.random.below(4));
   d.r[0] = k, d.r[1] = 4 * k;
   const double speed = 0.25 + std::abs(m.lattice(1)), bend = std::abs(m.lattice(0.5));
   const double climb = m.lattice(1), turn = m.lattice(0.5);
@@ -78,7 +78,7 @@ Draft in_out_in(Maker& m) {
 
 Draft meeting_points(Maker& m) {
   Draft d = m.plain();
-  const double t0 = m.moment();
+  const double t0 = m.time();
   d.r[0] = m.chance(16) ? 0.0625 : 0;
   for (int j = 0; j < 3; ++j) {
     d.half[0][j] = d.half[1][j] = 0;

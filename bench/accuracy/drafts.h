@@ -54,7 +54,7 @@ class Maker {
   }
 
   /// The moment at which something exact is to happen: strictly inside the horizon.
-  double moment() { return (1 + static_cast<double>(random.below(14))) / 16 * h; }
+  double time() { return (1 + static_cast<double>(random.below(14))) / 16 * h; }
 
   /// Lets b be at `place` of axis j at the moment t0, with the relative speed v and acceleration a of then.
   void pass(Draft& d, int j, double place, double t0, double v, double a) {

@@ -31,32 +31,33 @@ class Stages {
   }
 
   void count(std::size_t i, StageShares& shares) {
-    const Moments moments = moments_of(setup_, a(i), b(i));
-    Advancement<3, 2> advancement(set_, setup_, a(i), b(i), moments, {0, for_ever}, certain_scratch_);
-    const Chord<3> chord(advancement.certain().relative(), moments.dt_end);
-    const Interval<double> near = chord.between(set_.hull().data(), static_cast<int>(set_.hull().size()),
-                                                certain_scratch_.lengths, {moments.dt_start, moments.dt_end});
+    const PairLifetime lifetime = pair_lifetime_of(setup_, a(i), b(i));
+    Advancement<3, 2> advancement(set_, setup_, a(i), b(i), lifetime, {0, for_ever}, certain_scratch_);
+    const Chord<3> chord(advancement.certain().relative(), lifetime.dt_end);
+    const Interval<double> near =
+        chord.between(set_.hull().data(), static_cast<int>(set_.hull().size()), certain_scratch_.lengths,
+                      {lifetime.dt_start, lifetime.dt_end});
     const bool missed = near.begin > near.end;
     const Verdict verdict = advancement.touches();
     ++(missed ? shares.chord : verdict != Verdict::uncertain ? shares.certified : shares.exact);
     const bool hit =
         verdict == Verdict::uncertain ? exactly<bool>(i, exact_touches) : verdict == Verdict::yes;
-    if (hit) ++shares.hits, ++time_stage(i, advancement, moments, shares);
+    if (hit) ++shares.hits, ++time_stage(i, advancement, lifetime, shares);
   }
 
  private:
   template <class Answer>
-  Answer exactly(std::size_t i, Answer (*decide)(PiecePolynomials&, const ExactMoments&)) const {
+  Answer exactly(std::size_t i, Answer (*decide)(PiecePolynomials&, const ExactLifetime&)) const {
     PairPolynomials polynomials(set_, setup_, a(i), b(i));
-    return decide(polynomials, exact_moments_of(setup_, a(i), b(i)));
+    return decide(polynomials, exact_lifetime_of(setup_, a(i), b(i)));
   }
 
   /// As SetContact times a begin.
-  std::size_t& time_stage(std::size_t i, Advancement<3, 2>& advancement, const Moments& moments,
+  std::size_t& time_stage(std::size_t i, Advancement<3, 2>& advancement, const PairLifetime& lifetime,
                           StageShares& shares) {
     Bracket first;
     if (advancement.first_contact(first) != Verdict::yes) return shares.exact_time;
-    if (!(first.after > moments.dt_start)) return shares.at_once;
+    if (!(first.after > lifetime.dt_start)) return shares.at_once;
     const auto relative = relative_motion_of<DoubleDouble, 3>(setup_, a(i), b(i));
     Crossing<CrossingDirection::entering, 3, 2> crossing(advancement.certain(), relative, {set_, a(i), b(i)},
                                                          first, setup_.horizon.now, crossing_scratch_);

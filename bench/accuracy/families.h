@@ -4,7 +4,7 @@
 //   Family family = make_family("box graze-near", 1000, 7);      // pair i: object i of a, object i of b
 //
 //   random, dense          nothing special; few and many contacts
-//   reference-times        the two numbers of a pair hold at different moments
+//   reference-times        the two numbers of a pair hold at different instants
 //   graze-exact            the paths touch at one instant and part again; as doubles exactly so
 //   graze-near             the same with one number moved by one to three units in the last place
 //   simultaneous-exact     one axis lets go at the very instant at which another takes hold (-near: moved)

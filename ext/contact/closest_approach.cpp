@@ -42,12 +42,12 @@ class CertainApproach {
  public:
   CertainApproach(const Setup& setup, const double* row_a, const double* row_b)
       : setup_(setup),
-        moments_(moments_of(setup, row_a, row_b)),
+        lifetime_(pair_lifetime_of(setup, row_a, row_b)),
         relative_(certain_motion_of<D, 2>(setup, row_a, row_b)),
         motion_(relative_motion_of<DoubleDouble, D>(setup, row_a, row_b)) {
-    begin_ = difference(moments_.t_start, setup.horizon.now);
-    end_ = moments_.ends_with_horizon ? DoubleDouble{moments_.dt_end, 0}
-                                      : difference(moments_.t_end, setup.horizon.now);
+    begin_ = difference(lifetime_.t_start, setup.horizon.now);
+    end_ = lifetime_.ends_with_horizon ? DoubleDouble{lifetime_.dt_end, 0}
+                                       : difference(lifetime_.t_end, setup.horizon.now);
     still_ = keeps_its_place(row_a, row_b) || (end_ - begin_).high == 0;
   }
 
@@ -72,8 +72,8 @@ class CertainApproach {
 
   /// In order of time there are a minimum, or two, or none in doubt.
   std::optional<Nearness> least() {
-    const double low = moments_.start_exact ? begin_.high : begin_.high * (1 - 2 * unit_roundoff);
-    const double high = moments_.end_exact ? end_.high : end_.high * (1 + 2 * unit_roundoff);
+    const double low = lifetime_.start_exact ? begin_.high : begin_.high * (1 - 2 * unit_roundoff);
+    const double high = lifetime_.end_exact ? end_.high : end_.high * (1 + 2 * unit_roundoff);
     const Slope at_low = slope_at(low), at_high = slope_at(high);
     int budget = 16;
     if (!find_valleys(low, at_low, high, at_high, budget)) return {};
@@ -180,11 +180,11 @@ class CertainApproach {
 
   std::optional<Nearness> at_start() const {
     const Spot spot = spot_at(begin_);
-    return Nearness{spot.square, spot.square_error, {moments_.dt_start, moments_.t_start}};
+    return Nearness{spot.square, spot.square_error, {lifetime_.dt_start, lifetime_.t_start}};
   }
   std::optional<Nearness> at_end() const {
     const Spot spot = spot_at(end_);
-    return Nearness{spot.square, spot.square_error, {moments_.dt_end, moments_.t_end}};
+    return Nearness{spot.square, spot.square_error, {lifetime_.dt_end, lifetime_.t_end}};
   }
 
   /// Squared distance and slope at a moment in DoubleDouble, the slope's growth in double.
@@ -221,7 +221,7 @@ class CertainApproach {
   }
 
   const Setup& setup_;
-  Moments moments_;
+  PairLifetime lifetime_;
   CertainMotion<D> relative_;
   RelativeMotion<DoubleDouble, D> motion_;
   DoubleDouble begin_, end_;
@@ -233,7 +233,7 @@ class CertainApproach {
 template <int D>
 [[gnu::noinline]] ClosestApproach exact_answer(const Setup& setup, const double* row_a, const double* row_b) {
   return exact_approach(squared_distance(relative_motion_of<Dyadic, D>(setup, row_a, row_b)),
-                        exact_moments_of(setup, row_a, row_b));
+                        exact_lifetime_of(setup, row_a, row_b));
 }
 
 }  // namespace

@@ -75,9 +75,9 @@ class SetContact : public Contact {
   /// Whether the pair touches, exactly. `near`: only then can it, if at all.
   [[gnu::noinline]] bool touches(const double* row_a, const double* row_b,
                                  const Interval<double>& near = any_time) {
-    const Moments moments = moments_of(setup_, row_a, row_b);
-    if (moments.none) return false;
-    const Verdict verdict = advancement(row_a, row_b, moments, near).touches();
+    const PairLifetime lifetime = pair_lifetime_of(setup_, row_a, row_b);
+    if (lifetime.none) return false;
+    const Verdict verdict = advancement(row_a, row_b, lifetime, near).touches();
     if (verdict != Verdict::uncertain) return verdict == Verdict::yes;
     return exactly<bool>(row_a, row_b, exact_touches);
   }
@@ -85,10 +85,10 @@ class SetContact : public Contact {
   /// Whether and when the pair touches: the exact moments, each rounded once. `near`: as for touches().
   [[gnu::noinline]] bool first_contact(const double* row_a, const double* row_b, const Interval<double>& near,
                                        TimesWanted wanted, ContactTimes& found) {
-    const Moments moments = moments_of(setup_, row_a, row_b);
-    if (moments.none) return false;
+    const PairLifetime lifetime = pair_lifetime_of(setup_, row_a, row_b);
+    if (lifetime.none) return false;
     Instant begin = unknown_instant(), end = unknown_instant();
-    const Verdict touches = filtered_contact(row_a, row_b, moments, near, wanted, begin, end);
+    const Verdict touches = filtered_contact(row_a, row_b, lifetime, near, wanted, begin, end);
     if (touches == Verdict::no) return false;
     found = {begin.t, end.t, begin.dt, end.dt};
     if (touches == Verdict::yes && begin.known() && end.known()) return true;
@@ -99,18 +99,18 @@ class SetContact : public Contact {
 
   /// The end of the contact that the pair certainly has at `from`, or unknown.
   [[gnu::noinline]] Instant end_of_contact(const double* row_a, const double* row_b, double from) {
-    const Moments moments = moments_of(setup_, row_a, row_b);
-    auto advancement = this->advancement(row_a, row_b, moments, any_time);
-    return end_of_contact(advancement, from, moments, row_a, row_b);
+    const PairLifetime lifetime = pair_lifetime_of(setup_, row_a, row_b);
+    auto advancement = this->advancement(row_a, row_b, lifetime, any_time);
+    return end_of_contact(advancement, from, lifetime, row_a, row_b);
   }
 
   /// The end of the contact that certainly is at `from`, or unknown.
-  Instant end_of_contact(Advancement<D, Degree>& advancement, double from, const Moments& moments,
+  Instant end_of_contact(Advancement<D, Degree>& advancement, double from, const PairLifetime& lifetime,
                          const double* row_a, const double* row_b) {
     Bracket last;
     const Verdict leaves = advancement.end_of_contact(from, last);
     if (leaves == Verdict::uncertain) return unknown_instant();
-    const Instant end{moments.dt_end, moments.t_end};
+    const Instant end{lifetime.dt_end, lifetime.t_end};
     return leaves == Verdict::no
                ? end
                : earlier(crossing<CrossingDirection::leaving>(advancement, last, row_a, row_b), end);
@@ -120,9 +120,9 @@ class SetContact : public Contact {
   const Setup setup_;
 
  private:
-  Advancement<D, Degree> advancement(const double* row_a, const double* row_b, const Moments& moments,
+  Advancement<D, Degree> advancement(const double* row_a, const double* row_b, const PairLifetime& lifetime,
                                      const Interval<double>& near) {
-    return {set_, setup_, row_a, row_b, moments, near, certain_scratch_};
+    return {set_, setup_, row_a, row_b, lifetime, near, certain_scratch_};
   }
 
   Interval<double> near(int l) const { return {set_lanes_.begin[l], set_lanes_.end[l]}; }
@@ -148,17 +148,17 @@ class SetContact : public Contact {
 
   /// What double and DoubleDouble can vouch for: whether the two touch and, where known, since and until
   /// when.
-  Verdict filtered_contact(const double* row_a, const double* row_b, const Moments& moments,
+  Verdict filtered_contact(const double* row_a, const double* row_b, const PairLifetime& lifetime,
                            const Interval<double>& near, TimesWanted wanted, Instant& begin, Instant& end) {
-    auto advancement = this->advancement(row_a, row_b, moments, near);
+    auto advancement = this->advancement(row_a, row_b, lifetime, near);
     Bracket first;
     const Verdict meets = advancement.first_contact(first);
     if (meets != Verdict::yes) return meets;
-    begin = {moments.dt_start, moments.t_start};
-    if (first.after > moments.dt_start)
+    begin = {lifetime.dt_start, lifetime.t_start};
+    if (first.after > lifetime.dt_start)
       begin = later(crossing<CrossingDirection::entering>(advancement, first, row_a, row_b), begin);
-    end =
-        wanted == TimesWanted::both ? end_of_contact(advancement, first.after, moments, row_a, row_b) : begin;
+    end = wanted == TimesWanted::both ? end_of_contact(advancement, first.after, lifetime, row_a, row_b)
+                                      : begin;
     return meets;
   }
 
@@ -175,9 +175,9 @@ class SetContact : public Contact {
   /// The exact stages' answer: they always have one.
   template <class Answer>
   [[gnu::noinline]] Answer exactly(const double* row_a, const double* row_b,
-                                   Answer (*decide)(PiecePolynomials&, const ExactMoments&)) const {
+                                   Answer (*decide)(PiecePolynomials&, const ExactLifetime&)) const {
     PairPolynomials polynomials(set_, setup_, row_a, row_b);
-    return decide(polynomials, exact_moments_of(setup_, row_a, row_b));
+    return decide(polynomials, exact_lifetime_of(setup_, row_a, row_b));
   }
 
   const ContactSet set_;

@@ -12,11 +12,11 @@ struct Elapsed {
   double head, tail;
 };
 
-Elapsed elapsed(double moment, double t) {
-  const double head = moment - t;
-  const double t_part = moment - head;
-  const double moment_part = head + t_part;
-  const double tail = (moment - moment_part) + (t_part - t);
+Elapsed elapsed(double time, double t) {
+  const double head = time - t;
+  const double t_part = time - head;
+  const double time_part = head + t_part;
+  const double tail = (time - time_part) + (t_part - t);
   return {head, std::isfinite(tail) ? tail : 0.0};
 }
 
@@ -45,8 +45,8 @@ double sum_of(std::initializer_list<Scaled> terms) {
 }
 
 /// Place and velocity along one axis where a term overflows, or the time itself.
-void place_far(double x, double v, double a, double moment, double t, double& place, double& velocity) {
-  const double half = 0.5 * moment - 0.5 * t;  // of the elapsed time
+void place_far(double x, double v, double a, double time, double t, double& place, double& velocity) {
+  const double half = 0.5 * time - 0.5 * t;  // of the elapsed time
   const Scaled one;
   place = sum_of({one * x, one * v * half * 2.0, one * a * half * half * 2.0});
   velocity = sum_of({one * v, one * a * half * 2.0});
@@ -55,8 +55,8 @@ void place_far(double x, double v, double a, double moment, double t, double& pl
 }  // namespace
 
 template <int D>
-State<D> state_at(const Motion<D>& motion, double moment) {
-  const Elapsed s = elapsed(moment, motion.t);
+State<D> state_at(const Motion<D>& motion, double time) {
+  const Elapsed s = elapsed(time, motion.t);
   State<D> state;
   for (int axis = 0; axis < D; ++axis) {
     const double x = motion.x[axis], v = motion.v[axis], a = motion.a[axis];
@@ -69,7 +69,7 @@ State<D> state_at(const Motion<D>& motion, double moment) {
     state.x[axis] = (x + s.head * (v + a * s.head * 0.5)) + tail;
     state.v[axis] = v + (a * s.head + a * s.tail);
     if (!std::isfinite(state.x[axis]) || !std::isfinite(state.v[axis]))
-      place_far(x, v, a, moment, motion.t, state.x[axis], state.v[axis]);
+      place_far(x, v, a, time, motion.t, state.x[axis], state.v[axis]);
   }
   return state;
 }

@@ -18,12 +18,12 @@ struct State {
 };
 
 template <int D>
-bool exists_at(const Motion<D>& motion, double moment) {
-  return motion.t <= moment && moment <= motion.until;
+bool exists_at(const Motion<D>& motion, double time) {
+  return motion.t <= time && time <= motion.until;
 }
 
 /// Requires: moment finite. Any moment is answered, also one at which the object does not exist.
 template <int D>
-State<D> state_at(const Motion<D>& motion, double moment);
+State<D> state_at(const Motion<D>& motion, double time);
 
 }  // namespace foresee

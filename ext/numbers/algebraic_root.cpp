@@ -170,8 +170,8 @@ int compare(AlgebraicRoot& x, AlgebraicRoot& y) {
 }
 
 double rounded(AlgebraicRoot& root, const Dyadic& offset) {
-  const Midrad128 moment = root.at + Midrad128(offset);
-  double low = moment.low().rounded(), high = moment.high().rounded();
+  const Midrad128 time = root.at + Midrad128(offset);
+  double low = time.low().rounded(), high = time.high().rounded();
   for (int bits = first_length; low != high && std::nextafter(low, high) != high; bits *= 2) {
     const Midrad enclosure = root.enclosure(bits);
     low = rounded(enclosure.low() + offset), high = rounded(enclosure.high() + offset);

@@ -28,7 +28,7 @@ class LazyPolynomial;
 /// A known number, or a root of a polynomial.
 struct AlgebraicRoot {
   AlgebraicRoot() = default;
-  explicit AlgebraicRoot(const Dyadic& moment) : at(moment), known(&moment) {}
+  explicit AlgebraicRoot(const Dyadic& time) : at(time), known(&time) {}
 
   Midrad128 at;                          ///< encloses it
   const Dyadic* known = nullptr;         ///< the number, if that is known exactly

@@ -21,10 +21,10 @@ struct Instant {
 /// radius has 2^-52 |step| more than is needed, for the rounding of step +- radius.
 [[gnu::always_inline]] inline Instant rounded_instant(double now, double base, double step, double radius) {
   const double low = base + (step - radius), high = base + (step + radius);
-  const DoubleDouble moment = sum(now, base);
-  const double wider = radius + 4 * unit_roundoff * (__builtin_fabs(moment.low) + __builtin_fabs(step));
-  const double t_low = moment.high + ((moment.low + step) - wider);
-  const double t_high = moment.high + ((moment.low + step) + wider);
+  const DoubleDouble time = sum(now, base);
+  const double wider = radius + 4 * unit_roundoff * (__builtin_fabs(time.low) + __builtin_fabs(step));
+  const double t_low = time.high + ((time.low + step) - wider);
+  const double t_high = time.high + ((time.low + step) + wider);
   const double nan = __builtin_nan("");
   return {low == high ? low : nan, t_low == t_high ? t_low : nan};
 }

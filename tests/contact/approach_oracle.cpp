@@ -19,7 +19,7 @@ Coefficients squared_distance(const testing_by_hand::Object& a, const testing_by
 /// A moment at which the distance may be least: an exact one, or where the slope vanishes.
 struct Candidate {
   Exact at;
-  std::optional<Moment> root = {};
+  std::optional<TimePoint> root = {};
 
   int compare(const Exact& x) const { return root ? root->compare(x) : (at - x).sign(); }
 };
@@ -58,7 +58,7 @@ class Distances {
   }
 
   /// By how much the square can change within a bracket.
-  Exact spread(const Moment& m) const {
+  Exact spread(const TimePoint& m) const {
     Exact steepest;
     for (std::size_t k = square_.size(); k-- > 1;) {
       const Exact term = square_[k] * Exact(static_cast<double>(k));
@@ -79,15 +79,15 @@ std::string judge_approach(const testing_by_hand::Object& a, const testing_by_ha
   const Distances distances(square);
   const Sturm slope(derivative(integers_of(square)));
   Candidate best{queried.begin};
-  for (Moment& root : moments_between(slope, queried.begin, queried.end))
+  for (TimePoint& root : times_between(slope, queried.begin, queried.end))
     if (Candidate other{{}, root}; distances.less(other, best)) best = other;
   if (Candidate end{queried.end}; distances.less(end, best)) best = end;
 
-  auto moment_is = [&](double value, const Exact& offset) {
+  auto time_is = [&](double value, const Exact& offset) {
     return is_nearest(value, [&](const Exact& tie) { return best.compare(tie - offset); });
   };
-  if (!moment_is(answer.dt, 0.0)) return "dt is not the nearest double";
-  if (!moment_is(answer.t, horizon.now)) return "t is not the nearest double";
+  if (!time_is(answer.dt, 0.0)) return "dt is not the nearest double";
+  if (!time_is(answer.t, horizon.now)) return "t is not the nearest double";
   if (distances.beyond(best, 0.0) == 0) return answer.d == 0 ? "" : "d is not 0";
   if (!is_nearest(answer.d,
                   [&](const Exact& tie) { return tie.sign() < 0 ? 1 : distances.beyond(best, tie * tie); }))

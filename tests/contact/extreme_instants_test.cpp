@@ -31,10 +31,10 @@ std::optional<ContactTimes> exactly(const Object& a, const Object& b, const Cont
                     question.within,
                     question.within};
   const ContactSet set = a.layout.shape == Shape::box ? box_ball_set(setup) : ball_ball_set(setup);
-  const ExactMoments moments = exact_moments_of(setup, row_a.data(), row_b.data());
-  if (moments.rounded.none) return std::nullopt;
+  const ExactLifetime lifetime = exact_lifetime_of(setup, row_a.data(), row_b.data());
+  if (lifetime.rounded.none) return std::nullopt;
   PairPolynomials polynomials(set, setup, row_a.data(), row_b.data());
-  return exact_times(polynomials, moments);
+  return exact_times(polynomials, lifetime);
 }
 
 void expect_exact(const Object& a, const Object& b, const ContactQuestion& question) {

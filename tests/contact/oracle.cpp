@@ -80,14 +80,14 @@ class Regions {
 
 /// A moment at which some borders are crossed.
 struct Crossing {
-  Moment moment;
+  TimePoint time;
   std::vector<int> zero_here;  ///< which borders vanish
 };
 
 /// An end of the first contact: an end of what was asked, or a moment.
 struct Found {
-  enum { nothing, at_start, at_end, at_moment } where = nothing;
-  std::optional<Moment> moment = {};
+  enum { nothing, at_start, at_end, at_time } where = nothing;
+  std::optional<TimePoint> time = {};
 };
 
 /// Walks through time and keeps the first contact.
@@ -96,26 +96,26 @@ class Walk {
   Walk(const Rule& rule, const ExactInterval& queried) : queried_(queried), regions_(rule) {
     std::size_t border = 0;
     for (const Sturm& sturm : regions_.borders()) {
-      for (Moment& moment : moments_between(sturm, queried.begin, queried.end))
-        add(moment, static_cast<int>(border));
+      for (TimePoint& time : times_between(sturm, queried.begin, queried.end))
+        add(time, static_cast<int>(border));
       ++border;
     }
     // Later narrowing keeps moments apart that were told apart before.
     std::sort(crossings_.begin(), crossings_.end(),
-              [](const Crossing& a, const Crossing& b) { return a.moment.low < b.moment.low; });
+              [](const Crossing& a, const Crossing& b) { return a.time.low < b.time.low; });
     go();
   }
 
   Found first, last;
 
  private:
-  void add(Moment& moment, int border) {
+  void add(TimePoint& time, int border) {
     for (Crossing& known : crossings_)
-      if (same_moment(moment, known.moment)) {
+      if (same_time(time, known.time)) {
         known.zero_here.push_back(border);
         return;
       }
-    crossings_.push_back({moment, {border}});
+    crossings_.push_back({time, {border}});
   }
 
   void go() {
@@ -128,9 +128,9 @@ class Walk {
       if (over_) return;
       Signs signs = signs_at(stretch_sample_);
       for (int border : next.zero_here) signs[border] = 0;
-      point({Found::at_moment, next.moment}, holds_at(next.moment, regions_.region(signs)));
+      point({Found::at_time, next.time}, holds_at(next.time, regions_.region(signs)));
       if (over_) return;
-      pass(next.moment);
+      pass(next.time);
       before = &next;
     }
     if (!(reached_ < queried_.end)) return;
@@ -140,45 +140,45 @@ class Walk {
 
   /// From one crossing (or the begin) to the next (or the end), both left out.
   void stretch(Crossing* from, Crossing* to) {
-    stretch_sample_ = sample_before(to ? &to->moment : nullptr);
+    stretch_sample_ = sample_before(to ? &to->time : nullptr);
     const int region = regions_.region(signs_at(stretch_sample_));
     if (region < 0) return gap(region == always);
     const Sturm& excess = regions_.excess(region);
-    std::vector<Moment> roots = roots_within(excess, from, to);
-    if (from) reached_ = from->moment.high;
-    for (Moment& root : roots) {
+    std::vector<TimePoint> roots = roots_within(excess, from, to);
+    if (from) reached_ = from->time.high;
+    for (TimePoint& root : roots) {
       gap(sign_at(excess.polynomial(), sample_before(&root)) <= 0);
       if (over_) return;
       if (root.compare(queried_.end) == 0) return;  // seen as the end
-      point({Found::at_moment, root}, true);
+      point({Found::at_time, root}, true);
       pass(root);
     }
-    gap(sign_at(excess.polynomial(), sample_before(to ? &to->moment : nullptr)) <= 0);
+    gap(sign_at(excess.polynomial(), sample_before(to ? &to->time : nullptr)) <= 0);
   }
 
   /// Narrows the crossings until every root is within or not.
-  std::vector<Moment> roots_within(const Sturm& p, Crossing* from, Crossing* to) {
-    const Exact low = from ? from->moment.low : reached_, high = to ? to->moment.high : queried_.end;
-    std::vector<Moment> roots;
-    for (Moment& root : moments_between(p, low, high)) {
-      if (from && (same_moment(root, from->moment) || root.low < from->moment.low)) continue;
-      if (to && (same_moment(root, to->moment) || to->moment.low < root.low)) continue;
+  std::vector<TimePoint> roots_within(const Sturm& p, Crossing* from, Crossing* to) {
+    const Exact low = from ? from->time.low : reached_, high = to ? to->time.high : queried_.end;
+    std::vector<TimePoint> roots;
+    for (TimePoint& root : times_between(p, low, high)) {
+      if (from && (same_time(root, from->time) || root.low < from->time.low)) continue;
+      if (to && (same_time(root, to->time) || to->time.low < root.low)) continue;
       roots.push_back(root);
     }
     return roots;
   }
 
   /// A number after all that has been passed and before the moment (or the end).
-  Exact sample_before(Moment* moment) {
-    if (!moment) return middle(reached_, queried_.end);
-    while (!(moment->low > reached_)) moment->halve();
-    return middle(reached_, moment->low);
+  Exact sample_before(TimePoint* time) {
+    if (!time) return middle(reached_, queried_.end);
+    while (!(time->low > reached_)) time->halve();
+    return middle(reached_, time->low);
   }
 
-  void pass(Moment& moment) {
-    if (moment.compare(queried_.end) < 0)
-      while (moment.high == queried_.end) moment.halve();
-    reached_ = moment.high;
+  void pass(TimePoint& time) {
+    if (time.compare(queried_.end) < 0)
+      while (time.high == queried_.end) time.halve();
+    reached_ = time.high;
   }
 
   Signs signs_at(const Exact& x) const {
@@ -190,8 +190,8 @@ class Walk {
     const int region = regions_.region(signs_at(x));
     return region < 0 ? region == always : sign_at(regions_.excess(region).polynomial(), x) <= 0;
   }
-  bool holds_at(Moment& moment, int region) {
-    return region < 0 ? region == always : moment.sign_of(regions_.excess(region)) <= 0;
+  bool holds_at(TimePoint& time, int region) {
+    return region < 0 ? region == always : time.sign_of(regions_.excess(region)) <= 0;
   }
 
   void gap(bool holds) { over_ = over_ || (!holds && first.where != Found::nothing); }
@@ -248,7 +248,7 @@ std::string judge(const Rule& rule, const testing_by_hand::Object& a, const test
       const Exact x = tie - offset;
       if (found.where == Found::at_start) return (queried.begin - x).sign();
       if (found.where == Found::at_end) return (queried.end - x).sign();
-      return found.moment->compare(x);
+      return found.time->compare(x);
     });
   };
   if (!right(walk.first, answer->dt, 0.0)) return "dt is not the nearest double";

@@ -12,9 +12,9 @@ bool starts_before(const SlopeSign& s, const SlopeSign& t) {
 }
 
 /// A little more than half an ulp before or after, where another double would be the nearest.
-Rational beside(double moment, int side) {
-  const double next = std::nextafter(moment, side * HUGE_VAL);
-  return Rational(moment) + (Rational(next) - Rational(moment)) * Rational(513, 1024);
+Rational beside(double time, int side) {
+  const double next = std::nextafter(time, side * HUGE_VAL);
+  return Rational(time) + (Rational(next) - Rational(time)) * Rational(513, 1024);
 }
 
 using Touch = std::function<bool(const Rational&)>;
@@ -69,9 +69,9 @@ SlopeSign Encounter::queried() const {
   return queried;
 }
 
-Rational Encounter::place(int axis, const Rational& moment) const {
+Rational Encounter::place(int axis, const Rational& time) const {
   const auto at = [&](const testing_by_hand::Object& o) -> Rational {
-    const Rational s = moment + Rational(question.horizon.now) - Rational(o.t);
+    const Rational s = time + Rational(question.horizon.now) - Rational(o.t);
     return Rational(o.x[axis]) + s * (Rational(o.v[axis]) + s * Rational(o.a[axis]) / 2);
   };
   return at(b) - at(a);
@@ -81,11 +81,11 @@ Rational Encounter::velocity(int axis) const {
   return Rational(b.v[axis]) - Rational(a.v[axis]);
 }
 
-Rational Encounter::radius(const Rational& moment) const {
+Rational Encounter::radius(const Rational& time) const {
   Rational radius(question.within);
   for (const auto* o : {&a, &b}) {
     radius += Rational(o->r);
-    const Rational age = moment + Rational(question.horizon.now) - Rational(o->t);
+    const Rational age = time + Rational(question.horizon.now) - Rational(o->t);
     if (o->layout.has_growth) radius += age * Rational(o->growth);
   }
   return radius;
@@ -102,13 +102,13 @@ std::string compared(const std::optional<SlopeSign>& exact, const std::optional<
   return {};
 }
 
-std::string judged_by_moments(const std::function<bool(const Rational&)>& touch, double h,
-                              const std::optional<ContactTimes>& answer) {
+std::string judged_by_times(const std::function<bool(const Rational&)>& touch, double h,
+                            const std::optional<ContactTimes>& answer) {
   const double begin = answer ? answer->dt : 2 * h, end = answer ? answer->dt_end : 2 * h;
   for (int i = 0; i <= 16; ++i) {
-    const double moment = h * i / 16;
-    if (moment < begin && touch(moment)) return answer ? "begins earlier" : "missed";
-    if (begin < moment && moment < end && !touch(moment)) return "ends earlier";
+    const double time = h * i / 16;
+    if (time < begin && touch(time)) return answer ? "begins earlier" : "missed";
+    if (begin < time && time < end && !touch(time)) return "ends earlier";
   }
   if (!answer) return {};
   // Between neighbours there is no moment of which rounding leaves no doubt.

@@ -36,9 +36,9 @@ struct Encounter {
   /// While both exist; none if it ends before it begins.
   SlopeSign queried() const;
   /// Where b is seen from a, and how fast it goes there.
-  Rational place(int axis, const Rational& moment) const;
+  Rational place(int axis, const Rational& time) const;
   Rational velocity(int axis) const;
-  Rational radius(const Rational& moment) const;
+  Rational radius(const Rational& time) const;
 };
 
 /// Empty if these are the times of `exact`, correctly rounded, else what is wrong.
@@ -48,7 +48,7 @@ std::string compared(const std::optional<SlopeSign>& exact, const std::optional<
 /// Judges contact of any radius and motion by single moments: just beside the times that were answered, and
 /// many others. `touch` says whether they do at a moment. Requires: both exist all the time. Empty if nothing
 /// is wrong.
-std::string judged_by_moments(const std::function<bool(const Rational&)>& touch, double h,
-                              const std::optional<ContactTimes>& answer);
+std::string judged_by_times(const std::function<bool(const Rational&)>& touch, double h,
+                            const std::optional<ContactTimes>& answer);
 
 }  // namespace foresee::oracle

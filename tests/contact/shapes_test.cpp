@@ -224,7 +224,7 @@ TEST(ClosestApproach, OfAcceleratedCoursesAgainstDenseStepping) {
   Object a = at(Shape::point, {1, 2, 3}, {-2, 1, 0.5}), b = at(Shape::point, {-5, 9, 4}, {1, -2, 0.25});
   a.a[0] = 0.7, a.a[1] = -0.3, b.a[1] = 0.45, b.a[2] = -0.2;
   const ClosestApproach approach = closest(a, b, {.horizon = {0, 20}});
-  long double least = 1e9L, moment = 0;
+  long double least = 1e9L, time = 0;
   for (int i = 0; i <= 2000000; ++i) {
     const long double s = i * 1e-5L;
     long double square = 0;
@@ -233,9 +233,9 @@ TEST(ClosestApproach, OfAcceleratedCoursesAgainstDenseStepping) {
           (b.x[j] - a.x[j]) + s * (b.v[j] - a.v[j]) + s * s / 2 * ((long double)b.a[j] - a.a[j]);
       square += gap * gap;
     }
-    if (square < least) least = square, moment = s;
+    if (square < least) least = square, time = s;
   }
-  EXPECT_NEAR(approach.dt, static_cast<double>(moment), 1e-5);
+  EXPECT_NEAR(approach.dt, static_cast<double>(time), 1e-5);
   EXPECT_NEAR(approach.d, static_cast<double>(std::sqrt(least)), 1e-9);
 }
 

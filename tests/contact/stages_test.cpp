@@ -41,12 +41,12 @@ class StagesOfPair {
                c.question.within,
                c.question.within_z.value_or(0)},
         set_(make_set(setup_)),
-        moments_(moments_of(setup_, row_a_.data(), row_b_.data())) {}
+        lifetime_(pair_lifetime_of(setup_, row_a_.data(), row_b_.data())) {}
 
   void check() {
-    if (moments_.none) return;
+    if (lifetime_.none) return;
     PairPolynomials polynomials(set_, setup_, row_a_.data(), row_b_.data());
-    const ExactMoments exact = exact_moments_of(setup_, row_a_.data(), row_b_.data());
+    const ExactLifetime exact = exact_lifetime_of(setup_, row_a_.data(), row_b_.data());
     const bool touches = exact_touches(polynomials, exact);
     check_doubles(touches);
     check_lanes(touches, exact);
@@ -57,13 +57,13 @@ class StagesOfPair {
  private:
   void check_doubles(bool touches) {
     CertainScratch scratch(set_);
-    Advancement<D, Degree> advancement(set_, setup_, row_a_.data(), row_b_.data(), moments_, {0, for_ever},
+    Advancement<D, Degree> advancement(set_, setup_, row_a_.data(), row_b_.data(), lifetime_, {0, for_ever},
                                        scratch);
-    const Chord<D> chord(advancement.certain().relative(), moments_.dt_end);
+    const Chord<D> chord(advancement.certain().relative(), lifetime_.dt_end);
     const auto hull = set_.hull();
     const Interval<double> near = chord.between(hull.data(), static_cast<int>(hull.size()), scratch.lengths,
-                                                {moments_.dt_start, moments_.dt_end});
-    if (moments_.start_exact && moments_.end_exact && near.begin > near.end) {
+                                                {lifetime_.dt_start, lifetime_.dt_end});
+    if (lifetime_.start_exact && lifetime_.end_exact && near.begin > near.end) {
       ++certain_.chord;
       EXPECT_FALSE(touches) << "chord: " << case_;
     }
@@ -75,7 +75,7 @@ class StagesOfPair {
     }
   }
 
-  void check_lanes(bool touches, const ExactMoments& exact) {
+  void check_lanes(bool touches, const ExactLifetime& exact) {
     const AllLengths<Bounded> lengths(set_);
     std::vector<LanesLine> space(lanes_space(set_));
     const LanesQuestion question{.a = setup_.a.at,
@@ -113,18 +113,18 @@ class StagesOfPair {
     });
   }
 
-  void check_128_bits(PairPolynomials& polynomials, const ExactMoments& exact) {
+  void check_128_bits(PairPolynomials& polynomials, const ExactLifetime& exact) {
     for (int i = 0; i < static_cast<int>(set_.primitives().size()); ++i)
-      for (const Dyadic& moment : {exact.begin, exact.end}) {
+      for (const Dyadic& time : {exact.begin, exact.end}) {
         LazyPolynomial& polynomial = polynomials.polynomial(polynomials.number_of(i));
-        const int sign = polynomial.value_at(Midrad128(moment)).sign();
+        const int sign = polynomial.value_at(Midrad128(time)).sign();
         if (sign == unknown_sign) continue;
         ++certain_.in_128_bits;
-        EXPECT_EQ(sign, sign_at(polynomial.exact(), moment)) << "128 bits: " << case_;
+        EXPECT_EQ(sign, sign_at(polynomial.exact(), time)) << "128 bits: " << case_;
       }
   }
 
-  void check_times(const ExactMoments& exact) {
+  void check_times(const ExactLifetime& exact) {
     PairPolynomials polynomials(set_, setup_, row_a_.data(), row_b_.data());
     const auto times = exact_times(polynomials, exact);
     ASSERT_TRUE(times) << case_;
@@ -142,7 +142,7 @@ class StagesOfPair {
   std::vector<double> row_a_, row_b_;
   Setup setup_;
   ContactSet set_;
-  Moments moments_;
+  PairLifetime lifetime_;
 };
 
 template <int D>

@@ -47,16 +47,16 @@ Integers quotient(const Integers& p, const Integers& divisor) {
   return quotient;
 }
 
-void isolate(const Sturm& sturm, const Exact& low, const Exact& high, std::vector<Moment>& moments) {
+void isolate(const Sturm& sturm, const Exact& low, const Exact& high, std::vector<TimePoint>& instants) {
   const int count = sturm.count(low, high);
   if (count == 0) return;
   if (count == 1) {
-    moments.emplace_back(sturm, low, high);
+    instants.emplace_back(sturm, low, high);
     return;
   }
   const Exact mid = middle(low, high);
-  isolate(sturm, low, mid, moments);
-  isolate(sturm, mid, high, moments);
+  isolate(sturm, low, mid, instants);
+  isolate(sturm, mid, high, instants);
 }
 
 }  // namespace
@@ -147,13 +147,13 @@ int Sturm::variations(const Exact& x) const {
   return changes;
 }
 
-void Moment::halve() {
+void TimePoint::halve() {
   const Exact mid = middle(low, high);
   (compare(mid) > 0 ? low : high) = mid;
   if (high == mid) sign_high_ = sign_of(mid);
 }
 
-int Moment::compare(const Exact& x) const {
+int TimePoint::compare(const Exact& x) const {
   if (x <= low) return 1;
   if (x > high) return -1;
   if (sign_high_ == 0) return x < high ? 1 : 0;
@@ -161,7 +161,7 @@ int Moment::compare(const Exact& x) const {
   return sign == 0 ? 0 : sign == sign_high_ ? -1 : 1;
 }
 
-int Moment::sign_of(const Sturm& p) {
+int TimePoint::sign_of(const Sturm& p) {
   for (int round = 0; round < 6; ++round, halve())
     if (p.count(low, high) == 0) return sign_at(p.polynomial(), high);
   const Sturm common(common_divisor(sturm_->square_free(), p.square_free()));
@@ -170,7 +170,7 @@ int Moment::sign_of(const Sturm& p) {
   return sign_at(p.polynomial(), high);
 }
 
-bool same_moment(Moment& a, Moment& b) {
+bool same_time(TimePoint& a, TimePoint& b) {
   auto apart = [&] { return std::min(a.high, b.high) <= std::max(a.low, b.low); };
   // Most are far apart, which is soon seen; only then is a common root worth looking for.
   for (int round = 0; round < 30; ++round, a.halve(), b.halve())
@@ -182,10 +182,10 @@ bool same_moment(Moment& a, Moment& b) {
   return false;
 }
 
-std::vector<Moment> moments_between(const Sturm& sturm, const Exact& low, const Exact& high) {
-  std::vector<Moment> moments;
-  if (sturm.polynomial().size() > 1 && low < high) isolate(sturm, low, high, moments);
-  return moments;
+std::vector<TimePoint> times_between(const Sturm& sturm, const Exact& low, const Exact& high) {
+  std::vector<TimePoint> instants;
+  if (sturm.polynomial().size() > 1 && low < high) isolate(sturm, low, high, instants);
+  return instants;
 }
 
 }  // namespace foresee::oracle

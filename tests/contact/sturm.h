@@ -72,9 +72,9 @@ class Sturm {
 };
 
 /// A moment: the only root of a polynomial in (low, high].
-class Moment {
+class TimePoint {
  public:
-  Moment(const Sturm& sturm, Exact low, Exact high)
+  TimePoint(const Sturm& sturm, Exact low, Exact high)
       : low(std::move(low)), high(std::move(high)), sturm_(&sturm), sign_high_(sign_of(this->high)) {}
 
   void halve();
@@ -83,7 +83,7 @@ class Moment {
   /// The sign of a polynomial here.
   int sign_of(const Sturm& p);
   /// True if both are the same moment; else narrows them until their brackets are apart.
-  friend bool same_moment(Moment& a, Moment& b);
+  friend bool same_time(TimePoint& a, TimePoint& b);
 
   Exact low, high;
 
@@ -94,7 +94,7 @@ class Moment {
 };
 
 /// All roots in (low, high], in order.
-std::vector<Moment> moments_between(const Sturm& sturm, const Exact& low, const Exact& high);
+std::vector<TimePoint> times_between(const Sturm& sturm, const Exact& low, const Exact& high);
 
 /// Is `value` the double nearest to what `compare(x)` compares with x, ties to even?
 template <class Compare>

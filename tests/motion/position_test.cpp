@@ -38,8 +38,8 @@ TEST(Position, StaysAtRestThroughAnyTime) {
 }
 
 TEST(Position, IsInfiniteOnlyWhereNoDoubleHoldsIt) {
-  const auto at = [](double t, double x, double v, double a, double moment) {
-    return state_at(Motion<1>{.t = t, .x = Vec<1>(x), .v = Vec<1>(v), .a = Vec<1>(a), .until = inf}, moment);
+  const auto at = [](double t, double x, double v, double a, double time) {
+    return state_at(Motion<1>{.t = t, .x = Vec<1>(x), .v = Vec<1>(v), .a = Vec<1>(a), .until = inf}, time);
   };
   // v·s = 1e400 and a·s²/2 = -1e400 cancel; what is left is x.
   EXPECT_EQ(at(0, 7, 0x1p700, -0x1p-99, 0x1p800).x[0], 7);

@@ -46,9 +46,9 @@ void expect_outward(const Object& object, const Horizon& horizon, double margin 
   Rational begin = std::max(now, t) - t, end = now + Rational(horizon.h) - t;
   if (object.until != infinity) end = std::min(end, Rational(object.until) - t);
   if (begin > end) return;
-  std::vector<Rational> moments{begin, end, (begin + end) / 2, (begin * 7 + end) / 8};
-  if (object.a != 0) moments.push_back(-Rational(object.v) / Rational(object.a));
-  for (const Rational& s : moments)
+  std::vector<Rational> instants{begin, end, (begin + end) / 2, (begin * 7 + end) / 8};
+  if (object.a != 0) instants.push_back(-Rational(object.v) / Rational(object.a));
+  for (const Rational& s : instants)
     if (begin <= s && s <= end) {
       ASSERT_TRUE(holds(box, object, s, margin))
           << "t " << object.t << " x " << object.x << " v " << object.v << " a " << object.a << " half "

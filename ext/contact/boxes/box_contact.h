@@ -133,14 +133,14 @@ class BoxContact final : public SetContact<D, Degree> {
 
   /// Of other reference times, or with a life that may end within the horizon.
   [[gnu::noinline]] void put_aged(const double* a, const double* b, int l) {
-    const Moments moments = moments_of(setup_, a, b);
+    const PairLifetime lifetime = pair_lifetime_of(setup_, a, b);
     const CertainMotion<D> relative = certain_motion_of<D, Degree>(setup_, a, b);
     double half[D];
     for (int j = 0; j < D; ++j) half[j] = half_extent<double, D>(setup_, a, b, j);
     put_motion(lanes_, l, relative, half,
-               moments.end_exact ? moments.dt_end : moments.dt_end * (1 + 2 * unit_roundoff));
+               lifetime.end_exact ? lifetime.dt_end : lifetime.dt_end * (1 + 2 * unit_roundoff));
     // Lanes look at pairs that both exist from now on, and at no times beyond 2^40: for others, no answer.
-    const bool from_now = !moments.none && moments.start_exact && moments.dt_start == 0;
+    const bool from_now = !lifetime.none && lifetime.start_exact && lifetime.dt_start == 0;
     if (!from_now || relative.underflow > usual_underflow) lanes_.x[0][l] = std::nan("");
   }
 
@@ -198,7 +198,7 @@ class BoxContact final : public SetContact<D, Degree> {
     m.x_low[l] = relative.x.low, m.v_low[l] = relative.v.low, m.a_low[l] = relative.a.low,
     m.half_low[l] = half.low;
     m.ex[l] = lanes_.ex[j][l], m.ev[l] = lanes_.ev[j][l];
-    m.side[l] = lanes_.side[l], m.moment[l] = lanes_.moment[l], m.room[l] = lanes_.room[l];
+    m.side[l] = lanes_.side[l], m.time[l] = lanes_.time[l], m.room[l] = lanes_.room[l];
   }
 
   const double* row_a(const Pair& pair) const { return setup_.a.row(pair.a); }

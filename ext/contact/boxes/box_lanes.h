@@ -53,7 +53,7 @@ struct BoxLanes {
   double meets[width];        ///< they touch at `after`
   double
       meets_first[width];  ///< between `before` and `after` for the first time, entering each other on `axis`
-  double moment[width], before[width], after[width], axis[width];
+  double time[width], before[width], after[width], axis[width];
   double side[width], room[width];  ///< 1 or -1: where x comes from; after - before
 };
 
@@ -64,8 +64,8 @@ struct MeetingLanes {
   alignas(64) double x[width] = {};
   double v[width] = {}, a[width] = {}, half[width] = {};
   double x_low[width] = {}, v_low[width] = {}, a_low[width] = {}, half_low[width] = {};
-  double ex[width] = {}, ev[width] = {};                          ///< as in BoxLanes
-  double side[width] = {}, moment[width] = {}, room[width] = {};  ///< as in BoxLanes or EndLanes
+  double ex[width] = {}, ev[width] = {};                        ///< as in BoxLanes
+  double side[width] = {}, time[width] = {}, room[width] = {};  ///< as in BoxLanes or EndLanes
 
   double dt[width], t[width];  ///< each rounded once; NaN where find_meetings() cannot tell
 };
@@ -76,8 +76,8 @@ struct EndLanes {
 
   // What settle_ends() finds, as in BoxLanes.
   double lasts[lanes_width];   ///< they touch until `end`
-  double leaves[lanes_width];  ///< the contact ends about `moment`, on `axis` and `side`
-  double moment[lanes_width], room[lanes_width], axis[lanes_width], side[lanes_width];
+  double leaves[lanes_width];  ///< the contact ends about `time`, on `axis` and `side`
+  double time[lanes_width], room[lanes_width], axis[lanes_width], side[lanes_width];
 };
 
 /// The loops over lanes, compiled for one kind of CPU.

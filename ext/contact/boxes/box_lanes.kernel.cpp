@@ -34,23 +34,23 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
     };
 
     // Faces are numbered: 2 j in front on axis j, 2 j + 1 behind.
-    double moment = never, chosen = 0, chosen_axis = 0, chosen_side = 1, all = 0;
+    double time = never, chosen = 0, chosen_axis = 0, chosen_side = 1, all = 0;
 #pragma GCC unroll 6
     for (int number = 0; number < 2 * D; ++number) {
       const int j = number / 2;
       const double side = number % 2 == 0 ? 1 : -1;
       const FaceGap f = face(j, side);
       const double exit = from + first_root<Degree>(f.gap, f.slope, f.bend);
-      const bool sooner = exit < moment;
-      moment = sooner ? exit : moment;
+      const bool sooner = exit < time;
+      time = sooner ? exit : time;
       chosen = sooner ? number : chosen;
       chosen_axis = sooner ? j : chosen_axis;
       chosen_side = sooner ? side : chosen_side;
       all += magnitude(j, end) + lanes.ex[j][l] + end * lanes.ev[j][l];
     }
 
-    const double before = lesser(greater(moment * (1 - near), from), end);
-    const double after = lesser(moment * (1 + near), end), stretch = before - from;
+    const double before = lesser(greater(time * (1 - near), from), end);
+    const double after = lesser(time * (1 + near), end), stretch = before - from;
     double inside_before = never, outside_after = -never;
 #pragma GCC unroll 6
     for (int number = 0; number < 2 * D; ++number) {
@@ -71,7 +71,7 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
     const double fits = huge - all, inside = lesser(inside_before, fits), end_inside = end * (1 - 0x1p-50);
     ends.lasts[l] = before < end ? -1 : inside;
     ends.leaves[l] = before < end && after < end_inside ? lesser(outside_after, inside) : -1;
-    ends.moment[l] = moment, ends.room[l] = after - before, ends.axis[l] = chosen_axis,
+    ends.time[l] = time, ends.room[l] = after - before, ends.axis[l] = chosen_axis,
     ends.side[l] = chosen_side;
   }
 }

@@ -79,7 +79,7 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
     };
 
     // The guess: the latest axis to be entered, and its quadratic.
-    double moment = 0, axis = 0, from_side = 1, gap = 0, slope = 0, bend = 0, size = 0, lost = 0,
+    double time = 0, axis = 0, from_side = 1, gap = 0, slope = 0, bend = 0, size = 0, lost = 0,
            lost_slope = 0;
     double inside_now = never, all = 0;
 #pragma GCC unroll 3
@@ -87,8 +87,8 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
       const double x = lanes.x[j][l], side = x < 0 ? -1 : 1;
       const double c = absolute(x) - lanes.half[j][l], w = side * lanes.v[j][l], k = side * lanes.a[j][l];
       const double entry = c > 0 ? first_root<Degree>(c, w, k) : 0;
-      const bool later = entry > moment;
-      moment = later ? entry : moment;
+      const bool later = entry > time;
+      time = later ? entry : time;
       axis = later ? j : axis;
       from_side = later ? side : from_side;
       gap = later ? c : gap, slope = later ? w : slope, bend = later ? k : bend;
@@ -98,7 +98,7 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
       all += magnitude(j, end) + lanes.ex[j][l] + end * lanes.ev[j][l];
     }
 
-    const double before = lesser(moment * (1 - near), end), after = lesser(moment * (1 + near), end);
+    const double before = lesser(time * (1 - near), end), after = lesser(time * (1 + near), end);
     const double reach = place_at<Degree>(size, absolute(slope), absolute(bend), before);
     const double lost_before = error_bound(lost + before * lost_slope, reach);
     const double at_before = place_at<Degree>(gap, slope, bend, before);
@@ -129,7 +129,7 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
     lanes.misses[l] = lesser(lesser(apart_before, before < end ? apart_after : never), fits);
     lanes.meets[l] = meets;
     lanes.meets_first[l] = lesser(apart_before, meets);
-    lanes.moment[l] = moment, lanes.before[l] = before, lanes.after[l] = after;
+    lanes.time[l] = time, lanes.before[l] = before, lanes.after[l] = after;
     lanes.axis[l] = axis, lanes.side[l] = from_side, lanes.room[l] = after - before;
   }
 }
@@ -214,7 +214,7 @@ void take_crossings(const RowLanes<D>& rows, const From& from, MeetingLanes& __r
     meetings.v[l] = speed.high, meetings.v_low[l] = speed.low;
     meetings.half[l] = size.high, meetings.half_low[l] = size.low;
     meetings.ex[l] = meetings.ev[l] = 0;
-    meetings.side[l] = from.side[l], meetings.moment[l] = from.moment[l], meetings.room[l] = from.room[l];
+    meetings.side[l] = from.side[l], meetings.time[l] = from.time[l], meetings.room[l] = from.room[l];
   }
   if constexpr (Degree == 2)
     for (int l = 0; l < lanes_width; ++l) {
@@ -226,7 +226,7 @@ void take_crossings(const RowLanes<D>& rows, const From& from, MeetingLanes& __r
 template <CrossingDirection direction, int Degree>
 void find_crossings(MeetingLanes& lanes, double now) {
   for (int l = 0; l < lanes.width; ++l) {
-    const double tau = lanes.moment[l], side = lanes.side[l];
+    const double tau = lanes.time[l], side = lanes.side[l];
     const DoubleDouble t{tau, 0}, x{lanes.x[l], lanes.x_low[l]}, half{lanes.half[l], lanes.half_low[l]};
     DoubleDouble chord{lanes.v[l], lanes.v_low[l]};
     double half_turn = 0, bend = 0;

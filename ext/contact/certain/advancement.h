@@ -22,15 +22,15 @@ class Advancement {
   /// On the moments at which both exist: those asked about, rounded outward, and those that certainly count.
   /// `near`: only then can they touch, if at all.
   [[gnu::flatten]] Advancement(const ContactSet& set, const Setup& setup, const double* row_a,
-                               const double* row_b, const Moments& moments, const Interval<double>& near,
-                               CertainScratch& scratch)
+                               const double* row_b, const PairLifetime& lifetime,
+                               const Interval<double>& near, CertainScratch& scratch)
       : certain_(set, setup, row_a, row_b, scratch) {
     constexpr double u = unit_roundoff;
-    const double begin = moments.dt_start, end = moments.dt_end;
-    begin_ = std::max(moments.start_exact ? begin : begin * (1 - 2 * u), near.begin);
-    inner_start_ = moments.start_exact ? begin : begin * (1 + 2 * u);
-    end_ = moments.end_exact ? end : end * (1 + 2 * u);
-    inner_end_ = moments.end_exact ? end : end * (1 - 2 * u);
+    const double begin = lifetime.dt_start, end = lifetime.dt_end;
+    begin_ = std::max(lifetime.start_exact ? begin : begin * (1 - 2 * u), near.begin);
+    inner_start_ = lifetime.start_exact ? begin : begin * (1 + 2 * u);
+    end_ = lifetime.end_exact ? end : end * (1 + 2 * u);
+    inner_end_ = lifetime.end_exact ? end : end * (1 - 2 * u);
     near_end_ = std::min(end_, near.end);
   }
 

@@ -44,8 +44,8 @@ struct LengthRows {
   }
 
  private:
-  static BoundedDoubles growth_in(const Rows& rows, int place, int t, double moment) {
-    return (BoundedDoubles{Doubles(moment)} - BoundedDoubles{rows(t)}) * BoundedDoubles{rows(place)};
+  static BoundedDoubles growth_in(const Rows& rows, int place, int t, double time) {
+    return (BoundedDoubles{Doubles(time)} - BoundedDoubles{rows(t)}) * BoundedDoubles{rows(place)};
   }
 };
 
@@ -84,19 +84,19 @@ class Look {
   }
 
   /// At a moment they certainly touch.
-  DoublesMask touches(const Doubles& moment) const {
+  DoublesMask touches(const Doubles& time) const {
     Coefficients<BoundedDoubles, 0> x[D];
     for (int j = 0; j < D; ++j) {
-      const AxisView<Doubles> view = view_from<Degree>(relative_.axis[j], moment, relative_.underflow);
+      const AxisView<Doubles> view = view_from<Degree>(relative_.axis[j], time, relative_.underflow);
       x[j][0] = {view.p, view.ep};
     }
     for (int i = 0; i < q_.set.primitive_count; ++i) {
-      const BoundedDoubles p = polynomial_of<0>(q_.set.primitives[i], x, lengths_, moment)[0];
+      const BoundedDoubles p = polynomial_of<0>(q_.set.primitives[i], x, lengths_, time)[0];
       store(values_ + register_width * i, (p.value + p.error_bound(usual_underflow + 0x1p-1060)).of);
     }
     DoublesMask in_some = Doubles(0.0) < Doubles(0.0);
     for (int i = 0; i < q_.set.piece_count; ++i) in_some = in_some | in_piece(q_.set.pieces[i]);
-    return in_some & usual_ & (lives_.inner.begin <= moment) & (moment <= lives_.inner.end);
+    return in_some & usual_ & (lives_.inner.begin <= time) & (time <= lives_.inner.end);
   }
 
  private:

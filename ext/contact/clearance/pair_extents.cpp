@@ -36,7 +36,7 @@ PairExtents<D> ExtentsRule::composed(const Size& size, double within, double wit
 }
 
 template <int D>
-GrowingExtents<D> ExtentsRule::pair(const double* row_a, const double* row_b, double moment) const {
+GrowingExtents<D> ExtentsRule::pair(const double* row_a, const double* row_b, double time) const {
   const auto size = [&](int Offsets::*place, int axis) {
     const auto one = [&](const Side& side, const double* row) {
       const int at = side.at.*place;
@@ -57,7 +57,7 @@ GrowingExtents<D> ExtentsRule::pair(const double* row_a, const double* row_b, do
         return one(a_, row_a, age_a) + one(b_, row_b, age_b);
       };
     };
-    const double age_a = moment - value_or(row_a, a_.at.t, 0), age_b = moment - value_or(row_b, b_.at.t, 0);
+    const double age_a = time - value_or(row_a, a_.at.t, 0), age_b = time - value_or(row_b, b_.at.t, 0);
     pair.growth = composed<D>(grown(1 + rounded_up, 1 + rounded_up), 0, 0);
     pair.grows = pair.growth.radius > 0 || (pair.growth.half > 0).any();
     pair.add(composed<D>(grown(std::abs(age_a), std::abs(age_b)), 0, 0), rounded_up);

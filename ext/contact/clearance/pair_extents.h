@@ -71,7 +71,7 @@ class ExtentsRule {
 
   /// As of a moment.
   template <int D>
-  GrowingExtents<D> pair(const double* row_a, const double* row_b, double moment) const;
+  GrowingExtents<D> pair(const double* row_a, const double* row_b, double time) const;
 
  private:
   struct Side {

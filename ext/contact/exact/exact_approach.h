@@ -28,6 +28,6 @@ SquaredDistance squared_distance(const RelativeMotion<Dyadic, D>& relative) {
 }
 
 /// Requires: moments.begin <= moments.end.
-ClosestApproach exact_approach(const SquaredDistance& square, const ExactMoments& moments);
+ClosestApproach exact_approach(const SquaredDistance& square, const ExactLifetime& lifetime);
 
 }  // namespace foresee

@@ -13,8 +13,8 @@ namespace {
 
 class ExactPair {
  public:
-  ExactPair(PiecePolynomials& polynomials, const ExactMoments& moments)
-      : polynomials_(polynomials), moments_(moments), begin_(moments.begin), end_(moments.end) {}
+  ExactPair(PiecePolynomials& polynomials, const ExactLifetime& lifetime)
+      : polynomials_(polynomials), lifetime_(lifetime), begin_(lifetime.begin), end_(lifetime.end) {}
 
   bool touches() {
     const auto pieces = polynomials_.set().pieces();
@@ -28,7 +28,7 @@ class ExactPair {
     std::size_t count = chain.size();
     if (count > most) {
       const double until = double_below(chain[most].interval.first->at);
-      if (moments_.begin < Dyadic(until)) needed.until = until, count = most;
+      if (lifetime_.begin < Dyadic(until)) needed.until = until, count = most;
     }
     for (std::size_t i = 0; i < count; ++i) needed.pieces.push_back(chain[i].piece);
     std::sort(needed.pieces.begin(), needed.pieces.end());
@@ -102,11 +102,11 @@ class ExactPair {
     return std::nextafter(at.low().rounded(), -std::numeric_limits<double>::infinity());
   }
 
-  Instant instant(AlgebraicRoot& moment) const {
-    const Moments& m = moments_.rounded;
-    if (&moment == &begin_) return {m.dt_start, m.t_start};
-    if (&moment == &end_) return {m.dt_end, m.t_end};
-    return {rounded(moment, Dyadic()), rounded(moment, moments_.now)};
+  Instant instant(AlgebraicRoot& time) const {
+    const PairLifetime& m = lifetime_.rounded;
+    if (&time == &begin_) return {m.dt_start, m.t_start};
+    if (&time == &end_) return {m.dt_end, m.t_end};
+    return {rounded(time, Dyadic()), rounded(time, lifetime_.now)};
   }
 
   /// Of those that do not hang together with the first, which begin later than those end.
@@ -124,11 +124,11 @@ class ExactPair {
     for (std::size_t i = 1; i < joined; ++i)
       if (compare(*intervals[i].last, *last) > 0) last = intervals[i].last;
     AlgebraicRoot& next = joined == intervals.size() ? end_ : *first_after(intervals, joined)->first;
-    return compare(*last, next) < 0 && between(moment_between(*last, next));
+    return compare(*last, next) < 0 && between(time_between(*last, next));
   }
 
   /// Requires: a < b.
-  static Dyadic moment_between(AlgebraicRoot& a, AlgebraicRoot& b) {
+  static Dyadic time_between(AlgebraicRoot& a, AlgebraicRoot& b) {
     for (int bits = 128;; bits *= 2) {
       const Dyadic low = a.known ? *a.known : a.enclosure(bits).high();
       const Dyadic high = b.known ? *b.known : b.enclosure(bits).low();
@@ -168,17 +168,17 @@ class ExactPair {
   TimeIntervals inside_while(const TimeIntervals& rest, LazyPolynomial& polynomial) {
     const AlgebraicRoot &first = *rest.front().first, &last = *rest.back().last;
     AlgebraicRoot *from = &begin_, *to = &end_;
-    if (&first != &begin_) from = known_moment(first.at.low().dyadic(), begin_);
-    if (&last != &end_) to = known_moment(last.at.high().dyadic(), end_);
+    if (&first != &begin_) from = known_time(first.at.low().dyadic(), begin_);
+    if (&last != &end_) to = known_time(last.at.high().dyadic(), end_);
     return foresee::sublevel_intervals(polynomial, {*from, *to});
   }
 
   /// The moment as an end, unless it is beyond what is asked.
-  AlgebraicRoot* known_moment(const Dyadic& moment, AlgebraicRoot& limit) {
-    if (moment < moments_.begin || moments_.end < moment) return &limit;
-    moments_made_.push_back(moment);
-    known_moments_.emplace_back(moments_made_.back());
-    return &known_moments_.back();
+  AlgebraicRoot* known_time(const Dyadic& time, AlgebraicRoot& limit) {
+    if (time < lifetime_.begin || lifetime_.end < time) return &limit;
+    made_times_.push_back(time);
+    known_times_.emplace_back(made_times_.back());
+    return &known_times_.back();
   }
 
   const TimeIntervals& sublevel_intervals(int primitive) {
@@ -248,40 +248,41 @@ class ExactPair {
   }
 
   PiecePolynomials& polynomials_;
-  const ExactMoments& moments_;
+  const ExactLifetime& lifetime_;
   AlgebraicRoot begin_, end_;
   std::vector<std::optional<TimeIntervals>> inside_;  ///< of each polynomial
-  std::deque<Dyadic> moments_made_;
-  std::deque<AlgebraicRoot> known_moments_;
+  std::deque<Dyadic> made_times_;
+  std::deque<AlgebraicRoot> known_times_;
 };
 
 }  // namespace
 
-ExactMoments exact_moments_of(const Setup& setup, const double* row_a, const double* row_b) {
-  ExactMoments moments;
-  moments.rounded = moments_of(setup, row_a, row_b);
-  moments.now = Dyadic(setup.horizon.now);
-  const Moments& m = moments.rounded;
-  moments.begin = Dyadic(m.t_start) - moments.now;
-  moments.end = m.ends_with_horizon ? Dyadic(setup.horizon.h) : Dyadic(m.t_end) - moments.now;
-  return moments;
+ExactLifetime exact_lifetime_of(const Setup& setup, const double* row_a, const double* row_b) {
+  ExactLifetime lifetime;
+  lifetime.rounded = pair_lifetime_of(setup, row_a, row_b);
+  lifetime.now = Dyadic(setup.horizon.now);
+  const PairLifetime& m = lifetime.rounded;
+  lifetime.begin = Dyadic(m.t_start) - lifetime.now;
+  lifetime.end = m.ends_with_horizon ? Dyadic(setup.horizon.h) : Dyadic(m.t_end) - lifetime.now;
+  return lifetime;
 }
 
-NeededPieces needed_pieces(PiecePolynomials& polynomials, const ExactMoments& moments, std::size_t most) {
-  return ExactPair(polynomials, moments).needed(most);
+NeededPieces needed_pieces(PiecePolynomials& polynomials, const ExactLifetime& lifetime, std::size_t most) {
+  return ExactPair(polynomials, lifetime).needed(most);
 }
 
-bool exact_touches(PiecePolynomials& polynomials, const ExactMoments& moments) {
-  return ExactPair(polynomials, moments).touches();
+bool exact_touches(PiecePolynomials& polynomials, const ExactLifetime& lifetime) {
+  return ExactPair(polynomials, lifetime).touches();
 }
 
-std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactMoments& moments) {
-  return ExactPair(polynomials, moments).times({});
+std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactLifetime& lifetime) {
+  return ExactPair(polynomials, lifetime).times({});
 }
 
-std::optional<ContactTimes> exact_times_of_solids(PiecePolynomials& polynomials, const ExactMoments& moments,
+std::optional<ContactTimes> exact_times_of_solids(PiecePolynomials& polynomials,
+                                                  const ExactLifetime& lifetime,
                                                   const TouchesBetween& between) {
-  return ExactPair(polynomials, moments).times(between);
+  return ExactPair(polynomials, lifetime).times(between);
 }
 
 }  // namespace foresee

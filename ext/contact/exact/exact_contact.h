@@ -15,18 +15,18 @@
 namespace foresee {
 
 /// The exact ends of the moments asked about, measured from now.
-struct ExactMoments {
+struct ExactLifetime {
   Dyadic begin, end;
   Dyadic now;
-  Moments rounded;
+  PairLifetime rounded;
 };
-ExactMoments exact_moments_of(const Setup& setup, const double* row_a, const double* row_b);
+ExactLifetime exact_lifetime_of(const Setup& setup, const double* row_a, const double* row_b);
 
 /// Does the pair touch at some moment asked about? Polynomials can be asked for one answer.
-bool exact_touches(PiecePolynomials& polynomials, const ExactMoments& moments);
+bool exact_touches(PiecePolynomials& polynomials, const ExactLifetime& lifetime);
 
 /// Begin and end of the first contact, if there is one.
-std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactMoments& moments);
+std::optional<ContactTimes> exact_times(PiecePolynomials& polynomials, const ExactLifetime& lifetime);
 
 /// Some pieces of a set that hold, until a moment, whenever any of them all does.
 struct NeededPieces {
@@ -35,14 +35,15 @@ struct NeededPieces {
 };
 
 /// The fewest that are enough; no more than `most` of them, but until then, where those begin one by one.
-NeededPieces needed_pieces(PiecePolynomials& polynomials, const ExactMoments& moments, std::size_t most);
+NeededPieces needed_pieces(PiecePolynomials& polynomials, const ExactLifetime& lifetime, std::size_t most);
 
 /// Whether two touch at a moment at which no piece holds.
-using TouchesBetween = std::function<bool(const Dyadic& moment)>;
+using TouchesBetween = std::function<bool(const Dyadic& time)>;
 
 /// The same where contact may go on after pieces and between them: as `between` says, which is asked at one
 /// moment each.
-std::optional<ContactTimes> exact_times_of_solids(PiecePolynomials& polynomials, const ExactMoments& moments,
+std::optional<ContactTimes> exact_times_of_solids(PiecePolynomials& polynomials,
+                                                  const ExactLifetime& lifetime,
                                                   const TouchesBetween& between);
 
 }  // namespace foresee

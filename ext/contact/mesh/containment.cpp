@@ -7,9 +7,9 @@
 namespace foresee {
 
 Displacement::Displacement(const Setup& setup, const double* row_a, const double* row_b,
-                           const CertainMotion<3>& relative, const Dyadic& moment)
-    : setup_(setup), row_a_(row_a), row_b_(row_b), moment_(moment) {
-  const double tau = rounded(moment);
+                           const CertainMotion<3>& relative, const Dyadic& instant)
+    : setup_(setup), row_a_(row_a), row_b_(row_b), time_(instant) {
+  const double tau = rounded(instant);
   const Bounded time{tau, unit_roundoff * std::abs(tau) + 0x1p-1070};
   for (std::size_t j = 0; j < 3; ++j) {
     const auto& axis = relative.axis[j];
@@ -22,7 +22,7 @@ const Components<Dyadic>& Displacement::exact() {
   if (exact_) return *exact_;
   const auto x = motion_coefficients<Dyadic>(setup_, row_a_, row_b_);
   exact_.emplace();
-  for (std::size_t j = 0; j < 3; ++j) (*exact_)[j] = x[j][0] + moment_ * (x[j][1] + moment_ * x[j][2]);
+  for (std::size_t j = 0; j < 3; ++j) (*exact_)[j] = x[j][0] + time_ * (x[j][1] + time_ * x[j][2]);
   return *exact_;
 }
 
@@ -134,12 +134,12 @@ bool is_enclosed(const TriangleTree& solid, SeenCorner& corner, Steps& steps) {
 }
 
 bool Containment::at_start() {
-  return may_be() && at(exact_moments_of(setup_, row_a_, row_b_).begin);
+  return may_be() && at(exact_lifetime_of(setup_, row_a_, row_b_).begin);
 }
 
-bool Containment::at(const Dyadic& moment) {
+bool Containment::at(const Dyadic& instant) {
   if (!may_be()) return false;
-  Displacement d(setup_, row_a_, row_b_, relative_, moment);
+  Displacement d(setup_, row_a_, row_b_, relative_, instant);
   return (a_.solid() && any_part(b_, *a_.solid(), 1, d)) || (b_.solid() && any_part(a_, *b_.solid(), -1, d));
 }
 

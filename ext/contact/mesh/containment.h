@@ -38,7 +38,7 @@ class Displacement {
  public:
   /// What is given must outlive this; the moment is measured from now.
   Displacement(const Setup& setup, const double* row_a, const double* row_b, const CertainMotion<3>& relative,
-               const Dyadic& moment);
+               const Dyadic& instant);
 
   const Components<Bounded>& near() const { return near_; }
   const Components<Dyadic>& exact();
@@ -46,7 +46,7 @@ class Displacement {
  private:
   const Setup& setup_;
   const double *row_a_, *row_b_;
-  const Dyadic moment_;
+  const Dyadic time_;
   Components<Bounded> near_;
   std::optional<Components<Dyadic>> exact_;
 };
@@ -81,7 +81,7 @@ class Containment {
   /// When what is asked about begins. Where the surfaces touch then it may say anything.
   bool at_start();
   /// At a moment from now on. Requires: the surfaces do not touch then.
-  bool at(const Dyadic& moment);
+  bool at(const Dyadic& instant);
 
  private:
   bool any_part(const SpacePieces& parts, const TriangleTree& solid, int sign, Displacement& d);

@@ -261,10 +261,10 @@ Coefficients<T, 2 * K> round_polynomial(const SpaceCondition& condition,
   const auto gap = gap_from<K>(condition, x);
   for (std::size_t j = 0; j < 3; ++j) {
     const std::size_t one = (j + 1) % 3, other = (j + 2) % 3;
-    Coefficients<T, K> moment{};
+    Coefficients<T, K> cross{};
     for (std::size_t k = 0; k <= K; ++k)
-      moment[k] = gap[one][k] * direction[other] - gap[other][k] * direction[one];
-    add(moment);
+      cross[k] = gap[one][k] * direction[other] - gap[other][k] * direction[one];
+    add(cross);
   }
   return p;
 }

@@ -23,7 +23,7 @@ template <int D, int Degree>
 FilterAnswer FlatTraits<D, Degree>::filter_answer(const PairContext<FlatTraits>& context, bool times_wanted) {
   constexpr std::size_t few = 8, some = 16;
   if (context.a.count() * context.b.count() > some) return {};
-  const double first = context.moments.dt_start, last = context.moments.dt_end, length = last - first;
+  const double first = context.lifetime.dt_start, last = context.lifetime.dt_end, length = last - first;
   std::array<BoxedPair, few> pairs;
   std::size_t count = 0;
   context.walk.visit(

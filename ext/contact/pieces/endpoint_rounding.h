@@ -24,20 +24,20 @@ class EndpointRounding {
 
  public:
   EndpointRounding(const Setup& setup, const double* row_a, const double* row_b,
-                   const CertainMotion<D>& certain, const Sizes<Bounded>& sizes, const Moments& moments,
+                   const CertainMotion<D>& certain, const Sizes<Bounded>& sizes, const PairLifetime& lifetime,
                    const UncertainInterval& queried)
       : setup_(setup),
         row_a_(row_a),
         row_b_(row_b),
         certain_(certain),
-        moments_(moments),
+        lifetime_(lifetime),
         queried_(queried),
         sizes_(sizes) {}
 
   /// Requires: the stay is certain, and these are its ends.
   Instant begin(const UncertainInterval& interval, std::span<const EndpointCandidate<Condition>> ends) {
     Instant begin{-UncertainInterval::inf, -UncertainInterval::inf};
-    if (queried_.begin.meets(interval.begin)) begin = {moments_.dt_start, moments_.t_start};
+    if (queried_.begin.meets(interval.begin)) begin = {lifetime_.dt_start, lifetime_.t_start};
     for (const EndpointCandidate<Condition>& end : ends)
       if (end.direction == CrossingDirection::entering)
         begin = later(begin, instant<CrossingDirection::entering>(end));
@@ -45,7 +45,7 @@ class EndpointRounding {
   }
   Instant end(const UncertainInterval& interval, std::span<const EndpointCandidate<Condition>> ends) {
     Instant last{UncertainInterval::inf, UncertainInterval::inf};
-    if (queried_.end.meets(interval.end)) last = {moments_.dt_end, moments_.t_end};
+    if (queried_.end.meets(interval.end)) last = {lifetime_.dt_end, lifetime_.t_end};
     for (const EndpointCandidate<Condition>& end : ends)
       if (end.direction == CrossingDirection::leaving)
         last = earlier(last, instant<CrossingDirection::leaving>(end));
@@ -95,7 +95,7 @@ class EndpointRounding {
   const Setup& setup_;
   const double *row_a_, *row_b_;
   const CertainMotion<D>& certain_;
-  const Moments& moments_;
+  const PairLifetime& lifetime_;
   const UncertainInterval& queried_;
   const Sizes<Bounded>& sizes_;
   std::optional<Sizes<DoubleDouble>> fine_sizes_;  ///< and the motion, once they are needed

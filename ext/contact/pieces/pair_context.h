@@ -1,7 +1,7 @@
 // How do two objects move past each other that are unions of pieces, and when could they touch at most? What
 // all stages of a pair begin with.
 //
-//   const PairContext<FlatTraits<2, 1>> context(setup, row_a, row_b, a, b, moments, steps);
+//   const PairContext<FlatTraits<2, 1>> context(setup, row_a, row_b, a, b, lifetime, steps);
 //   if (context.walk.near().begin > context.walk.near().end) …              // they never touch
 //
 // A Kit says what the pieces are. It has `axes` and `degree` of the motion, the types Pieces (of one object,
@@ -24,16 +24,16 @@ struct PairContext {
   /// The moments must not be none. What is given must outlive this. An interrupt is heeded at each of the
   /// `steps`.
   PairContext(const Setup& setup, const double* row_a, const double* row_b, const Pieces& a, const Pieces& b,
-              const Moments& moments, Steps& steps)
+              const PairLifetime& lifetime, Steps& steps)
       : setup(setup),
         row_a(row_a),
         row_b(row_b),
         a(a),
         b(b),
-        moments(moments),
+        lifetime(lifetime),
         steps(steps),
         relative(certain_motion_of<Traits::axes, Traits::degree>(setup, row_a, row_b)),
-        queried(queried_of(moments)),
+        queried(queried_of(lifetime)),
         sizes(Traits::template sizes_of<Bounded>(setup, row_a, row_b)),
         walk(a, b, relative, {queried.begin.low, queried.end.high}, sizes, steps) {}
 
@@ -43,7 +43,7 @@ struct PairContext {
   const Setup& setup;
   const double *const row_a, *const row_b;
   const Pieces &a, &b;
-  const Moments& moments;
+  const PairLifetime& lifetime;
   Steps& steps;
   const CertainMotion<Traits::axes> relative;
   const UncertainInterval queried;  ///< the moments, enclosed
@@ -52,11 +52,11 @@ struct PairContext {
 
  private:
   /// Outward and inward.
-  static UncertainInterval queried_of(const Moments& moments) {
+  static UncertainInterval queried_of(const PairLifetime& lifetime) {
     constexpr double u = unit_roundoff;
-    const double begin = moments.dt_start, end = moments.dt_end;
-    const double wider_start = moments.start_exact ? 0 : 2 * u * begin;
-    const double wider_end = moments.end_exact ? 0 : 2 * u * end;
+    const double begin = lifetime.dt_start, end = lifetime.dt_end;
+    const double wider_start = lifetime.start_exact ? 0 : 2 * u * begin;
+    const double wider_end = lifetime.end_exact ? 0 : 2 * u * end;
     return {{begin - wider_start, begin + wider_start}, {end - wider_end, end + wider_end}};
   }
 };

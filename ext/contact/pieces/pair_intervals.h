@@ -90,7 +90,7 @@ class PairIntervals {
   bool is_grown() const { return is_of_size(context_.sizes.radius); }  ///< near counts as touching
 
   /// Whether one lies within the other. Requires: their surfaces do not touch then.
-  bool is_within_at(const Dyadic& moment) { return containment_.at(moment); }
+  bool is_within_at(const Dyadic& time) { return containment_.at(time); }
 
  protected:
   /// At no other moment may they touch; never if the end is before the begin.

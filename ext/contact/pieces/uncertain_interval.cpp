@@ -10,8 +10,8 @@ constexpr double inf = UncertainInterval::inf;
 /// Above 0 but for a moment, if at all: where a discriminant is in doubt.
 SublevelIntervals near_turn(const Bounded& p1, const Bounded& p2, const Bounded& discriminant) {
   const double half = std::sqrt(std::abs(discriminant.value) + discriminant.error);
-  const Enclosure moment = enclosure_of(Bounded{-p1.value, p1.error + half * (1 + 0x1p-40)} / twice(p2));
-  return SublevelIntervals::one({{moment.low, inf}, {-inf, moment.high}});
+  const Enclosure time = enclosure_of(Bounded{-p1.value, p1.error + half * (1 + 0x1p-40)} / twice(p2));
+  return SublevelIntervals::one({{time.low, inf}, {-inf, time.high}});
 }
 
 }  // namespace

@@ -71,10 +71,10 @@ class UnionContact final : public Contact {
 
   bool touches(const Pair& pair) {
     const Rows rows{setup_.a.row(pair.a), setup_.b.row(pair.b)};
-    const Moments moments = moments_of(setup_, rows.a, rows.b);
-    if (moments.none) return false;
+    const PairLifetime lifetime = pair_lifetime_of(setup_, rows.a, rows.b);
+    if (lifetime.none) return false;
     take_pieces(pair);
-    const Context context(setup_, rows.a, rows.b, a_, b_, moments, *steps_);
+    const Context context(setup_, rows.a, rows.b, a_, b_, lifetime, *steps_);
     const FilterAnswer plain = filter_answer(context, false);
     if (plain.touches != Verdict::uncertain) return plain.touches == Verdict::yes;
     Staged staged(context, false, space_);
@@ -85,16 +85,16 @@ class UnionContact final : public Contact {
 
   std::optional<ContactTimes> first_contact(const Pair& pair, TimesWanted wanted) {
     const Rows rows{setup_.a.row(pair.a), setup_.b.row(pair.b)};
-    const Moments moments = moments_of(setup_, rows.a, rows.b);
-    if (moments.none) return {};
+    const PairLifetime lifetime = pair_lifetime_of(setup_, rows.a, rows.b);
+    if (lifetime.none) return {};
     take_pieces(pair);
-    const Context context(setup_, rows.a, rows.b, a_, b_, moments, *steps_);
+    const Context context(setup_, rows.a, rows.b, a_, b_, lifetime, *steps_);
     const FilterAnswer plain = filter_answer(context, true);
     if (plain.touches == Verdict::no) return {};
     if (plain.all_along)
-      return ContactTimes{moments.t_start, moments.t_end, moments.dt_start, moments.dt_end};
+      return ContactTimes{lifetime.t_start, lifetime.t_end, lifetime.dt_start, lifetime.dt_end};
     if (plain.at_start && wanted != TimesWanted::both)
-      return ContactTimes{moments.t_start, moments.t_start, moments.dt_start, moments.dt_start};
+      return ContactTimes{lifetime.t_start, lifetime.t_start, lifetime.dt_start, lifetime.dt_start};
     Staged staged(context, true, space_);
     Instant begin;
     const Verdict touches = staged.first_contact(begin);
@@ -106,14 +106,14 @@ class UnionContact final : public Contact {
     }
     if (wanted != TimesWanted::both) return ContactTimes{begin.t, begin.t, begin.dt, begin.dt};
     Instant end = staged.end_of_contact(touches == Verdict::uncertain);
-    if (!end.known() && staged.last_certain_moment() == -UncertainInterval::inf) {
+    if (!end.known() && staged.last_certain_time() == -UncertainInterval::inf) {
       const auto exact = exact_contact(rows, staged, -UncertainInterval::inf, staged.met_by());
       if (exact.value().dt_end < UncertainInterval::inf)
         return ContactTimes{begin.t, exact->t_end, begin.dt, exact->dt_end};
       end = staged.end_of_contact(true);
     }
     if (end.known()) return ContactTimes{begin.t, end.t, begin.dt, end.dt};
-    const auto exact = exact_contact(rows, staged, staged.last_certain_moment());
+    const auto exact = exact_contact(rows, staged, staged.last_certain_time());
     return ContactTimes{begin.t, exact.value().t_end, begin.dt, exact.value().dt_end};
   }
 
@@ -137,7 +137,7 @@ class UnionContact final : public Contact {
   static std::size_t at_a_time(const Staged& staged) { return staged.is_grown() ? 32 : 256; }
 
   [[gnu::noinline]] bool exactly_touches(const Rows& rows, Staged& staged) {
-    const ExactMoments queried = exact_moments_of(setup_, rows.a, rows.b);
+    const ExactLifetime queried = exact_lifetime_of(setup_, rows.a, rows.b);
     std::vector<PiecePair> pairs;
     const auto met = [&] {
       if (pairs.empty()) return false;
@@ -161,7 +161,7 @@ class UnionContact final : public Contact {
   /// `met_by`, when they touch, the end is infinite.
   [[gnu::noinline]] std::optional<ContactTimes> exact_contact(const Rows& rows, Staged& staged, double from,
                                                               double met_by = UncertainInterval::inf) {
-    const ExactMoments queried = exact_moments_of(setup_, rows.a, rows.b);
+    const ExactLifetime queried = exact_lifetime_of(setup_, rows.a, rows.b);
     std::optional<ContactTimes> found;  // of a contact that lasts until `from`
     if (from == -UncertainInterval::inf)
       from = staged.first_possible(from);
@@ -192,18 +192,18 @@ class UnionContact final : public Contact {
   /// Of the pieces that may touch then; the end is infinite of what lasts until `until`, when more is asked
   /// about. Where too many are needed, `until` becomes earlier.
   std::optional<ContactTimes> exact_times_between(const Rows& rows, Staged& staged,
-                                                  const ExactMoments& queried, double from, double& until) {
-    ExactMoments moments = queried;
-    start_at(moments, from);
-    end_at(moments, until);
+                                                  const ExactLifetime& queried, double from, double& until) {
+    ExactLifetime lifetime = queried;
+    start_at(lifetime, from);
+    end_at(lifetime, until);
     std::vector<PiecePair> pairs;
     Interval<double> interval{from, until};
     std::size_t too_many = at_a_time(staged);
     staged.possible_pairs(interval, [&](const PiecePair& pair) {
       pairs.push_back(pair);
       if (pairs.size() < too_many) return true;
-      interval.end = std::min(interval.end, keep_needed(rows, staged, moments, pairs, too_many / 2));
-      end_at(moments, interval.end);
+      interval.end = std::min(interval.end, keep_needed(rows, staged, lifetime, pairs, too_many / 2));
+      end_at(lifetime, interval.end);
       too_many = std::max(too_many, 2 * pairs.size());  // that begin within one ulp
       return true;
     });
@@ -211,18 +211,18 @@ class UnionContact final : public Contact {
     Polynomials polynomials = polynomials_of(rows, staged, pairs);
     polynomials.all().set_interrupt(*steps_);
     if constexpr (Traits::has_solids)
-      return exact_times_of_solids(polynomials.all(), moments,
-                                   [&staged](const Dyadic& moment) { return staged.is_within_at(moment); });
-    return exact_times(polynomials.all(), moments);
+      return exact_times_of_solids(polynomials.all(), lifetime,
+                                   [&staged](const Dyadic& time) { return staged.is_within_at(time); });
+    return exact_times(polynomials.all(), lifetime);
   }
 
   /// Leaves of the pairs those with which the others are not needed, until the moment that it returns: no
   /// more than `most`, unless more begin within one ulp.
-  double keep_needed(const Rows& rows, const Staged& staged, const ExactMoments& moments,
+  double keep_needed(const Rows& rows, const Staged& staged, const ExactLifetime& lifetime,
                      std::vector<PiecePair>& pairs, std::size_t most) {
     Polynomials polynomials = polynomials_of(rows, staged, pairs);
     polynomials.all().set_interrupt(*steps_);
-    const NeededPieces needed = needed_pieces(polynomials.all(), moments, most);
+    const NeededPieces needed = needed_pieces(polynomials.all(), lifetime, most);
     const std::span<const std::uint32_t> ends = polynomials.ends();
     std::size_t kept = 0;
     for (std::size_t i = 0, piece = 0; i < pairs.size(); ++i) {
@@ -235,27 +235,27 @@ class UnionContact final : public Contact {
   }
 
   /// Nothing before `from` is asked about: the pieces may touch again, but others before.
-  static void start_at(ExactMoments& moments, double from) {
+  static void start_at(ExactLifetime& lifetime, double from) {
     const Dyadic begin(from);
-    if (!(moments.begin < begin)) return;
-    moments.begin = begin;
-    moments.rounded.dt_start = from, moments.rounded.t_start = rounded(begin + moments.now);
+    if (!(lifetime.begin < begin)) return;
+    lifetime.begin = begin;
+    lifetime.rounded.dt_start = from, lifetime.rounded.t_start = rounded(begin + lifetime.now);
   }
-  static void end_at(ExactMoments& moments, double until) {
+  static void end_at(ExactLifetime& lifetime, double until) {
     const Dyadic end(until);
-    if (!(end < moments.end)) return;
-    moments.end = end;
-    moments.rounded.dt_end = moments.rounded.t_end = UncertainInterval::inf;
+    if (!(end < lifetime.end)) return;
+    lifetime.end = end;
+    lifetime.rounded.dt_end = lifetime.rounded.t_end = UncertainInterval::inf;
   }
 
   /// Whether contact goes on after `until`, as far as `next`, when more pieces may touch.
-  static bool is_within_between(Staged& staged, const ExactMoments& queried, double until, double next) {
+  static bool is_within_between(Staged& staged, const ExactLifetime& queried, double until, double next) {
     const Dyadic from(until),
         to = next < UncertainInterval::inf ? std::min(Dyadic(next), queried.end) : queried.end;
     return from < to && staged.is_within_at(half_of(from + to));
   }
 
-  static ContactTimes ended_at(ContactTimes found, const ExactMoments& queried, double until) {
+  static ContactTimes ended_at(ContactTimes found, const ExactLifetime& queried, double until) {
     found.dt_end = until, found.t_end = rounded(Dyadic(until) + queried.now);
     return found;
   }

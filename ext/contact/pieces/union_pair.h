@@ -25,7 +25,7 @@ class UnionPair : public PairIntervals<Traits> {
   UnionPair(const PairContext<Traits>& context, bool times_wanted, typename Traits::Space& space)
       : Base(context, times_wanted, space),
         instants_(context.setup, context.row_a, context.row_b, context.relative, context.sizes,
-                  context.moments, context.queried),
+                  context.lifetime, context.queried),
         seen_(space.seen) {}
 
   /// Is there a contact? Stops at the first that is certain. If it is uncertain, the pieces alone tell.
@@ -45,7 +45,7 @@ class UnionPair : public PairIntervals<Traits> {
   Verdict first_contact(Instant& begin) {
     starts_within_ = Base::is_within_at_start();
     if (starts_within_) {
-      met_by_ = context_.queried.begin.high, begin = {context_.moments.dt_start, context_.moments.t_start};
+      met_by_ = context_.queried.begin.high, begin = {context_.lifetime.dt_start, context_.lifetime.t_start};
       return Verdict::yes;
     }
     bool possible = false;
@@ -82,7 +82,7 @@ class UnionPair : public PairIntervals<Traits> {
 
   /// After that: the last moment that certainly belongs to this contact, or one shortly before its end,
   /// between which no other contact begins; -infinity where none is known.
-  double last_certain_moment() const { return last_.low; }
+  double last_certain_time() const { return last_.low; }
 
  private:
   /// They certainly touch when what is asked about begins.
@@ -102,7 +102,7 @@ class UnionPair : public PairIntervals<Traits> {
   }
 
   Instant earliest_start() {
-    if (starts_at_once()) return {context_.moments.dt_start, context_.moments.t_start};
+    if (starts_at_once()) return {context_.lifetime.dt_start, context_.lifetime.t_start};
     take_starts();
     return unknown_from_ <= met_by_ ? unknown_instant() : earliest_;
   }
@@ -270,7 +270,7 @@ class UnionPair : public PairIntervals<Traits> {
   }
 
   Instant latest_end() {
-    if (lasts_to_the_end()) return {context_.moments.dt_end, context_.moments.t_end};
+    if (lasts_to_the_end()) return {context_.lifetime.dt_end, context_.lifetime.t_end};
     if (end_in_doubt_) return unknown_instant();
     Instant latest{-UncertainInterval::inf, -UncertainInterval::inf};
     at_the_end([this, &latest](const PieceInterval& interval) {

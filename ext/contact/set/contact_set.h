@@ -83,10 +83,10 @@ class ContactSet {
     if (place_a == Offsets::absent && place_b == Offsets::absent) return no_length;
     return add({Length::From::both_rows, place_a, place_b});
   }
-  /// What has grown by `moment`; t_a and t_b are where the rows have their t.
-  int growth(int place_a, int place_b, int t_a, int t_b, double moment) {
+  /// What has grown by `time`; t_a and t_b are where the rows have their t.
+  int growth(int place_a, int place_b, int t_a, int t_b, double time) {
     if (place_a == Offsets::absent && place_b == Offsets::absent) return no_length;
-    return add({Length::From::growth, place_a, place_b, moment, true, t_a, t_b});
+    return add({Length::From::growth, place_a, place_b, time, true, t_a, t_b});
   }
   int given(double number) {
     if (number == 0) return no_length;
@@ -169,9 +169,9 @@ struct TwoRows {
   }
 
  private:
-  static T growth_in(const double* row, int place, int t, double moment) {
+  static T growth_in(const double* row, int place, int t, double time) {
     if (place == Offsets::absent) return T{};
-    return Exactly<T>::difference_of(moment, value_or(row, t, 0)) * Exactly<T>::number(row[place]);
+    return Exactly<T>::difference_of(time, value_or(row, t, 0)) * Exactly<T>::number(row[place]);
   }
 };
 

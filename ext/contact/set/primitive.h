@@ -59,9 +59,9 @@ T length_at(const Lengths& lengths, int number) {
 
 /// A size by powers of the time after tau, a double or as many as T has. Requires: K is at least its degree,
 /// or 0 for its value alone.
-template <int K, class T, class Lengths, class Moment>
+template <int K, class T, class Lengths, class TimePoint>
 [[gnu::noinline]] Coefficients<T, K> moving_size(const Size& size, const Lengths& lengths,
-                                                 const Moment& tau) {
+                                                 const TimePoint& tau) {
   const T rate = length_at<T>(lengths, size.rate);
   Coefficients<T, K> p{};
   p[0] = length_at<T>(lengths, size.value) + T{tau} * rate;
@@ -70,9 +70,9 @@ template <int K, class T, class Lengths, class Moment>
 }
 
 /// p minus sign times the size.
-template <int K, class T, class Lengths, class Moment>
+template <int K, class T, class Lengths, class TimePoint>
 [[gnu::always_inline]] inline void subtract_size(Coefficients<T, K>& p, const Size& size, int sign,
-                                                 const Lengths& lengths, const Moment& tau) {
+                                                 const Lengths& lengths, const TimePoint& tau) {
   if (!size.moves()) {
     if (size.value == no_length) return;
     p[0] = sign > 0 ? p[0] - lengths[size.value] : p[0] + lengths[size.value];
@@ -82,10 +82,11 @@ template <int K, class T, class Lengths, class Moment>
   for (int k = 0; k <= K; ++k) p[k] = sign > 0 ? p[k] - s[k] : p[k] + s[k];
 }
 
-template <int K, class T, class Lengths, class Moment>
+template <int K, class T, class Lengths, class TimePoint>
 [[gnu::always_inline]] inline Coefficients<T, K> bound_polynomial(const Primitive& bound,
                                                                   const Coefficients<T, K>* x,
-                                                                  const Lengths& lengths, const Moment& tau) {
+                                                                  const Lengths& lengths,
+                                                                  const TimePoint& tau) {
   Coefficients<T, K> p = x[bound.parts[0].axis];
   if (bound.parts[0].sign < 0)
     for (T& c : p) c = -c;
@@ -109,9 +110,9 @@ template <int K, class T>
 }
 
 /// How far beyond the line through `at`, in lengths of the normal.
-template <int K, class T, class Lengths, class Moment>
+template <int K, class T, class Lengths, class TimePoint>
 Coefficients<T, K> line_polynomial(const Primitive& line, const Coefficients<T, K>* x, const Lengths& lengths,
-                                   const Moment& tau) {
+                                   const TimePoint& tau) {
   Coefficients<T, K> p{};
   for (int i = 0; i < line.count; ++i) {
     const AxisPart& part = line.parts[i];
@@ -123,17 +124,17 @@ Coefficients<T, K> line_polynomial(const Primitive& line, const Coefficients<T, 
   return p;
 }
 
-template <int K, class T, class Lengths, class Moment>
+template <int K, class T, class Lengths, class TimePoint>
 Coefficients<T, K> half_space_polynomial(const Primitive& space, const Coefficients<T, K>* x,
-                                         const Lengths& lengths, const Moment& tau) {
+                                         const Lengths& lengths, const TimePoint& tau) {
   Coefficients<T, K> p = line_polynomial<K>(space, x, lengths, tau);
   subtract_size<K>(p, space.size, 1, lengths, tau);
   return p;
 }
 
-template <int K, class T, class Lengths, class Moment>
+template <int K, class T, class Lengths, class TimePoint>
 Coefficients<T, 2 * K> strip_polynomial(const Primitive& strip, const Coefficients<T, K>* x,
-                                        const Lengths& lengths, const Moment& tau) {
+                                        const Lengths& lengths, const TimePoint& tau) {
   const Coefficients<T, K> line = line_polynomial<K>(strip, x, lengths, tau);
   T width{};
   for (int i = 0; i < strip.count; ++i) width = width + square(length_at<T>(lengths, strip.parts[i].normal));
@@ -154,10 +155,10 @@ Coefficients<T, 2 * K> strip_polynomial(const Primitive& strip, const Coefficien
 }
 
 /// The square of the distance from the centre, over so many axes, minus that of the radius.
-template <int Count, int K, class T, class Lengths, class Moment, class Wanted>
+template <int Count, int K, class T, class Lengths, class TimePoint, class Wanted>
 [[gnu::always_inline]] inline Coefficients<T, 2 * K> ball_over(const Primitive& ball,
                                                                const Coefficients<T, K>* x,
-                                                               const Lengths& lengths, const Moment& tau,
+                                                               const Lengths& lengths, const TimePoint& tau,
                                                                Wanted&& wanted) {
   Coefficients<T, K> gaps[Count], radius{};
   if (ball.size.moves())
@@ -182,9 +183,9 @@ template <int Count, int K, class T, class Lengths, class Moment, class Wanted>
 }
 
 /// The same, over its axes.
-template <int K, class T, class Lengths, class Moment, class Wanted>
+template <int K, class T, class Lengths, class TimePoint, class Wanted>
 Coefficients<T, 2 * K> ball_polynomial(const Primitive& ball, const Coefficients<T, K>* x,
-                                       const Lengths& lengths, const Moment& tau, Wanted&& wanted) {
+                                       const Lengths& lengths, const TimePoint& tau, Wanted&& wanted) {
   if (ball.count == 1) return ball_over<1, K>(ball, x, lengths, tau, wanted);
   if (ball.count == 2) return ball_over<2, K>(ball, x, lengths, tau, wanted);
   return ball_over<3, K>(ball, x, lengths, tau, wanted);
@@ -194,10 +195,10 @@ Coefficients<T, 2 * K> ball_polynomial(const Primitive& ball, const Coefficients
 /// each axis, likewise as it is seen from tau. Strips and balls have powers up to 2 K, others up to K. Of a
 /// ball `wanted` is asked with the value at tau whether more than that value matters; if not, the rest may be
 /// anything.
-template <int K, class T, class Lengths, class Moment, class Wanted, class Take>
+template <int K, class T, class Lengths, class TimePoint, class Wanted, class Take>
 [[gnu::always_inline]] inline auto with_polynomial(const Primitive& primitive, const Coefficients<T, K>* x,
-                                                   const Lengths& lengths, const Moment& tau, Wanted&& wanted,
-                                                   Take&& take) {
+                                                   const Lengths& lengths, const TimePoint& tau,
+                                                   Wanted&& wanted, Take&& take) {
   switch (primitive.kind) {
     case Primitive::Kind::bound:
       return take(bound_polynomial<K>(primitive, x, lengths, tau));
@@ -211,9 +212,9 @@ template <int K, class T, class Lengths, class Moment, class Wanted, class Take>
 }
 
 /// All of it, filled up with zeros to powers up to 2 K.
-template <int K, class T, class Lengths, class Moment>
+template <int K, class T, class Lengths, class TimePoint>
 Coefficients<T, 2 * K> polynomial_of(const Primitive& primitive, const Coefficients<T, K>* x,
-                                     const Lengths& lengths, const Moment& tau) {
+                                     const Lengths& lengths, const TimePoint& tau) {
   const auto wanted = [](const T&) { return true; };
   return with_polynomial<K>(primitive, x, lengths, tau, wanted, [](const auto& some) {
     Coefficients<T, 2 * K> all{};

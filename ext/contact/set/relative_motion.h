@@ -39,7 +39,7 @@ struct RelativeAxisMotion {
 };
 
 /// When both exist within the horizon, measured from now and absolute; each rounded once.
-struct Moments {
+struct PairLifetime {
   double dt_start, dt_end;
   double t_start, t_end;
   bool start_exact, end_exact;  ///< dt_start, dt_end are the exact values
@@ -48,25 +48,25 @@ struct Moments {
 };
 
 /// Decided exactly: `none` is never a guess.
-inline Moments moments_of(const Setup& setup, const double* row_a, const double* row_b) {
+inline PairLifetime pair_lifetime_of(const Setup& setup, const double* row_a, const double* row_b) {
   constexpr double inf = std::numeric_limits<double>::infinity();
   const double now = setup.horizon.now, h = setup.horizon.h;
   const double start = std::max({now, value_or(row_a, setup.a.at.t, 0), value_or(row_b, setup.b.at.t, 0)});
   const double stop =
       std::min(value_or(row_a, setup.a.at.until, inf), value_or(row_b, setup.b.at.until, inf));
   const DoubleDouble begin = difference(start, now);
-  Moments moments{begin.high, h, start, now + h, begin.low == 0, true, true, false};
-  moments.none = start > stop || begin.high > h || (begin.high == h && begin.low > 0);
+  PairLifetime lifetime{begin.high, h, start, now + h, begin.low == 0, true, true, false};
+  lifetime.none = start > stop || begin.high > h || (begin.high == h && begin.low > 0);
   if (stop < inf) {
     const DoubleDouble end = difference(stop, now);
     if (end.high < h || (end.high == h && end.low < 0)) {
-      moments.dt_end = end.high;
-      moments.t_end = stop;
-      moments.end_exact = end.low == 0;
-      moments.ends_with_horizon = false;
+      lifetime.dt_end = end.high;
+      lifetime.t_end = stop;
+      lifetime.end_exact = end.low == 0;
+      lifetime.ends_with_horizon = false;
     }
   }
-  return moments;
+  return lifetime;
 }
 
 /// What is not declared is 0.

@@ -5,7 +5,7 @@
 //   stages->counts()[static_cast<int>(PaperStage::time_interval)].after;
 //
 //   a  projection overlap       the swept boxes meet on every axis
-//   b  centre point             the centres coincide at some moment while both exist: a hit at once, which is
+//   b  centre point             the centres coincide at some time while both exist: a hit at once, which is
 //                               spared the other tests; decided exactly
 //   c  time interval            time_interval.h
 //   d  trajectory intersection  trajectory.h

@@ -43,7 +43,7 @@ class VisitCost {
   /// Seconds between the epoch and the middle of the look-ahead.
   double middle() const { return elapsed_[1]; }
   /// … and its begin (0), middle (1) and end (2).
-  double elapsed(int moment) const { return elapsed_[static_cast<std::size_t>(moment)]; }
+  double elapsed(int time) const { return elapsed_[static_cast<std::size_t>(time)]; }
 
   /// Stored bounds may be anything: widths that are not numbers, or negative.
   static double within_reason(double width) { return width < widest ? (width > 0 ? width : 0) : widest; }

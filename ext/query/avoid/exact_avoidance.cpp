@@ -135,8 +135,8 @@ void ExactAvoidance::take(const std::vector<double>& record) {
   }
   if (layout.shape == Shape::outline) take_form();
   const double first = std::max(question_.now, t);
-  if (first == first_instant_) return;
-  first_instant_ = first;
+  if (first == start_) return;
+  start_ = first;
   for (auto& contact : at_first_) contact.reset();
 }
 
@@ -183,9 +183,9 @@ std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contac
 
 std::vector<Intruder> ExactAvoidance::at_first(const std::vector<double>& record) {
   take(record);
-  if (!(first_instant_ - question_.now <= question_.h)) return {};
+  if (!(start_ - question_.now <= question_.h)) return {};
   for (std::size_t table = 0; table < near_.size(); ++table)
-    if (!at_first_[table]) at_first_[table] = contact(table, {first_instant_, 0});
+    if (!at_first_[table]) at_first_[table] = contact(table, {start_, 0});
   return decided(at_first_, {});
 }
 
@@ -198,7 +198,7 @@ bool ExactAvoidance::touches(Contact& contact, const Intruder& intruder) const {
 
 bool ExactAvoidance::touches_first(const Intruder& intruder) {
   const auto table = static_cast<std::size_t>(intruder.table);
-  if (!at_first_[table]) at_first_[table] = contact(table, {first_instant_, 0});
+  if (!at_first_[table]) at_first_[table] = contact(table, {start_, 0});
   return touches(*at_first_[table], intruder);
 }
 
@@ -206,9 +206,10 @@ bool ExactAvoidance::separates(const Intruder& intruder) {
   const Scene& near = *near_[static_cast<std::size_t>(intruder.table)];
   const Bodies own = own_.bodies(), others = near.bodies();
   const double *own_row = own.row(0), *row = others.row(intruder.row);
-  const Moments moments = moments_of({own, others, {question_.now, question_.h}}, own_row, row);
-  if (moments.none || (moments.t_start == moments.t_end && moments.dt_start == moments.dt_end)) return true;
-  const Horizon first{first_instant_, 0};
+  const PairLifetime lifetime = pair_lifetime_of({own, others, {question_.now, question_.h}}, own_row, row);
+  if (lifetime.none || (lifetime.t_start == lifetime.t_end && lifetime.dt_start == lifetime.dt_end))
+    return true;
+  const Horizon first{start_, 0};
   if (has_outlines(own.layout, others.layout) && !touches_first(intruder))
     return !touches(*contacts_[static_cast<std::size_t>(intruder.table)], intruder);
   return with_axes(own.layout.axes, [&]<int D>(Axes<D>) {
@@ -222,7 +223,7 @@ bool ExactAvoidance::separates(const Intruder& intruder) {
       const auto j = static_cast<std::size_t>(axis);
       motion.x[j] = one.x, motion.v[j] = one.v, motion.a[j] = one.a;
     }
-    const OwnMotion base = motion_from(motion, std::max(first_instant_, motion.t));
+    const OwnMotion base = motion_from(motion, std::max(start_, motion.t));
     const ExtentsRule rule(own.layout, others.layout, question_.within, question_.within_z);
     const auto encounter =
         encounter_of<D>(base, {question_.now, question_.h}, others, row, rule.pair<D>(own_row, row, base.t));

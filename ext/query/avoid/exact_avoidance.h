@@ -67,7 +67,7 @@ class ExactAvoidance {
   Scenes near_;
   Scene own_;  ///< of one row, which take() changes
   std::vector<std::unique_ptr<Contact>> contacts_, at_first_;
-  double first_instant_ = 0, heading_ = 0;
+  double start_ = 0, heading_ = 0;
 };
 
 }  // namespace foresee

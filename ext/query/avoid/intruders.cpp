@@ -42,10 +42,10 @@ MovingBox<D> box_around(const AvoidQuestion& question, const OwnMotion& base, co
   bounds.v_upper = upper_end<D>(bounds.v_upper, pad(bounds.v_upper));
   bounds.a_lower = lower_end<D>(bounds.a_lower, pad(bounds.a_lower));
   bounds.a_upper = upper_end<D>(bounds.a_upper, pad(bounds.a_upper));
-  const auto moment = [&](double after, double outward) {
+  const auto time = [&](double after, double outward) {
     return base.t + after + outward * rounding_pad * (std::abs(base.t) + std::abs(after));
   };
-  const double begin = moment(all.begin, -1), end = std::isfinite(all.end) ? moment(all.end, 1) : all.end;
+  const double begin = time(all.begin, -1), end = std::isfinite(all.end) ? time(all.end, 1) : all.end;
   if (grows(own.layout)) {
     const Vec<D> growth = growth_of<D>(own.layout.shape, own.row(0), own.at);
     bounds = with_growth<D>(bounds, growth, base.t - value_or(own.row(0), own.at.t, 0));

@@ -67,9 +67,9 @@ double share_that_meets(const JoinQuestion& question, const Horizon& horizon, co
 /// Which part of all pairs meets at one moment: a few rows against many, for a few giants may touch more than
 /// all others together, and a sample of both sides misses them.
 template <int D>
-double share_that_touches(const JoinQuestion& question, double moment, const Vec<D>& margin) {
+double share_that_touches(const JoinQuestion& question, double time, const Vec<D>& margin) {
   const bool between = question.b && question.b != question.a;
-  const Horizon instant{moment, 0};
+  const Horizon instant{time, 0};
   const std::vector<Box<D>> a = sample_of<D>(*question.a, instant, margin, few);
   const std::vector<Box<D>> b = sample_of<D>(between ? *question.b : *question.a, instant, margin, many);
   std::size_t meetings = 0;
@@ -106,9 +106,9 @@ struct SlabChoice {
 };
 
 /// About how many pairs touch at one moment.
-double expected_contacts(const JoinQuestion& question, const Contact::Reach& reach, double moment) {
+double expected_contacts(const JoinQuestion& question, const Contact::Reach& reach, double time) {
   return with_axes(question.a->layout.axes, [&]<int D>(Axes<D>) {
-    return pairs_of(question) * share_that_touches<D>(question, moment, margin_of<D>(reach));
+    return pairs_of(question) * share_that_touches<D>(question, time, margin_of<D>(reach));
   });
 }
 

@@ -104,7 +104,7 @@ class Search {
 
   void offer(std::int64_t id, const double* row) {
     const double* from = point_.bodies().row(0);
-    if (moments_of(setup_, from, row).none) return;
+    if (pair_lifetime_of(setup_, from, row).none) return;
     const ClosestApproach near = closest_approach_of<D>(setup_, from, row);
     best_.offer({id, near.d, near.t, near.dt});
   }

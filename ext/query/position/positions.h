@@ -21,15 +21,14 @@ struct PositionRow {
   std::array<double, 3> x, v;  ///< as many as the scene has axes
 };
 
-/// The scene's object number i at `moment`; nothing if it does not exist then.
+/// The scene's object number i at `time`; nothing if it does not exist then.
 /// Requires: `bodies` are the scene's, and the floating-point environment is a FloatEnvironment.
-std::optional<PositionRow> position_of(const Scene& scene, const Bodies& bodies, std::size_t i,
-                                       double moment);
+std::optional<PositionRow> position_of(const Scene& scene, const Bodies& bodies, std::size_t i, double time);
 
 class Positions {
  public:
-  /// Throws Error unless `moment` is finite.
-  Positions(std::shared_ptr<const Scene> scene, double moment);
+  /// Throws Error unless `time` is finite.
+  Positions(std::shared_ptr<const Scene> scene, double time);
 
   /// The next object; nothing once there are none left.
   std::optional<PositionRow> next();
@@ -37,7 +36,7 @@ class Positions {
  private:
   std::shared_ptr<const Scene> scene_;
   Bodies bodies_;
-  double moment_;
+  double time_;
   std::size_t next_ = 0;
 };
 

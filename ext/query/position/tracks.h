@@ -14,7 +14,7 @@
 
 namespace foresee {
 
-struct TrackMoments {
+struct TrackTimes {
   double t0, t1, step;
 };
 
@@ -26,20 +26,20 @@ struct TrackRow {
 class Tracks {
  public:
   /// Throws Error unless t0 <= t1 and step > 0 are finite and make fewer than 2^53 moments.
-  Tracks(std::shared_ptr<const Scene> scene, const TrackMoments& moments, Interrupt& interrupt);
+  Tracks(std::shared_ptr<const Scene> scene, const TrackTimes& instants, Interrupt& interrupt);
 
   /// The next object, at this moment or the next one; nothing once there are none left.
   std::optional<TrackRow> next();
 
  private:
-  bool to_next_moment();
+  bool to_next_time();
 
   std::shared_ptr<const Scene> scene_;
   Bodies bodies_;
-  TrackMoments moments_;
+  TrackTimes instants_;
   Interrupt& interrupt_;
   std::vector<std::size_t> by_id_;  ///< row numbers
-  double i_ = 0, moment_;
+  double i_ = 0, time_;
   std::size_t next_ = 0;
 };
 

@@ -17,7 +17,7 @@ constexpr double joined_object = 12, joined_row = 2;
 constexpr double search = 500, found_object = 50, nearest_object = 300;
 constexpr double probe = 100, probed_level = 50;  // of one object, by the binary logarithm of all
 
-constexpr double moments = 60, moved_object = 2;                         // of a track
+constexpr double instants = 60, moved_object = 2;                        // of a track
 constexpr double window_rows = 100, nearest_rows = 10, avoid_rows = 10;  // where nobody says
 
 /// What the statement says about one of a function's inputs.
@@ -66,11 +66,11 @@ CallEstimate estimate_object(const CallSizes&, bool /*of its one id*/) {
 }
 
 CallEstimate estimate_tracks(const CallSizes& sizes) {
-  return {(decoded_object + moments * moved_object) * sizes.objects, moments * sizes.objects};
+  return {(decoded_object + instants * moved_object) * sizes.objects, instants * sizes.objects};
 }
 
 CallEstimate estimate_track(const CallSizes&, bool /*of its one id*/) {
-  return {looked_up_object + moments * moved_object, moments};
+  return {looked_up_object + instants * moved_object, instants};
 }
 
 CallEstimate estimate_window(const CallSizes& sizes) {

@@ -25,11 +25,11 @@ class JoinRows final : public FunctionRows {
     if (output <= out_b)
       sqlite3_result_int64(context, output == out_a ? row.a : row.b);
     else
-      sqlite3_result_double(context, moment_or_distance(row, output));
+      sqlite3_result_double(context, time_or_distance(row, output));
   }
 
  private:
-  static double moment_or_distance(const JoinRow& row, int output) {
+  static double time_or_distance(const JoinRow& row, int output) {
     switch (output) {
       case out_t:
         return row.contact.t;

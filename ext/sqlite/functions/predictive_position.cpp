@@ -11,8 +11,8 @@ enum Input { in_at, in_tbl, in_schema };
 
 class PositionRows final : public FunctionRows {
  public:
-  PositionRows(std::shared_ptr<const Scene> scene, double moment, Interrupt& interrupt)
-      : axes_(scene->layout.axes), positions_(std::move(scene), moment), interrupt_(interrupt) {}
+  PositionRows(std::shared_ptr<const Scene> scene, double time, Interrupt& interrupt)
+      : axes_(scene->layout.axes), positions_(std::move(scene), time), interrupt_(interrupt) {}
 
   bool next() override {
     interrupt_.check();

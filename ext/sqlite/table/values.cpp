@@ -124,8 +124,8 @@ double Values::stored(const Column& column, std::int64_t id, sqlite3_value* valu
     return 0;
   }
   if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) {
-    const bool moment = quantity == Quantity::reference_time || quantity == Quantity::until;
-    const auto seconds = moment ? as_unixepoch(value) : std::nullopt;
+    const bool time = quantity == Quantity::reference_time || quantity == Quantity::until;
+    const auto seconds = time ? as_unixepoch(value) : std::nullopt;
     refuse(column.name, id, shown(value),
            seconds ? "a date, where seconds are stored; write " + *seconds
                    : "not a number; write a finite number");

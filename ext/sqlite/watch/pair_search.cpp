@@ -24,7 +24,7 @@ ChangedObjects changed_objects(const Connection::OpenTable& table, const std::op
   const int t = table.store->format().at.t;
   table.store->for_each_change([&](std::int64_t id, std::span<const double>, std::span<const double> after) {
     changed.ids.push_back(id);
-    if (!after.empty() && t >= 0) changed.moments.push_back(after[static_cast<std::size_t>(t)]);
+    if (!after.empty() && t >= 0) changed.instants.push_back(after[static_cast<std::size_t>(t)]);
   });
   std::sort(changed.ids.begin(), changed.ids.end());
   return changed;

@@ -24,7 +24,7 @@ namespace foresee {
 struct ChangedObjects {
   bool told = true;               ///< else anything may have changed
   std::vector<std::int64_t> ids;  ///< rising
-  std::vector<double> moments;    ///< the reference times that they have now
+  std::vector<double> instants;   ///< the reference times that they have now
 
   bool holds(std::int64_t id) const { return std::binary_search(ids.begin(), ids.end(), id); }
 };

@@ -50,7 +50,7 @@ class Settlement {
 
  private:
   void follow_reports();
-  std::vector<double> reported_moments() const;
+  std::vector<double> reported_times() const;
   bool any_object() const;
   void move_clock();
   bool must_compute_anew() const;

@@ -9,10 +9,10 @@ namespace foresee {
 namespace {
 
 /// Of a table without t all are 0.
-void append_moments(const Scene& scene, std::vector<double>& moments) {
+void append_times(const Scene& scene, std::vector<double>& instants) {
   const Offsets at = row_offsets(scene.layout);
   for (std::size_t row = 0; row < scene.size(); ++row)
-    moments.push_back(
+    instants.push_back(
         at.t < 0 ? 0 : scene.rows[row * static_cast<std::size_t>(at.size) + static_cast<std::size_t>(at.t)]);
 }
 
@@ -42,30 +42,30 @@ void Settlement::move_clock() {
 }
 
 /// Of this transaction's reports, or where they cannot be told of all objects.
-std::vector<double> Settlement::reported_moments() const {
-  std::vector<double> moments;
+std::vector<double> Settlement::reported_times() const {
+  std::vector<double> instants;
   const auto add = [&](const ChangedObjects& changed, const Connection::OpenTable& table) {
     const Layout& layout = table.store->format().layout;
     if (changed.told && layout.has_t)
-      moments.insert(moments.end(), changed.moments.begin(), changed.moments.end());
+      instants.insert(instants.end(), changed.instants.begin(), changed.instants.end());
     else if (changed.told)
-      moments.resize(moments.size() + changed.ids.size());
+      instants.resize(instants.size() + changed.ids.size());
     else
-      append_moments(*connection_.load_scene(table), moments);
+      append_times(*connection_.load_scene(table), instants);
   };
   add(changed_a_, tables_.a);
   if (tables_.b && !tables_.are_one()) add(changed_b_, *tables_.b);
-  std::sort(moments.begin(), moments.end());
-  return moments;
+  std::sort(instants.begin(), instants.end());
+  return instants;
 }
 
 /// In the order of their moments; those too far ahead are counted. The first ones have no clock to be ahead
 /// of: it begins at the median of them, since most are right.
 void Settlement::follow_reports() {
-  const std::vector<double> moments = reported_moments();
+  const std::vector<double> instants = reported_times();
   const bool counts = !state_.clock || (changed_a_.told && changed_b_.told);
-  if (!state_.clock && !moments.empty()) state_.clock = moments[(moments.size() - 1) / 2];
-  for (const double t : moments) {
+  if (!state_.clock && !instants.empty()) state_.clock = instants[(instants.size() - 1) / 2];
+  for (const double t : instants) {
     if (t > *state_.clock + *state_.ahead)
       state_.early += counts;
     else

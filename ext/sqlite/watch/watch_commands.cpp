@@ -10,10 +10,10 @@
 namespace foresee {
 namespace {
 
-double moment_of(const WatchTable& table, sqlite3_value* now) {
+double time_of(const WatchTable& table, sqlite3_value* now) {
   const int type = sqlite3_value_numeric_type(now);
-  const double moment = sqlite3_value_double(now);
-  if ((type == SQLITE_INTEGER || type == SQLITE_FLOAT) && std::isfinite(moment)) return moment;
+  const double time = sqlite3_value_double(now);
+  if ((type == SQLITE_INTEGER || type == SQLITE_FLOAT) && std::isfinite(time)) return time;
   throw Error(table.name.table + ": 'advance' needs a moment, as in INSERT INTO " + table.name.table + "(" +
               table.name.table + ", now) VALUES('advance', 1260.0); not " + shown(now));
 }
@@ -61,10 +61,10 @@ void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value*
   const std::string word = sqlite3_value_type(command) == SQLITE_TEXT ? text_of(command) : "";
   const std::string& name = table.name.table;
   if (word == "advance") {
-    const double moment = moment_of(table, now);
+    const double time = time_of(table, now);
     const std::shared_ptr<WatchRows> rows = table.rows();
     rows->read_state();  // damaged: says so here
-    rows->write_asked(moment);
+    rows->write_asked(time);
   } else if (word == "rebuild") {
     const std::shared_ptr<WatchRows> rows = table.rows();
     rows->read_state();  // damaged: says so here

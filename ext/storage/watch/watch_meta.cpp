@@ -226,8 +226,8 @@ void WatchRows::write_state(const WatchState& state, const WatchState& before) {
   write_changed("other_stamp", state.other_stamp, before.other_stamp);
 }
 
-void WatchRows::write_asked(std::optional<double> moment) {
-  write_meta("asked", moment);
+void WatchRows::write_asked(std::optional<double> time) {
+  write_meta("asked", time);
 }
 
 void WatchRows::write_anew(bool anew) {

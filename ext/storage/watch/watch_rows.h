@@ -58,7 +58,7 @@ class WatchRows {
   void write_declaration(const WatchDeclaration& declaration);
   /// All that moves. Rows that say the same already are not written.
   void write_state(const WatchState& state, const WatchState& before);
-  void write_asked(std::optional<double> moment);
+  void write_asked(std::optional<double> time);
   void write_anew(bool anew);
   /// From now on read_state() says so.
   void write_damaged();

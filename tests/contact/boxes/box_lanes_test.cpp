@@ -30,11 +30,11 @@ class LaneOfPair {
                c.question.horizon,
                c.question.within,
                0},
-        moments_(moments_of(setup_, row_a_.data(), row_b_.data())),
+        lifetime_(pair_lifetime_of(setup_, row_a_.data(), row_b_.data())),
         relative_(certain_motion_of<D, Degree>(setup_, row_a_.data(), row_b_.data())) {}
 
   bool from_now() const {
-    return !moments_.none && moments_.start_exact && moments_.dt_start == 0 &&
+    return !lifetime_.none && lifetime_.start_exact && lifetime_.dt_start == 0 &&
            relative_.underflow <= usual_underflow;
   }
 
@@ -45,7 +45,7 @@ class LaneOfPair {
     double half[D];
     for (int j = 0; j < D; ++j) half[j] = half_extent<double, D>(setup_, row_a_.data(), row_b_.data(), j);
     for (int l = 0; l < lanes.width; ++l)
-      put_motion(lanes, l, relative_, half, moments_.dt_end * (1 + 0x1p-52));
+      put_motion(lanes, l, relative_, half, lifetime_.dt_end * (1 + 0x1p-52));
     box_kernel<D, Degree>().settle(lanes);
     check_simd(lanes);
     const bool touches = ask(exact_touches);
@@ -74,10 +74,10 @@ class LaneOfPair {
 
  private:
   template <class Answer>
-  Answer ask(Answer (*question)(PiecePolynomials&, const ExactMoments&)) const {
+  Answer ask(Answer (*question)(PiecePolynomials&, const ExactLifetime&)) const {
     const ContactSet set = box_box_set(setup_);
     PairPolynomials polynomials(set, setup_, row_a_.data(), row_b_.data());
-    return question(polynomials, exact_moments_of(setup_, row_a_.data(), row_b_.data()));
+    return question(polynomials, exact_lifetime_of(setup_, row_a_.data(), row_b_.data()));
   }
 
   void check_end(const BoxLanes<D, Degree>& lanes, double dt_end, Certain& certain) const {
@@ -87,10 +87,10 @@ class LaneOfPair {
     certain.leaves += ends.leaves[3] > 0;
     certain.lasts += ends.lasts[3] > 0;
     if (ends.leaves[3] > 0) {
-      EXPECT_LE(std::abs(dt_end - ends.moment[3]), ends.room[3]) << case_;
+      EXPECT_LE(std::abs(dt_end - ends.time[3]), ends.room[3]) << case_;
     }
     if (ends.lasts[3] > 0) {
-      EXPECT_EQ(dt_end, moments_.dt_end) << case_;
+      EXPECT_EQ(dt_end, lifetime_.dt_end) << case_;
     }
     testing::for_every_simd([&](Simd) {
       EndLanes others = ends;
@@ -110,7 +110,7 @@ class LaneOfPair {
   const Case& case_;
   std::vector<double> row_a_, row_b_;
   Setup setup_;
-  Moments moments_;
+  PairLifetime lifetime_;
   CertainMotion<D> relative_;
 };
 

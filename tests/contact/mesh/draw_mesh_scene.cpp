@@ -67,13 +67,13 @@ class DrawScene {
 
   void move(MeshScene& scene) {
     Object &a = scene.a.row, &b = scene.b.row;
-    const auto moment = static_cast<double>(draw_.below(9));
+    const auto time = static_cast<double>(draw_.below(9));
     Meeting met = meeting(scene);
     met.velocity *= std::ldexp(1.0, family_.pace);
     for (int j = 0; j < 3; ++j) {
       // From that moment back to now.
-      const double bend = b.a[j] - a.a[j], velocity = met.velocity[j] - moment * bend;
-      const double place = met.place[j] - moment * (velocity + moment * bend / 2);
+      const double bend = b.a[j] - a.a[j], velocity = met.velocity[j] - time * bend;
+      const double place = met.place[j] - time * (velocity + time * bend / 2);
       a.x[j] = family_.offset + draw_.number(5), a.v[j] = draw_.number(2);
       b.x[j] = a.x[j] + place, b.v[j] = a.v[j] + velocity;
       for (auto i = family_.ulps > 0 ? draw_.below(family_.ulps + 1) : 0; i > 0; --i)

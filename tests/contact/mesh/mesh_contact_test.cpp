@@ -24,8 +24,8 @@ Encounter encounter_of(const MeshScene& scene) {
   return {scene.a.row, scene.b.row, scene.question};
 }
 
-SpacePlace place_at(const Encounter& encounter, const Rational& moment) {
-  return {encounter.place(0, moment), encounter.place(1, moment), encounter.place(2, moment)};
+SpacePlace place_at(const Encounter& encounter, const Rational& time) {
+  return {encounter.place(0, time), encounter.place(1, time), encounter.place(2, time)};
 }
 
 /// Empty if the answer is right, else what is wrong.
@@ -41,13 +41,13 @@ std::string judged(const MeshScene& scene, const std::optional<ContactTimes>& an
 }
 
 /// The same, of any radius and motion.
-std::string judged_by_moments(const MeshScene& scene, const std::optional<ContactTimes>& answer) {
+std::string judged_by_times(const MeshScene& scene, const std::optional<ContactTimes>& answer) {
   const Encounter encounter = encounter_of(scene);
   const Body a = body_of(scene.a), b = body_of(scene.b);
-  const auto touch = [&](const Rational& moment) {
-    return oracle::touch_at(a, b, place_at(encounter, moment), encounter.radius(moment));
+  const auto touch = [&](const Rational& time) {
+    return oracle::touch_at(a, b, place_at(encounter, time), encounter.radius(time));
   };
-  return oracle::judged_by_moments(touch, scene.question.horizon.h, answer);
+  return oracle::judged_by_times(touch, scene.question.horizon.h, answer);
 }
 
 TEST(MeshContact, IsThatOfRationalNumbers) {
@@ -81,7 +81,7 @@ TEST(MeshContact, OfAnyRadiusAndMotionIsRightAtEveryMoment) {
         if (!family.bent && encounter_of(scene).radius(0) == 0) continue;  // judged above
         const auto answer = mesh_contact(scene);
         ++cases, contacts += answer.has_value();
-        ASSERT_EQ(judged_by_moments(scene, answer), "")
+        ASSERT_EQ(judged_by_times(scene, answer), "")
             << family.name << " pairing " << static_cast<int>(pairing) << " seed " << seed << '\n'
             << described(scene);
       }
@@ -95,8 +95,8 @@ TEST(MeshContact, EndsThoughTheNextBeginsWithinAnUlp) {
     const MeshScene scene = draw_scene(family, MeshPairing::meshes, 75);
     const Encounter encounter = encounter_of(scene);
     const auto touch = [&](int ulps_by_64) {
-      const Rational moment = 5 + Rational(ulps_by_64) * Rational(0x1p-56);
-      return oracle::touch_at(body_of(scene.a), body_of(scene.b), place_at(encounter, moment), 0);
+      const Rational time = 5 + Rational(ulps_by_64) * Rational(0x1p-56);
+      return oracle::touch_at(body_of(scene.a), body_of(scene.b), place_at(encounter, time), 0);
     };
     EXPECT_FALSE(touch(-1));
     EXPECT_TRUE(touch(0) && touch(11));
@@ -106,7 +106,7 @@ TEST(MeshContact, EndsThoughTheNextBeginsWithinAnUlp) {
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->dt, 5);
     EXPECT_EQ(answer->dt_end, 5);
-    EXPECT_EQ(judged_by_moments(scene, answer), "");
+    EXPECT_EQ(judged_by_times(scene, answer), "");
     return;
   }
   FAIL() << "no such family";

@@ -106,10 +106,10 @@ struct Still {
   std::vector<Bounds> bounds_a, bounds_b;
 
   Still(const std::vector<Facet>& resting, const std::vector<Facet>& flying, const Arrow& velocity,
-        const Fraction& moment) {
-    const Arrow way = moment.above * velocity;
+        const Fraction& time) {
+    const Arrow way = time.above * velocity;
     const auto moved = [&](const Facet& facet, const Arrow& by) {
-      const auto at = [&](std::size_t i) { return moment.below * facet.corners[i] + by; };
+      const auto at = [&](std::size_t i) { return time.below * facet.corners[i] + by; };
       return Facet({at(0), at(1), at(2)});
     };
     for (const Facet& facet : resting) bounds_a.emplace_back(a.emplace_back(moved(facet, {})));
@@ -159,8 +159,8 @@ class Scene {
       }
   }
 
-  bool lies_within(const Rational& moment) const {
-    const Still still(a_, b_, velocity_, fraction_of(moment));
+  bool lies_within(const Rational& time) const {
+    const Still still(a_, b_, velocity_, fraction_of(time));
     return (a_is_solid_ && holds_one(still.a, still.b)) || (b_is_solid_ && holds_one(still.b, still.a));
   }
 

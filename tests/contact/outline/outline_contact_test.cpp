@@ -58,14 +58,14 @@ TEST(OutlineContact, IsThatOfRationalNumbers) {
 }
 
 /// The same, of any radius and motion.
-std::string judged_by_moments(const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
+std::string judged_by_times(const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
   const Encounter encounter = encounter_of(scene);
   const Region a = region_of(scene.a), b = region_of(scene.b);
-  const auto touch = [&](const Rational& moment) {
-    return oracle::touch_at(a, b, {encounter.place(0, moment), encounter.place(1, moment)},
-                            encounter.radius(moment));
+  const auto touch = [&](const Rational& time) {
+    return oracle::touch_at(a, b, {encounter.place(0, time), encounter.place(1, time)},
+                            encounter.radius(time));
   };
-  return oracle::judged_by_moments(touch, scene.question.horizon.h, answer);
+  return oracle::judged_by_times(touch, scene.question.horizon.h, answer);
 }
 
 TEST(OutlineContact, OfAnyRadiusAndMotionIsRightAtEveryMoment) {
@@ -92,7 +92,7 @@ TEST(OutlineContact, OfAnyRadiusAndMotionIsRightAtEveryMoment) {
         if (!family.bent && !grows && scene.question.within + scene.b.row.r == 0) continue;  // judged above
         const auto answer = outline_contact(scene);
         ++cases, contacts += answer.has_value();
-        ASSERT_EQ(judged_by_moments(scene, answer), "")
+        ASSERT_EQ(judged_by_times(scene, answer), "")
             << family.name << " pairing " << static_cast<int>(pairing) << " seed " << seed << '\n'
             << described(scene);
       }

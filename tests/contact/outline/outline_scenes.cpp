@@ -157,7 +157,7 @@ class Draw {
   /// Brings a corner of b to one of a.
   void meet(const OutlineScene& scene, double (&place)[2], double (&velocity)[2]) {
     const Corner p = corner_of(scene.a), q = corner_of(scene.b);
-    const double moment = static_cast<double>(below(9));
+    const double time = static_cast<double>(below(9));
     if (family_.motion == Motion::none) velocity[0] = velocity[1] = 0;
     if (family_.motion == Motion::along_an_edge || family_.motion == Motion::through_corners) {
       const auto ring = scene.a.outline.ring(below(scene.a.outline.rings()));
@@ -166,10 +166,10 @@ class Draw {
       const double pace = std::ldexp(1.0, static_cast<int>(below(4)) - 2) * (below(2) ? 1 : -1);
       velocity[0] = pace * (ring[j].x - ring[i].x), velocity[1] = pace * (ring[j].y - ring[i].y);
       const Corner& start = below(2) ? ring[i] : ring[j];
-      place[0] = start.x - q.x - moment * velocity[0], place[1] = start.y - q.y - moment * velocity[1];
+      place[0] = start.x - q.x - time * velocity[0], place[1] = start.y - q.y - time * velocity[1];
       return;
     }
-    place[0] = p.x - q.x - moment * velocity[0], place[1] = p.y - q.y - moment * velocity[1];
+    place[0] = p.x - q.x - time * velocity[0], place[1] = p.y - q.y - time * velocity[1];
   }
 
   void scale(OutlineScene& scene) const {

@@ -121,8 +121,8 @@ class Scene {
   }
 
   void fill(const Rational& begin, const Rational& end) {
-    const Rational moment = (begin + end) / 2;
-    const Place d{place_.x + moment * velocity_.x, place_.y + moment * velocity_.y}, back{-d.x, -d.y};
+    const Rational time = (begin + end) / 2;
+    const Place d{place_.x + time * velocity_.x, place_.y + time * velocity_.y}, back{-d.x, -d.y};
     if (holds_one(a_, b_, d) || holds_one(b_, a_, back)) contacts_.push_back({begin, end});
   }
 

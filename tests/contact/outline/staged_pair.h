@@ -16,7 +16,7 @@ struct StagedScene {
         setup{{scene.a.row.layout, row_a.data(), 1},
               {scene.b.row.layout, row_b.data(), 1},
               scene.question.horizon},
-        moments(moments_of(setup, row_a.data(), row_b.data())),
+        lifetime(pair_lifetime_of(setup, row_a.data(), row_b.data())),
         cut_a(convex_pieces(scene.a.outline)),
         cut_b(convex_pieces(scene.b.outline)) {
     a.take(cut_a), b.take(cut_b);
@@ -24,13 +24,13 @@ struct StagedScene {
   StagedScene(const StagedScene&) = delete;
 
   UnionPair<FlatTraits<2, 1>> pair(bool times_wanted) {
-    context.emplace(setup, row_a.data(), row_b.data(), a, b, moments, steps);
+    context.emplace(setup, row_a.data(), row_b.data(), a, b, lifetime, steps);
     return {*context, times_wanted, space};
   }
 
   const std::vector<double> row_a, row_b;
   const Setup setup;
-  const Moments moments;
+  const PairLifetime lifetime;
   const ConvexPieces cut_a, cut_b;
   ObjectPieces a, b;
   FlatSpace space;

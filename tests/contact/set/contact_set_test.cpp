@@ -43,7 +43,7 @@ class Passage {
     EXPECT_EQ(hits, decided);
     PairPolynomials polynomials(set, setup, row_still_.data(), row_moving_.data());
     const auto exact =
-        exact_times(polynomials, exact_moments_of(setup, row_still_.data(), row_moving_.data()));
+        exact_times(polynomials, exact_lifetime_of(setup, row_still_.data(), row_moving_.data()));
     EXPECT_EQ(exact.has_value(), !times.empty());
     if (!exact || times.empty()) return {};
     EXPECT_EQ(times[0].dt, exact->dt);

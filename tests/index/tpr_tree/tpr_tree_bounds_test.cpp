@@ -27,11 +27,11 @@ struct Case {
   Vec<1> half;
   double epoch, later, now;
 
-  Exact velocity(double moment) const { return Exact(motion.v[0]) + motion.a[0] * elapsed(moment); }
+  Exact velocity(double time) const { return Exact(motion.v[0]) + motion.a[0] * elapsed(time); }
   Exact centre(const Exact& s) const {
     return Exact(motion.x[0]) + motion.v[0] * s + Exact(motion.a[0]) * s * s / 2;
   }
-  Exact elapsed(double moment) const { return Exact(moment) - Exact(motion.t); }
+  Exact elapsed(double time) const { return Exact(time) - Exact(motion.t); }
 };
 
 Case random_case(Random& random) {
@@ -121,11 +121,11 @@ TEST(TreeBounds, BoxesThatMeetAreNotToldApartByAnySpeed) {
 
 /// A tree asks again for the moments that it was told, which are rounded.
 TEST(TreeBounds, WhatMeetsBetweenTwoDoublesMeetsStill) {
-  constexpr double moment = 5e-324, speed = 1e299;
+  constexpr double time = 5e-324, speed = 1e299;
   const Vec<1> none = Vec<1>::Zero();
-  const Horizon horizon{0, 40 * moment};
+  const Horizon horizon{0, 40 * time};
   for (double part = 1.125; part < 40; part += 1.125) {
-    const Vec<1> way = Vec<1>::Constant(speed * moment * part), fast = Vec<1>::Constant(speed);
+    const Vec<1> way = Vec<1>::Constant(speed * time * part), fast = Vec<1>::Constant(speed);
     const MovingBox<1> a = moving_box<1>({0, none, fast, none, 1}, Extents<1>::none(), horizon, none),
                        b = moving_box<1>({0, way, none, none, 1}, Extents<1>::none(), horizon, none);
     SharedInterval span = shared_span(a, b);

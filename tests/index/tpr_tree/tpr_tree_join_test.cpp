@@ -32,10 +32,10 @@ bool meet_at_a_sample(const TreeScene& a, std::size_t i, const TreeScene& b, std
   if (layout_b.law == Law::forced) layout_b.law = Law::accelerated;
   const auto record_a = record_at(a, i), record_b = record_at(b, j);
   for (int step = 0; step <= 12; ++step) {
-    const long double moment = horizon.now + static_cast<long double>(horizon.h) * step / 12;
+    const long double time = horizon.now + static_cast<long double>(horizon.h) * step / 12;
     long double lower_a[D], upper_a[D], lower_b[D], upper_b[D];
-    bool meet = testing::box_at<D>(layout_a, record_a, moment, lower_a, upper_a) &&
-                testing::box_at<D>(layout_b, record_b, moment, lower_b, upper_b);
+    bool meet = testing::box_at<D>(layout_a, record_a, time, lower_a, upper_a) &&
+                testing::box_at<D>(layout_b, record_b, time, lower_b, upper_b);
     for (int axis = 0; axis < D && meet; ++axis)
       meet = lower_a[axis] - upper_b[axis] <= 2 * margin && lower_b[axis] - upper_a[axis] <= 2 * margin;
     if (meet) return true;

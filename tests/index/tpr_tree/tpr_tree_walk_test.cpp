@@ -19,7 +19,7 @@ using testing::TreeModel;
 using testing::varied_layouts;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int moments = 24;
+constexpr int instants = 24;
 
 template <int D>
 Vec<D> random_vec(Random& random, double lower, double upper) {
@@ -39,8 +39,8 @@ void expect_window_complete(TreeModel& model, const Horizon& horizon, const Vec<
     for (const std::uint32_t slot : hits.slots) EXPECT_TRUE(found.insert(hits.leaf->keys[slot]).second);
   for (const auto& [id, record] : model.objects) {
     bool inside_once = false;
-    for (int i = 0; i <= moments && !inside_once; ++i) {
-      const long double tau = static_cast<long double>(horizon.h) * i / moments;
+    for (int i = 0; i <= instants && !inside_once; ++i) {
+      const long double tau = static_cast<long double>(horizon.h) * i / instants;
       long double from[D], to[D];
       inside_once = box_at<D>(model.pages.layout(), record, horizon.now + tau, from, to);
       for (int axis = 0; axis < D && inside_once; ++axis)
@@ -57,8 +57,8 @@ void expect_nearest_complete(TreeModel& model, const Horizon& horizon, const Vec
                              const Vec<D>& velocity, std::size_t k) {
   auto sampled_distance = [&](const std::vector<double>& record) {
     long double least = infinity;
-    for (int i = 0; i <= moments; ++i) {
-      const long double tau = static_cast<long double>(horizon.h) * i / moments;
+    for (int i = 0; i <= instants; ++i) {
+      const long double tau = static_cast<long double>(horizon.h) * i / instants;
       long double from[D], to[D], squared = 0;
       if (!box_at<D>(model.pages.layout(), record, horizon.now + tau, from, to)) continue;
       for (int axis = 0; axis < D; ++axis) {

@@ -113,15 +113,15 @@ struct TreeModel {
 
 /// Where an object is at a moment, by long doubles and nothing of the tree's own; false: not there then.
 template <int D>
-bool box_at(const Layout& layout, const std::vector<double>& record, long double moment,
+bool box_at(const Layout& layout, const std::vector<double>& record, long double time,
             long double (&lower)[D], long double (&upper)[D]) {
   std::vector<double> row(static_cast<std::size_t>(row_offsets(layout).size));
   row_from_record(layout, record.data(), row.data());
   const Bodies body(layout, row.data(), 1);
   const Motion<D> motion = motion_of<D>(body, 0);
   const Extents<D> extents = extents_of<D>(body, 0);
-  if (moment < motion.t || moment > motion.until) return false;
-  const long double s = moment - motion.t;
+  if (time < motion.t || time > motion.until) return false;
+  const long double s = time - motion.t;
   for (int axis = 0; axis < D; ++axis) {
     const long double centre = motion.x[axis] + motion.v[axis] * s + motion.a[axis] * s * s / 2;
     lower[axis] = centre + extents.lower[axis], upper[axis] = centre + extents.upper[axis];

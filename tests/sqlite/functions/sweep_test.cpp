@@ -35,11 +35,11 @@ TEST(Sweeps, HoldTheirObjectsAndNotMuchMore) {
   Database db;
   build_table(db, "objects", random_scene({.layout = tiled_layouts[0], .count = 300, .seed = 4}));
   const std::string sweep = "predictive_sweep(3, 'objects', 2, 0) s";
-  for (const char* moment : {"0", "0.7", "1.5", "2.9", "3"})
+  for (const char* time : {"0", "0.7", "1.5", "2.9", "3"})
     EXPECT_EQ(db.rows("SELECT count(*), sum(p.x - r - 1 >= s.x0 AND p.x + r + 1 <= s.x1 AND p.y - r - 1 >= "
                       "s.y0 AND p.y + r + 1 <= s.y1)"
                       " - count(*) FROM predictive_position(" +
-                      std::string(moment) + ") p JOIN objects USING (id) JOIN " + sweep + " USING (id)")
+                      std::string(time) + ") p JOIN objects USING (id) JOIN " + sweep + " USING (id)")
                   .substr(3),
               "|0");
   EXPECT_EQ(

@@ -20,9 +20,9 @@ namespace {
   run(std::string("PRAGMA journal_mode = ") + journal_mode + "; PRAGMA cache_size = 20");
   LifeScript script(life, seed);
   for (std::int64_t number = 1;; ++number) {
-    const std::string moment = std::to_string(seed * 10 + static_cast<unsigned>(number) % 10);
+    const std::string time = std::to_string(seed * 10 + static_cast<unsigned>(number) % 10);
     run("BEGIN;" + script.changes(number % 4 == 0 ? 60 : 6));
-    if (number % 3 == 0) run("INSERT INTO alerts(alerts, now) VALUES('advance', " + moment + ")");
+    if (number % 3 == 0) run("INSERT INTO alerts(alerts, now) VALUES('advance', " + time + ")");
     run("UPDATE progress SET k = " + std::to_string(number) + "; COMMIT");
     announce(number);
   }

@@ -46,7 +46,7 @@ class LifeScript {
 
   const WatchLife& life_;
   std::mt19937 random_;
-  int moment_ = 0;
+  int time_ = 0;
 };
 
 }  // namespace foresee::testing

@@ -31,7 +31,7 @@ class WatchWays : public ::testing::TestWithParam<const char*> {
       return std::to_string(static_cast<int>(random_() % unsigned(2 * n + 1)) - n);
     };
     db.exec("INSERT OR REPLACE INTO " + table + " VALUES (" + std::to_string(id) + ", " +
-            std::to_string(moment_) + ", " + draw(150) + ", " + draw(150) + ", " + draw(4) + ", " + draw(4) +
+            std::to_string(time_) + ", " + draw(150) + ", " + draw(150) + ", " + draw(4) + ", " + draw(4) +
             ", 1)");
   }
   void change(int count) {
@@ -57,12 +57,12 @@ class WatchWays : public ::testing::TestWithParam<const char*> {
 
   Database db;
   std::mt19937 random_{3};
-  int moment_ = 0;
+  int time_ = 0;
 };
 
 TEST_P(WatchWays, FewManyAndMostChangesGiveTheRowsOfTheJoin) {
   for (const int count : {1, 60, 5, 300, 20, 90, 2, 600, 30}) {
-    ++moment_;
+    ++time_;
     db.exec("BEGIN");
     change(count);
     expect_joined();

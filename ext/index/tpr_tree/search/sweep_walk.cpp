@@ -17,8 +17,8 @@ namespace {
 
 constexpr double reach_pad = 0x1p-47;  // 64 units
 
-double farthest(double moment, const Times& times) {
-  return std::max(std::abs(moment - times.t_least), std::abs(moment - times.t_greatest));
+double farthest(double time, const Times& times) {
+  return std::max(std::abs(time - times.t_least), std::abs(time - times.t_greatest));
 }
 
 /// What swept boxes of objects beneath an entry can cover; a face that no number bounds is infinite or NaN.

@@ -55,9 +55,9 @@ void ChildChoice<D>::costs_with(const Bounds<D>& added, std::vector<double>& cos
     }
   }
   std::fill(costs.begin(), costs.end(), 0.0);
-  for (int moment = 0; moment < 3; ++moment) {
-    const double s = cost_.elapsed(moment);
-    std::fill(product_.begin(), product_.end(), moment == 1 ? 4.0 : 1.0);
+  for (int time = 0; time < 3; ++time) {
+    const double s = cost_.elapsed(time);
+    std::fill(product_.begin(), product_.end(), time == 1 ? 4.0 : 1.0);
     for (int axis = 0; axis < D; ++axis) {
       const double* x = widths_.data() + static_cast<std::size_t>(axis) * children_;
       const double *v = x + D * children_, *a = v + D * children_;

@@ -35,12 +35,12 @@ inline Agreement agreement_of(std::span<const double> ours, std::span<const doub
 }
 
 /// The moments of all pairs, by the hits among them, which stand in the same order.
-inline std::vector<double> moments_of(std::span<const Pair> pairs, std::span<const Pair> hits,
-                                      std::span<const ContactTimes> times) {
-  std::vector<double> moments(pairs.size(), never);
+inline std::vector<double> times_of(std::span<const Pair> pairs, std::span<const Pair> hits,
+                                    std::span<const ContactTimes> times) {
+  std::vector<double> instants(pairs.size(), never);
   for (std::size_t i = 0, hit = 0; i < pairs.size() && hit < hits.size(); ++i)
-    if (pairs[i] == hits[hit]) moments[i] = times[hit++].dt;
-  return moments;
+    if (pairs[i] == hits[hit]) instants[i] = times[hit++].dt;
+  return instants;
 }
 
 }  // namespace foresee::bench
