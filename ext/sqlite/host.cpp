@@ -12,8 +12,8 @@ namespace {
 
 // As sqlite3_libversion_number() counts.
 constexpr int oldest = 3031000;
-constexpr int tells_constraints = 3038000;                    // sqlite3_vtab_in, sqlite3_vtab_rhs_value
-constexpr int tells_schemas = 3039000;                        // sqlite3_db_name
+constexpr int reports_constraints = 3038000;                  // sqlite3_vtab_in, sqlite3_vtab_rhs_value
+constexpr int reports_schemas = 3039000;                      // sqlite3_db_name
 constexpr int reads_first = 3040000, past_reading = 3041000;  // reads_to_compare()
 
 bool host_has(int since) {
@@ -29,7 +29,7 @@ void require_version(int number, const char* host) {
 }
 
 bool may_be_list(sqlite3_index_info& info, int i) {
-  return !host_has(tells_constraints) || sqlite3_vtab_in(&info, i, -1) != 0;
+  return !host_has(reports_constraints) || sqlite3_vtab_in(&info, i, -1) != 0;
 }
 
 bool reads_to_compare() {
@@ -38,7 +38,7 @@ bool reads_to_compare() {
 
 sqlite3_value* written_value(sqlite3_index_info& info, int i) {
   sqlite3_value* value = nullptr;
-  if (!host_has(tells_constraints) || sqlite3_vtab_rhs_value(&info, i, &value) != SQLITE_OK) return nullptr;
+  if (!host_has(reports_constraints) || sqlite3_vtab_rhs_value(&info, i, &value) != SQLITE_OK) return nullptr;
   return value;
 }
 
@@ -48,7 +48,7 @@ std::vector<std::string> schema_names(sqlite3* db) {
   const auto add = [&](std::int64_t place, std::string name) {
     names.insert(place == 1 ? names.begin() : names.end(), std::move(name));
   };
-  if (host_has(tells_schemas)) {
+  if (host_has(reports_schemas)) {
     for (int place = 0; const char* name = sqlite3_db_name(db, place); ++place) add(place, name);
   } else {
     Statement schemas(db, "PRAGMA database_list");

@@ -69,7 +69,7 @@ GIVEN = {
     "sort_keys.h": {"partition": "const Partition<2>&", "stripes": "const Stripes<2>&"},
     "paper_grid.h": {"pairs": "std::vector<Pair>&"},
     "choose.h": {"state": "TreeState<2>&", "inner": "const Node*", "object": "const Mover<2>&"},
-    "division.h": {"state": "TreeState<2>&", "parts": "std::vector<std::vector<int>>&", "object": "int"},
+    "space_partitioning.h": {"state": "TreeState<2>&", "parts": "std::vector<std::vector<int>>&", "object": "int"},
     "even_out.h": {"state": "TreeState<2>&"},
     "leaf_pack.h": {"state": "TreeState<2>&", "leaf7": "const Node*", "leaf9": "const Node*"},
     "merge.h": {"state": "TreeState<2>&"},

@@ -106,7 +106,7 @@ class Ray {
 
   /// On which side of the triangle's plane the place is: 1 where the normal points.
   int plane_sign(const SpaceCorner* const corners[3]) {
-    const Run u{corners[0], corners[1]}, v{corners[1], corners[2]};
+    const EdgeVector u{corners[0], corners[1]}, v{corners[1], corners[2]};
     const Components<Bounded> normal = direction_of<Bounded>({.factors = 2, .u = u, .v = v});
     Bounded sum{};
     for (std::size_t j = 0; j < 3; ++j)

@@ -20,7 +20,7 @@ double coordinate(const SpaceCorner& corner, int axis) {
 }
 
 /// Of component j of u x v, exactly.
-int minor_sign(const Run& u, const Run& v, int j) {
+int minor_sign(const EdgeVector& u, const EdgeVector& v, int j) {
   const auto seen = [j](const SpaceCorner& corner) {
     return Corner{coordinate(corner, (j + 1) % 3), coordinate(corner, (j + 2) % 3)};
   };
@@ -60,10 +60,10 @@ class Extremes {
 
   /// Nothing of a triangle is farther than the rest along its normal.
   bool is_own_normal() const {
-    const auto is_run = [this](const Run& run, std::size_t i) {
-      return run.from == piece_.runs()[i].from && run.to == piece_.runs()[i].to;
+    const auto is_edge_vector = [this](const EdgeVector& run, std::size_t i) {
+      return run.from == piece_.edge_vectors()[i].from && run.to == piece_.edge_vectors()[i].to;
     };
-    return axis_.factors == 2 && is_run(axis_.u, 0) && is_run(axis_.v, 1);
+    return axis_.factors == 2 && is_edge_vector(axis_.u, 0) && is_edge_vector(axis_.v, 1);
   }
 
   /// Requires: the axis is a run, or square to two.
@@ -85,7 +85,7 @@ class Extremes {
 
   /// As it is one of the runs that the axis was made of.
   bool is_square_to(const SpaceCorner& from, const SpaceCorner& to) const {
-    const auto is_along = [&](const Run& run) {
+    const auto is_along = [&](const EdgeVector& run) {
       return (run.from == &from && run.to == &to) || (run.from == &to && run.to == &from);
     };
     if (axis_.factors == 2) return is_along(axis_.u) || is_along(axis_.v);
@@ -110,7 +110,7 @@ bool are_surely_not_parallel(const Components<Bounded>& cross) {
 
 }  // namespace
 
-bool are_parallel(const Run& u, const Run& v) {
+bool are_parallel(const EdgeVector& u, const EdgeVector& v) {
   return minor_sign(u, v, 0) == 0 && minor_sign(u, v, 1) == 0 && minor_sign(u, v, 2) == 0;
 }
 
@@ -129,10 +129,10 @@ bool SpaceHull::make(const SpaceAxis& axis, SpacePlanes& planes) const {
 
 RoundPart RoundParts::face_of_triangle(bool of_a, const SpaceCorner& seen_from) const {
   const SpacePiece& triangle = one(of_a);
-  const Run &u = triangle.runs()[0], &v = triangle.runs()[1];
+  const EdgeVector &u = triangle.edge_vectors()[0], &v = triangle.edge_vectors()[1];
   RoundPart part{.round = condition(of_a, Kind::slab, 1, {.factors = 2, .u = u, .v = v}, *u.from, seen_from)};
   // The normal times an edge points inwards.
-  for (const Run& run : triangle.runs())
+  for (const EdgeVector& run : triangle.edge_vectors())
     add(part,
         condition(of_a, Kind::plane, -1, {.factors = 3, .u = u, .v = v, .w = run}, *run.from, seen_from));
   return part;
@@ -142,7 +142,7 @@ RoundPart RoundParts::face_of_box(bool of_a, int i, const SpaceCorner& seen_from
   const SpacePiece& box = one(of_a);
   const SpaceCorner &lower = box.corner(0), &upper = box.corner(7);
   const auto across = [&box](int axis) {
-    return SpaceAxis{.factors = 1, .u = box.runs()[static_cast<std::size_t>(axis)]};
+    return SpaceAxis{.factors = 1, .u = box.edge_vectors()[static_cast<std::size_t>(axis)]};
   };
   RoundPart part{.round = condition(of_a, Kind::slab, 1, across(i % 3), i < 3 ? lower : upper, seen_from)};
   for (const int axis : {(i + 1) % 3, (i + 2) % 3}) {
@@ -155,7 +155,7 @@ RoundPart RoundParts::face_of_box(bool of_a, int i, const SpaceCorner& seen_from
 RoundPart RoundParts::edge(bool of_a, int i, const SpaceCorner& seen_from) const {
   const SpacePiece& piece = one(of_a);
   const auto [from, to] = piece.edge(i);
-  const SpaceAxis along{.factors = 1, .u = piece.run_of_edge(i)};
+  const SpaceAxis along{.factors = 1, .u = piece.vector_of_edge(i)};
   RoundPart part{.round = condition(of_a, Kind::tube, 1, along, piece.corner(from), seen_from)};
   add(part, condition(of_a, Kind::plane, -1, along, piece.corner(from), seen_from));
   add(part, condition(of_a, Kind::plane, 1, along, piece.corner(to), seen_from));
@@ -167,7 +167,7 @@ RoundPart RoundParts::edge(bool of_a, int i, const SpaceCorner& seen_from) const
 RoundPart RoundParts::edges(int i, int k) const {
   const auto [p_from, p_to] = a_.edge(i);
   const auto [q_from, q_to] = b_.edge(k);
-  const Run &u = a_.run_of_edge(i), &v = b_.run_of_edge(k);
+  const EdgeVector &u = a_.vector_of_edge(i), &v = b_.vector_of_edge(k);
   const SpaceCorner &p = a_.corner(p_from), &p_end = a_.corner(p_to);
   const SpaceCorner &q = b_.corner(q_from), &q_end = b_.corner(q_to);
   const SpaceAxis beside_a{.factors = 3, .u = u, .v = v, .w = v},

@@ -32,7 +32,7 @@ struct SpacePlanes {
 };
 
 /// Whether the runs are parallel, exactly.
-bool are_parallel(const Run& u, const Run& v);
+bool are_parallel(const EdgeVector& u, const EdgeVector& v);
 
 /// The pieces must outlive it.
 class SpaceHull {
@@ -54,15 +54,15 @@ class SpaceHull {
         return;
     }
     if (a_.is_point() || b_.is_point()) return along(a_.is_point() ? b_ : a_, take);
-    for (const Run& u : a_.runs())
-      for (const Run& v : b_.runs())
+    for (const EdgeVector& u : a_.edge_vectors())
+      for (const EdgeVector& v : b_.edge_vectors())
         if (is_wanted() && !across({.factors = 2, .u = u, .v = v}, take)) return;
     if (is_flat && !a_.is_box() && !b_.is_box()) along(a_, take);
   }
 
  private:
   static SpaceAxis normal_of(const SpacePiece& triangle) {
-    return {.factors = 2, .u = triangle.runs()[0], .v = triangle.runs()[1]};
+    return {.factors = 2, .u = triangle.edge_vectors()[0], .v = triangle.edge_vectors()[1]};
   }
 
   /// The planes square to an axis. Whether more are wanted, as from all of these.
@@ -75,7 +75,7 @@ class SpaceHull {
   }
   template <class Take>
   bool across_box(const SpacePiece& box, Take&& take) const {
-    for (const Run& run : box.runs())
+    for (const EdgeVector& run : box.edge_vectors())
       if (!across({.factors = 1, .u = run}, take)) return false;
     return true;
   }
@@ -85,7 +85,7 @@ class SpaceHull {
     const SpaceAxis normal = normal_of(triangle);
     for (const SpacePiece* piece : {&a_, &b_}) {
       if (piece->is_box()) continue;
-      for (const Run& run : piece->runs())
+      for (const EdgeVector& run : piece->edge_vectors())
         if (!across({.factors = 3, .u = normal.u, .v = normal.v, .w = run}, take)) return;
     }
   }
@@ -113,7 +113,8 @@ class RoundParts {
         if (other(of_a).owns_corner(i) && !at_corner(of_a, other(of_a).corner(i), take)) return;
     for (int i = 0; i < a_.edge_count(); ++i)
       for (int k = 0; a_.owns_edge(i) && k < b_.edge_count(); ++k)
-        if (b_.owns_edge(k) && !are_parallel(a_.run_of_edge(i), b_.run_of_edge(k)) && !take(edges(i, k)))
+        if (b_.owns_edge(k) && !are_parallel(a_.vector_of_edge(i), b_.vector_of_edge(k)) &&
+            !take(edges(i, k)))
           return;
   }
 

@@ -12,14 +12,15 @@ constexpr SpaceCorner origin{0, 0, 0}, units[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1
 
 SpacePiece::SpacePiece(const TriangleTree& triangles, std::size_t triangle)
     : triangles_(&triangles), triangle_(triangle) {
-  for (int i = 0; i < 3; ++i) runs_[static_cast<std::size_t>(i)] = {&corner(i), &corner(i == 2 ? 0 : i + 1)};
+  for (int i = 0; i < 3; ++i)
+    edge_vectors_[static_cast<std::size_t>(i)] = {&corner(i), &corner(i == 2 ? 0 : i + 1)};
 }
 
 SpacePiece::SpacePiece(const SpaceCorner* corners)
     : box_(corners),
       flat_((corners[0].x == corners[7].x) | (corners[0].y == corners[7].y) << 1 |
             (corners[0].z == corners[7].z) << 2),
-      runs_{{{&origin, &units[0]}, {&origin, &units[1]}, {&origin, &units[2]}}} {}
+      edge_vectors_{{{&origin, &units[0]}, {&origin, &units[1]}, {&origin, &units[2]}}} {}
 
 std::array<int, 2> SpacePiece::edge(int i) const {
   if (!is_box()) return {i, i == 2 ? 0 : i + 1};
@@ -49,7 +50,7 @@ Bounded close_minor(const Components<DoubleDouble>& a, const Components<DoubleDo
   return {minor.high, std::abs(minor.low) + lost};
 }
 
-Components<Bounded> close_cross_product(const Run& u, const Run& v) {
+Components<Bounded> close_cross_product(const EdgeVector& u, const EdgeVector& v) {
   Components<Bounded> cross =
       cross_product(gap_between<Bounded>(*u.to, *u.from), gap_between<Bounded>(*v.to, *v.from));
   const auto is_close = [](const Bounded& c) { return c.error <= 0x1p-44 * std::abs(c.value); };

@@ -25,7 +25,7 @@ namespace foresee {
 //   if (pieces.is_leaf(node)) test(pieces.piece(pieces.item(node)));
 
 /// From one corner to another: never of no length.
-struct Run {
+struct EdgeVector {
   const SpaceCorner *from, *to;
 };
 
@@ -43,9 +43,9 @@ class SpacePiece {
   /// The corners at both ends of an edge.
   std::array<int, 2> edge(int i) const;
   /// Which way edge i runs, also where a box has no width.
-  const Run& run_of_edge(int i) const { return runs_[is_box() ? i / 4 : i]; }
+  const EdgeVector& vector_of_edge(int i) const { return edge_vectors_[is_box() ? i / 4 : i]; }
   /// All ways that edges run.
-  const std::array<Run, 3>& runs() const { return runs_; }
+  const std::array<EdgeVector, 3>& edge_vectors() const { return edge_vectors_; }
   /// Corners and edges that several triangles share belong to one of them; of those that coincide in a box
   /// without width, one counts.
   bool owns_corner(int i) const {
@@ -63,7 +63,7 @@ class SpacePiece {
   std::size_t triangle_ = 0;
   const SpaceCorner* box_ = nullptr;
   int flat_ = 0;
-  std::array<Run, 3> runs_;
+  std::array<EdgeVector, 3> edge_vectors_;
 };
 
 /// Of one object at a time; what was taken must outlive its use.
@@ -110,7 +110,7 @@ class SpacePieces {
 /// A direction in space, not 0: that of a run, square to two runs, or square to such a one and a third run.
 struct SpaceAxis {
   int factors;  ///< 1: u; 2: u x v; 3: (u x v) x w
-  Run u = {}, v = {}, w = {};
+  EdgeVector u = {}, v = {}, w = {};
 };
 
 struct SpaceCondition {

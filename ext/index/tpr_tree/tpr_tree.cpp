@@ -3,8 +3,8 @@
 #include "base/axes.h"
 #include "base/steps.h"
 #include "index/tpr_tree/bulk_load/bulk_load.h"
-#include "index/tpr_tree/bulk_load/division.h"
 #include "index/tpr_tree/bulk_load/order.h"
+#include "index/tpr_tree/bulk_load/space_partitioning.h"
 #include "index/tpr_tree/update/grow.h"
 #include "index/tpr_tree/update/merge.h"
 #include "index/tpr_tree/update/repack.h"
@@ -95,23 +95,23 @@ class Tree final : public TprTree {
     }
   }
 
-  void load_anew(std::span<const std::int64_t> ids, std::span<const double> records,
-                 Interrupt& interrupt) override {
+  void reload(std::span<const std::int64_t> ids, std::span<const double> records,
+              Interrupt& interrupt) override {
     see_newest(records);
     free_all(state_.pages, interrupt);
     bulk_load_tree(state_, ids, records, interrupt);
   }
 
-  std::unique_ptr<SpaceDivision> divide(std::span<const double> sample, std::size_t parts,
-                                        std::span<const double> newest, Interrupt& interrupt) override {
+  std::unique_ptr<SpacePartitioning> divide(std::span<const double> sample, std::size_t partitions,
+                                            std::span<const double> newest, Interrupt& interrupt) override {
     if (newest.empty()) state_.clock = {};
     see_newest(newest);
-    return divide_space(state_, sample, parts, interrupt);
+    return divide_space(state_, sample, partitions, interrupt);
   }
 
-  void bulk_load_parts(ObjectParts& parts, Interrupt& interrupt) override {
+  void bulk_load_partitions(ObjectPartitions& partitions, Interrupt& interrupt) override {
     free_all(state_.pages, interrupt);
-    bulk_load_tree(state_, parts, interrupt);
+    bulk_load_tree(state_, partitions, interrupt);
   }
 
   void rebuild(Interrupt& interrupt) override {

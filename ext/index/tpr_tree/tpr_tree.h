@@ -37,21 +37,21 @@ struct TreeReport {
   std::size_t objects = 0, nodes = 0;
 };
 
-/// Which part of the space of positions and velocities is an object in? See division.h.
-class SpaceDivision {
+/// Which part of the space of positions and velocities is an object in? See space_partitioning.h.
+class SpacePartitioning {
  public:
-  virtual ~SpaceDivision() = default;
-  virtual std::size_t part_of(const double* record) = 0;
+  virtual ~SpacePartitioning() = default;
+  virtual std::size_t partition_of(const double* record) = 0;
 };
 
 /// Objects that memory cannot hold together, by the parts of a division.
-class ObjectParts {
+class ObjectPartitions {
  public:
-  virtual ~ObjectParts() = default;
+  virtual ~ObjectPartitions() = default;
   /// How many objects each part has, one or more in all of them together.
   virtual std::span<const std::size_t> counts() const = 0;
   /// Fills `ids` and `records` with a part's objects. Each part is read once.
-  virtual void read(std::size_t part, std::vector<std::int64_t>& ids, std::vector<double>& records) = 0;
+  virtual void read(std::size_t partition, std::vector<std::int64_t>& ids, std::vector<double>& records) = 0;
 };
 
 class TprTree {
@@ -73,15 +73,15 @@ class TprTree {
   virtual void merge(std::span<const std::int64_t> ids, std::span<const double> records,
                      Interrupt& interrupt) = 0;
   /// bulk_load() of objects among which are all that the tree has, those that were written last at the end.
-  virtual void load_anew(std::span<const std::int64_t> ids, std::span<const double> records,
-                         Interrupt& interrupt) = 0;
-  /// Parts for bulk_load_parts(), chosen by the records of some objects, drawn anywhere. `newest`: records
-  /// that were written last, if the tree goes on as with load_anew(); without any its clock starts again.
-  virtual std::unique_ptr<SpaceDivision> divide(std::span<const double> sample, std::size_t parts,
-                                                std::span<const double> newest, Interrupt& interrupt) = 0;
+  virtual void reload(std::span<const std::int64_t> ids, std::span<const double> records,
+                      Interrupt& interrupt) = 0;
+  /// Parts for bulk_load_partitions(), chosen by the records of some objects, drawn anywhere. `newest`: records
+  /// that were written last, if the tree goes on as with reload(); without any its clock starts again.
+  virtual std::unique_ptr<SpacePartitioning> divide(std::span<const double> sample, std::size_t partitions,
+                                                    std::span<const double> newest, Interrupt& interrupt) = 0;
   /// As bulk_load(), holding no more than a part in memory. Frees what the tree leads to, but tells the pages
   /// of no object that goes. Requires: divide() was called for these parts.
-  virtual void bulk_load_parts(ObjectParts& parts, Interrupt& interrupt) = 0;
+  virtual void bulk_load_partitions(ObjectPartitions& partitions, Interrupt& interrupt) = 0;
   /// bulk_load() with the objects that the tree has.
   virtual void rebuild(Interrupt& interrupt) = 0;
 };

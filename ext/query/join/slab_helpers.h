@@ -35,20 +35,20 @@ class SlabBatch {
   /// Pairs for ContactStage::write_touching().
   void add_touching(std::span<const Pair> pairs) {
     touching_.insert(touching_.end(), pairs.begin(), pairs.end());
-    add_run(true, pairs.size());
+    add_chunk(true, pairs.size());
   }
   /// What `answer` appends to rows.
   template <class Answer>
   void add_rows(Answer answer) {
     const std::size_t before = rows_.size();
     answer(rows_);
-    add_run(false, rows_.size() - before);
+    add_chunk(false, rows_.size() - before);
   }
 
   /// Some rows that have not been read yet; empty once there are none. Valid until the next call.
   std::span<const JoinRow> next(const ContactStage& stage) {
-    if (run_ == runs_.size()) return {};
-    return runs_[run_].touching ? write_some(runs_[run_], stage) : rows_of(runs_[run_]);
+    if (chunk_ == chunks_.size()) return {};
+    return chunks_[chunk_].touching ? write_some(chunks_[chunk_], stage) : rows_of(chunks_[chunk_]);
   }
 
   std::size_t bytes() const {
@@ -56,44 +56,44 @@ class SlabBatch {
            touching_.size() * sizeof(Pair);
   }
   void clear() {
-    hits.clear(), rows_.clear(), touching_.clear(), runs_.clear();
-    run_ = rows_read_ = touching_read_ = 0;
+    hits.clear(), rows_.clear(), touching_.clear(), chunks_.clear();
+    chunk_ = rows_read_ = touching_read_ = 0;
   }
 
  private:
   /// So many of one kind, in a row.
-  struct Run {
+  struct Chunk {
     bool touching;
     std::size_t size;
   };
 
-  void add_run(bool touching, std::size_t size) {
+  void add_chunk(bool touching, std::size_t size) {
     if (size == 0) return;
-    if (!runs_.empty() && runs_.back().touching == touching)
-      runs_.back().size += size;
+    if (!chunks_.empty() && chunks_.back().touching == touching)
+      chunks_.back().size += size;
     else
-      runs_.push_back({touching, size});
+      chunks_.push_back({touching, size});
   }
-  std::span<const JoinRow> rows_of(const Run& run) {
-    const auto rows = std::span<const JoinRow>(rows_).subspan(rows_read_, run.size);
-    rows_read_ += run.size, ++run_;
+  std::span<const JoinRow> rows_of(const Chunk& chunk) {
+    const auto rows = std::span<const JoinRow>(rows_).subspan(rows_read_, chunk.size);
+    rows_read_ += chunk.size, ++chunk_;
     return rows;
   }
   /// Few at a time: they stay in the first cache until they are read.
-  std::span<const JoinRow> write_some(Run& run, const ContactStage& stage) {
+  std::span<const JoinRow> write_some(Chunk& chunk, const ContactStage& stage) {
     constexpr std::size_t few = 128;
-    const std::size_t count = std::min(run.size, few);
+    const std::size_t count = std::min(chunk.size, few);
     written_.clear();
     stage.write_touching(std::span<const Pair>(touching_).subspan(touching_read_, count), written_);
-    touching_read_ += count, run.size -= count;
-    if (run.size == 0) ++run_;
+    touching_read_ += count, chunk.size -= count;
+    if (chunk.size == 0) ++chunk_;
     return written_;
   }
 
   std::vector<JoinRow> rows_, written_;
   std::vector<Pair> touching_;
-  std::vector<Run> runs_;
-  std::size_t run_ = 0, rows_read_ = 0, touching_read_ = 0;  // what has been read
+  std::vector<Chunk> chunks_;
+  std::size_t chunk_ = 0, rows_read_ = 0, touching_read_ = 0;  // what has been read
 };
 
 class SlabHelpers {

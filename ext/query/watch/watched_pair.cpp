@@ -8,8 +8,8 @@ namespace {
 /// Both are held: the row stays where it says the same.
 PairChange compare_held(const WatchedPair& before, const WatchedPair& after, const WatchClock& clock) {
   PairChange change{.row = after};
-  const double told = clock.shown(before.told), now = clock.shown(after.t);
-  const bool moved = told != now && !(std::abs(told - now) <= clock.tolerance);
+  const double before_t = clock.shown(before.told), now = clock.shown(after.t);
+  const bool moved = before_t != now && !(std::abs(before_t - now) <= clock.tolerance);
   if (moved) change.op = '~';
   change.row.told = moved ? after.t : before.told;
   const bool same_time = clock.shown(before.t) == now;

@@ -131,10 +131,10 @@ constexpr int order_length_at = 16, order_at = 20;  // in idxNum
 
 /// The bits of the outputs of which a call is told whether they are read: all, or of a function with orders
 /// the first sixteen.
-std::uint32_t outputs_told(const TableFunction& function) {
+std::uint32_t outputs_reported(const TableFunction& function) {
   constexpr int most = 30;
-  const int told = function.orders.empty() ? most : order_length_at;
-  return (1u << std::min(output_count(function), told)) - 1;
+  const int max_bits = function.orders.empty() ? most : order_length_at;
+  return (1u << std::min(output_count(function), max_bits)) - 1;
 }
 
 /// If ORDER BY is one of the function's orders, or the beginning of one, rows come in that order and SQLite
@@ -168,7 +168,7 @@ int plan_call(const TableFunction& function, const Connection& connection, Plans
   }
   const int order = take_order(function, info);
   if (order != 0) take_row_limit(function, info, plan.arguments);
-  info.idxNum = static_cast<int>(info.colUsed & outputs_told(function)) | order;
+  info.idxNum = static_cast<int>(info.colUsed & outputs_reported(function)) | order;
   estimate(function, connection, before, plan, info);
   info.idxStr = sqlite3_mprintf("%s", described(plan, output_count(function)).c_str());
   if (!info.idxStr) return SQLITE_NOMEM;
@@ -182,7 +182,7 @@ PlannedArgument planned_argument(const char* plan, std::size_t argument) {
 }
 
 std::uint32_t planned_outputs(const TableFunction& function, int plan) {
-  return static_cast<std::uint32_t>(plan) & outputs_told(function);
+  return static_cast<std::uint32_t>(plan) & outputs_reported(function);
 }
 
 std::span<const int> planned_order(const TableFunction& function, int plan) {

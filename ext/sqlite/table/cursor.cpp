@@ -49,7 +49,7 @@ void TableCursor::seek_object(sqlite3_value* value) {
   if (type == SQLITE_FLOAT && static_cast<double>(id) != sqlite3_value_double(value)) return;
   Store& store = table_.store();
   if (const auto first = rising_.next(id)) store.fetch_ahead(*first, RisingIds::batch);
-  const std::span<const double> record = store.find(id, belief_);
+  const std::span<const double> record = store.find(id, statement_state_);
   if (record.empty()) return;
   ids_.push_back(id);
   records_.assign(record.begin(), record.end());
@@ -120,7 +120,7 @@ void TableCursor::keep_ids() {
 /// As well-known text; NULL where there is none, and nothing where an UPDATE leaves it as it is.
 void TableCursor::result_form(sqlite3_context* context, double number) const {
   if (number == 0 || sqlite3_vtab_nochange(context)) return;
-  const std::string text = table_.store().form(static_cast<std::int64_t>(number), belief_)->text();
+  const std::string text = table_.store().form(static_cast<std::int64_t>(number), statement_state_)->text();
   sqlite3_result_text(context, text.data(), static_cast<int>(text.size()), SQLITE_TRANSIENT);
 }
 

@@ -47,7 +47,7 @@ class TableCursor : public sqlite3_vtab_cursor {
   std::int64_t leaf_ = 0;
   std::size_t found_ = 0;  ///< objects of all leaves so far
   bool by_leaf_ = false;   ///< more leaves may follow
-  mutable StatementBelief belief_;
+  mutable StatementReadState statement_state_;
   RisingIds rising_;
   bool handle_ = false;  ///< the one row holds the table's number
   bool aborted_ = false;

@@ -8,7 +8,7 @@
 namespace foresee {
 namespace {
 
-using Constraint = sqlite3_index_info::sqlite3_index_constraint;
+using IndexConstraint = sqlite3_index_info::sqlite3_index_constraint;
 
 void use(sqlite3_index_info* info, std::size_t constraint, TablePlan plan, bool sqlite_need_not_check) {
   info->aConstraintUsage[constraint].argvIndex = 1;
@@ -19,7 +19,7 @@ void use(sqlite3_index_info* info, std::size_t constraint, TablePlan plan, bool 
   info->idxFlags = SQLITE_INDEX_SCAN_UNIQUE;
 }
 
-bool is_id(const Constraint& constraint) {
+bool is_id(const IndexConstraint& constraint) {
   return constraint.iColumn < 0 || constraint.iColumn == MovingObjectsTable::id_column;
 }
 
@@ -33,7 +33,7 @@ bool is_bound(unsigned char op) {
 double ids_between_bounds(sqlite3_index_info& info, double objects) {
   double least = 1, most = objects;
   for (int i = 0; i < info.nConstraint; ++i) {
-    const Constraint& constraint = info.aConstraint[i];
+    const IndexConstraint& constraint = info.aConstraint[i];
     if (!constraint.usable || !is_id(constraint) || !is_bound(constraint.op)) continue;
     sqlite3_value* written = written_value(info, i);
     if (!written || sqlite3_value_type(written) != SQLITE_INTEGER) continue;
@@ -49,7 +49,7 @@ double ids_between_bounds(sqlite3_index_info& info, double objects) {
 /// ones. A bound leaves a quarter, a value that must be equal a hundredth.
 double likely_rows(sqlite3_index_info& info, double objects) {
   double rows = objects;
-  for (const Constraint& constraint :
+  for (const IndexConstraint& constraint :
        std::span(info.aConstraint, static_cast<std::size_t>(info.nConstraint))) {
     if (!constraint.usable) continue;
     if (is_bound(constraint.op)) rows /= 4;
@@ -62,8 +62,8 @@ double likely_rows(sqlite3_index_info& info, double objects) {
 }  // namespace
 
 int plan_table(const MovingObjectsTable& table, sqlite3_index_info* info) {
-  const std::span<const Constraint> constraints(info->aConstraint,
-                                                static_cast<std::size_t>(info->nConstraint));
+  const std::span<const IndexConstraint> constraints(info->aConstraint,
+                                                     static_cast<std::size_t>(info->nConstraint));
   for (std::size_t i = 0; i < constraints.size(); ++i) {
     if (constraints[i].op != SQLITE_INDEX_CONSTRAINT_MATCH) continue;
     // A MATCH that no plan takes would fail in SQLite with less of an explanation.
@@ -74,7 +74,7 @@ int plan_table(const MovingObjectsTable& table, sqlite3_index_info* info) {
     }
   }
   for (std::size_t i = 0; i < constraints.size(); ++i) {
-    const Constraint& constraint = constraints[i];
+    const IndexConstraint& constraint = constraints[i];
     if (constraint.usable && is_id(constraint) && constraint.op == SQLITE_INDEX_CONSTRAINT_EQ) {
       use(info, i, TablePlan::one_object, false);
       return SQLITE_OK;

@@ -19,8 +19,8 @@ double objects_of(const Connection::OpenTable& table) {
 
 ChangedObjects changed_objects(const Connection::OpenTable& table, const std::optional<std::int64_t>& stamp) {
   ChangedObjects changed;
-  changed.told = stamp && stamp == table.store->stamp_before_changes();
-  if (!changed.told) return changed;
+  changed.reported = stamp && stamp == table.store->stamp_before_changes();
+  if (!changed.reported) return changed;
   const int t = table.store->format().at.t;
   table.store->for_each_change([&](std::int64_t id, std::span<const double>, std::span<const double> after) {
     changed.ids.push_back(id);

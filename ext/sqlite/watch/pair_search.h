@@ -22,7 +22,7 @@ namespace foresee {
 
 /// The objects of one table that this transaction has changed.
 struct ChangedObjects {
-  bool told = true;               ///< else anything may have changed
+  bool reported = true;           ///< else anything may have changed
   std::vector<std::int64_t> ids;  ///< rising
   std::vector<double> instants;   ///< the reference times that they have now
 

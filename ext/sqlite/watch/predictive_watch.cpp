@@ -57,7 +57,7 @@ int watch_create(sqlite3* db, void* aux, int argc, const char* const* argv, sqli
     watch->watches().forget(watch->name);
     watch->rows()->write_declaration(declaration);
     watch->watches().add_to_tables(connection, watch->name, declaration);
-    Settlement(connection, *watch->rows()).settle(Settlement::Tells::nothing);
+    Settlement(connection, *watch->rows()).settle(Settlement::Log::nothing);
     *table = watch.release();
     return SQLITE_OK;
   });

@@ -46,7 +46,7 @@ bool is_lost(const WatchState& state, const WatchedTables& tables) {
   if (is_settled(state, tables)) return false;
   ChangedSides changed{.a = changed_objects(tables.a, state.stamp), .b = {}};
   if (tables.b && !tables.are_one()) changed.b = changed_objects(*tables.b, state.other_stamp);
-  if (state.anew || !changed.a.told || !changed.b.told) return true;
+  if (state.anew || !changed.a.reported || !changed.b.reported) return true;
   return changed.a.ids.empty() && changed.b.ids.empty() && lacks_clock(state, tables);
 }
 
@@ -59,7 +59,7 @@ void require_listed(const Connection::OpenTable& table, const std::string& watch
               watch + " and CREATE it again");
 }
 
-ListedWatch look_at(Connection& connection, const QualifiedName& name, bool counts) {
+ListedWatch read_watch(Connection& connection, const QualifiedName& name, bool counts) {
   ListedWatch watch{name};
   try {
     const std::shared_ptr<WatchRows> rows = watches_of(connection).rows(connection, name);
@@ -151,7 +151,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   std::vector<ListedWatch> watches;
   for (const VisibleTable& table : visible_tables(connection.db()))
     if (table.is_watch && is_in(table, schema) && is_in(table, old_schema))
-      watches.push_back(look_at(connection, {table.schema, table.name}, counts));
+      watches.push_back(read_watch(connection, {table.schema, table.name}, counts));
   return std::make_unique<WatchList>(std::move(watches));
 }
 

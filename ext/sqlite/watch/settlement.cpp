@@ -42,10 +42,10 @@ Settlement::Settlement(Connection& connection, WatchRows& rows)
   if (tables_.b) state_.other_stamp = tables_.b->store->stored_stamp();
 }
 
-void Settlement::settle(Tells tells) {
+void Settlement::settle(Log log) {
   const bool same_contents = state_.stamp == before_.stamp && state_.other_stamp == before_.other_stamp;
   if (same_contents && !before_.asked && !before_.anew) return;
-  tells_ = tells == Tells::changes;
+  logs_ = log == Log::changes;
   changed_a_ = changed_objects(tables_.a, before_.stamp);
   if (tables_.are_one())
     changed_b_ = changed_a_;
@@ -57,7 +57,7 @@ void Settlement::settle(Tells tells) {
   else
     follow_changes();
   state_.anew = false;
-  if (!tells_) state_.seq = new_.empty() ? 0 : 1;
+  if (!logs_) state_.seq = new_.empty() ? 0 : 1;
   if (state_.seq != before_.seq && state_.seq > state_.keep) rows_.trim(state_.seq - state_.keep);
   rows_.write_state(state_, before_);
 }
@@ -65,8 +65,8 @@ void Settlement::settle(Tells tells) {
 // --- anew, or by changes
 
 void Settlement::compute_anew() {
-  if (before_.clock && !before_.anew) adapt_look();
-  look_further();
+  if (before_.clock && !before_.anew) adapt_look_ahead();
+  extend_look_ahead();
   for (const StoredPair& pair : rows_.pairs()) old_.push_back(watched(pair));
   JoinQuestion all = question_of_all(connection_, tables_, state_, queried_horizon());
   all.wants = {.contact = true, .ends = true, .approach = false};
@@ -79,8 +79,8 @@ void Settlement::follow_changes() {
   const double known_to = before_.known_to;
   const bool looks_ahead = !(next_above(horizon_end_) <= known_to);
   if (looks_ahead) {
-    adapt_look();
-    look_further();
+    adapt_look_ahead();
+    extend_look_ahead();
   } else {
     const double beyond = next_above(next_above(known_to)) - clock_;  // rounded, and no less than known_to
     reach_ = std::min(std::max(state_.horizon, beyond), std::numeric_limits<double>::max());
@@ -109,7 +109,7 @@ void Settlement::query_due_pairs() {
   const auto is_changed = [&](const StoredPair& pair) {
     return changed_a_.holds(pair.a) || (tables_.b ? changed_b_ : changed_a_).holds(pair.b);
   };
-  const auto look_at = [&](const StoredPair& pair) {
+  const auto read_pair = [&](const StoredPair& pair) {
     if (is_changed(pair)) return;
     old_.push_back(watched(pair));
     if (!pair.held && pair.t > clock_ && pair.t < horizon_end_)
@@ -117,8 +117,8 @@ void Settlement::query_due_pairs() {
     else
       queried.push_back({pair.a, pair.b});
   };
-  for (const StoredPair& pair : rows_.due_pairs(true, clock_)) look_at(pair);
-  for (const StoredPair& pair : rows_.due_pairs(false, horizon_end_)) look_at(pair);
+  for (const StoredPair& pair : rows_.due_pairs(true, clock_)) read_pair(pair);
+  for (const StoredPair& pair : rows_.due_pairs(false, horizon_end_)) read_pair(pair);
   take(contacts_of(connection_, tables_, question(queried_horizon()), queried));
 }
 
@@ -238,7 +238,7 @@ void Settlement::write_difference(const WatchedPair* before, const WatchedPair* 
     const bool only_moves = before && before->held == row.held && before->due == row.due;
     write(row, !before ? PairWrite::adds : only_moves ? PairWrite::moves : PairWrite::changes);
   }
-  if (change.op && tells_) rows_.append({++state_.seq, change.op, row.a, row.b, clock.shown(row.t), clock_});
+  if (change.op && logs_) rows_.append({++state_.seq, change.op, row.a, row.b, clock.shown(row.t), clock_});
 }
 
 }  // namespace foresee

@@ -36,14 +36,14 @@ inline double next_above(double x) {
 
 class Settlement {
  public:
-  enum class Tells : std::uint8_t { changes, nothing };
+  enum class Log : std::uint8_t { changes, nothing };
 
   /// Writes out what the watch's tables hold in memory. Throws StoreError or Error where watch or tables
   /// cannot be read.
   Settlement(Connection& connection, WatchRows& rows);
 
   /// `nothing`: the rows of a new watch, which nobody has read yet.
-  void settle(Tells tells = Tells::changes);
+  void settle(Log log = Log::changes);
 
   /// Whether rows are written already: an error after that leaves changes that nobody is told of.
   bool has_written() const { return has_written_; }
@@ -54,8 +54,8 @@ class Settlement {
   bool any_object() const;
   void move_clock();
   bool must_compute_anew() const;
-  void look_further();
-  void adapt_look();
+  void extend_look_ahead();
+  void adapt_look_ahead();
 
   void compute_anew();
   void follow_changes();
@@ -87,7 +87,7 @@ class Settlement {
   double horizon_end_ = 0;  ///< clock + horizon, rounded
   double reach_ = 0;        ///< how far beyond the clock contact is asked
   std::vector<WatchedPair> old_, new_;
-  bool tells_ = true, has_written_ = false;
+  bool logs_ = true, has_written_ = false;
   bool replaces_ = false;  ///< every row is written, into a table without any
 };
 

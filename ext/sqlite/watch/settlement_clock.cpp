@@ -46,9 +46,9 @@ std::vector<double> Settlement::reported_times() const {
   std::vector<double> instants;
   const auto add = [&](const ChangedObjects& changed, const Connection::OpenTable& table) {
     const Layout& layout = table.store->format().layout;
-    if (changed.told && layout.has_t)
+    if (changed.reported && layout.has_t)
       instants.insert(instants.end(), changed.instants.begin(), changed.instants.end());
-    else if (changed.told)
+    else if (changed.reported)
       instants.resize(instants.size() + changed.ids.size());
     else
       append_times(*connection_.load_scene(table), instants);
@@ -63,7 +63,7 @@ std::vector<double> Settlement::reported_times() const {
 /// of: it begins at the median of them, since most are right.
 void Settlement::follow_reports() {
   const std::vector<double> instants = reported_times();
-  const bool counts = !state_.clock || (changed_a_.told && changed_b_.told);
+  const bool counts = !state_.clock || (changed_a_.reported && changed_b_.reported);
   if (!state_.clock && !instants.empty()) state_.clock = instants[(instants.size() - 1) / 2];
   for (const double t : instants) {
     if (t > *state_.clock + *state_.ahead)
@@ -74,14 +74,14 @@ void Settlement::follow_reports() {
 }
 
 bool Settlement::must_compute_anew() const {
-  if (!changed_a_.told || !changed_b_.told || before_.anew || !before_.clock) return true;
+  if (!changed_a_.reported || !changed_b_.reported || before_.anew || !before_.clock) return true;
   if (clock_ < *before_.clock || clock_ > before_.known_to) return true;
   return are_most(changed_a_, tables_.a) || (tables_.b && are_most(changed_b_, *tables_.b));
 }
 
 /// A look costs nearly the same however far it goes, some hundred nanoseconds for each object; what it finds
 /// costs two rows, for nothing where the pair is dropped before it is seen. The two are kept alike.
-void Settlement::adapt_look() {
+void Settlement::adapt_look_ahead() {
   double objects = static_cast<double>(tables_.a.store->likely_objects());
   if (tables_.b && !tables_.are_one()) objects += static_cast<double>(tables_.b->store->likely_objects());
   const double dropped = static_cast<double>(state_.dropped), fair = std::max(objects / 64, 16.0);
@@ -93,7 +93,7 @@ void Settlement::adapt_look() {
 
 /// At least far enough that the next look comes after some steps of the clock, where these are small beside
 /// the horizon; a single leap does not count.
-void Settlement::look_further() {
+void Settlement::extend_look_ahead() {
   const double largest = std::max(std::abs(clock_), std::abs(horizon_end_));
   const double rounding = 8 * (next_above(largest) - largest);  // what it cannot swallow
   const double step = std::min(state_.step, before_.step);

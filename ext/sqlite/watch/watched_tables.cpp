@@ -90,9 +90,9 @@ std::shared_ptr<Scene> scene_of(Connection& connection, const Connection::OpenTa
   const FloatEnvironment environment;  // accelerations are computed on loading
   auto scene = empty_scene(table);
   const auto row_size = static_cast<std::size_t>(row_offsets(scene->layout).size);
-  StatementBelief belief;
+  StatementReadState statement_state;
   for (const std::int64_t id : ids) {
-    const std::span<const double> record = table.store->find(id, belief);
+    const std::span<const double> record = table.store->find(id, statement_state);
     if (record.empty()) continue;
     scene->ids.push_back(id);
     scene->rows.resize(scene->rows.size() + row_size);

@@ -2,9 +2,9 @@
 // part by part.
 //
 //   ObjectSpill spill(db, name, record_size, 9, 16 << 20);
-//   spill.add(part, id, record);                    // all of them
+//   spill.add(partition, id, record);                    // all of them
 //   spill.finish();
-//   tree->bulk_load_parts(spill, interrupt);        // reads one part after another
+//   tree->bulk_load_partitions(spill, interrupt);        // reads one part after another
 //
 // The file is a database of its own, SQLite's for one connection and its life: where SQLite keeps temporary
 // files (SQLITE_TMPDIR), in memory where the connection's PRAGMA temp_store says MEMORY, gone when it is
@@ -24,23 +24,23 @@
 
 namespace foresee {
 
-class ObjectSpill final : public ObjectParts {
+class ObjectSpill final : public ObjectPartitions {
  public:
   /// `db`: the connection that says whether the file is in memory; `record_size` in doubles; `most_held`:
   /// bytes of objects that may wait for a write.
-  ObjectSpill(sqlite3* db, const QualifiedName& name, std::size_t record_size, std::size_t parts,
+  ObjectSpill(sqlite3* db, const QualifiedName& name, std::size_t record_size, std::size_t partitions,
               std::size_t most_held);
 
-  void add(std::size_t part, std::int64_t id, const double* record);
+  void add(std::size_t partition, std::int64_t id, const double* record);
   /// All are there.
   void finish();
 
   std::span<const std::size_t> counts() const override { return counts_; }
-  void read(std::size_t part, std::vector<std::int64_t>& ids, std::vector<double>& records) override;
+  void read(std::size_t partition, std::vector<std::int64_t>& ids, std::vector<double>& records) override;
 
  private:
   /// Objects of a part that are not written yet, and the rows that have the others.
-  struct Part {
+  struct Partition {
     std::vector<std::int64_t> ids;
     std::vector<double> records;
     std::vector<std::int64_t> rows;
@@ -51,11 +51,11 @@ class ObjectSpill final : public ObjectParts {
 
   template <class Body>
   void in_file(Body body);
-  void write(Part& part);
+  void write(Partition& partition);
 
   std::string table_;
   std::size_t record_size_, objects_a_row_;
-  std::vector<Part> parts_;
+  std::vector<Partition> partitions_;
   std::vector<std::size_t> counts_;
   std::int64_t rows_ = 0;
   std::unique_ptr<sqlite3, Close> file_;

@@ -61,7 +61,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   std::optional<std::vector<double>> read(std::int64_t id);
   /// The same for a statement that reads the table, again and again: empty if there is none, and good until
   /// the store is called again. Cost: the stamp once a statement; where the leaf is in memory some 100 ns.
-  std::span<const double> find(std::int64_t id, StatementBelief& belief);
+  std::span<const double> find(std::int64_t id, StatementReadState& statement_state);
   /// Prefetches what memory has of `many` ids from `first` on. Changes nothing.
   void fetch_ahead(std::int64_t first, std::int64_t many) { cache_.fetch_ahead(first, many); }
   /// All ids and rows (row_from_record of each record), leaf by leaf, as this connection sees them now.
@@ -82,7 +82,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// One of them, as this connection sees them now.
   std::shared_ptr<const Form> form(std::int64_t number) override;
   /// The same for a statement that reads the table, again and again.
-  std::shared_ptr<const Form> form(std::int64_t number, StatementBelief& belief);
+  std::shared_ptr<const Form> form(std::int64_t number, StatementReadState& statement_state);
   /// For snapshots; null in a table without.
   std::shared_ptr<const StoredForms::ByNumber> known_forms() { return forms_ ? forms_->known() : nullptr; }
   /// Whoever has read every leaf says how many objects there were: SQLITE_CORRUPT_VTAB if the map has others.
@@ -162,7 +162,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   bool is_gone() const { return gone_; }
 
   // For a table that is connected again.
-  bool goes_by(const std::string& table) const { return !gone_ && name_.table == table; }
+  bool is_named(const std::string& table) const { return !gone_ && name_.table == table; }
   /// Everything that this transaction did here is gone, and nobody said so.
   bool is_taken_back();
 
@@ -188,7 +188,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   auto with_sound_tree(Body body);
   /// Forgets all nodes if another connection has committed since they were read. Cost: one look-up, none
   /// where this connection is writing.
-  void believe_only_this_stamp();
+  void revalidate_cache();
   void revalidate_at_begin();
   bool read_stored(std::int64_t id, std::vector<double>& record);
 
@@ -229,19 +229,19 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// pending.
   void merge_pending();
   void merge_into_tree(Interrupt& interrupt);
-  void load_anew(Interrupt& interrupt);
+  void reload(Interrupt& interrupt);
   void append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records) const;
   void flush();
 
   // the tree anew (store_pack.cpp)
-  class LoadInParts;
+  class PartitionedLoad;
   /// Every stored leaf, sound, until use() says false; false: it did.
   bool read_stored_leaves(Interrupt& interrupt, const std::function<bool(const LeafView&)>& use);
   /// Sorts them.
   void require_unique(std::vector<std::int64_t>& ids, Interrupt& interrupt) const;
   void pack(Interrupt& interrupt);
-  void pack_in_parts(Interrupt& interrupt);
-  void load_anew_in_parts(Interrupt& interrupt);
+  void pack_partitioned(Interrupt& interrupt);
+  void load_partitioned(Interrupt& interrupt);
   std::int64_t form_of(const double* record) const;
   /// Outlines that none of these numbers names go, unless a snapshot may still ask for them.
   void keep_only_forms(const std::unordered_set<std::int64_t>& used);
@@ -251,7 +251,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   bool waits() const { return cache_.waits() || pending_->count() > 0 || count_.added != 0; }
   void back_to(const StoreSavepoint& savepoint);
   void back_to_begin() noexcept;
-  void go_by(const std::string& table);
+  void set_table_name(const std::string& table);
   std::size_t savepoints_before(int level) const noexcept;
   void give_up_savepoints(std::size_t from) noexcept;
   /// Memory knows of no transaction any more: no savepoint, nothing pending, not torn.
@@ -287,11 +287,11 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   int own_statements_ = 0;    ///< our own statements under way: callbacks that come now are about them
   bool rolled_back_ = false;  ///< … SQLite rolled everything back among them
   std::vector<StoreSavepoint> savepoints_;
-  std::uint64_t transaction_ = 1;               ///< moves whenever one ends
-  std::vector<double> first_found_;             ///< what find() read past the cache, if it ever did
-  std::optional<std::int64_t> believed_stamp_;  ///< the cache is as the tables were under this stamp
-  std::optional<std::int64_t> stamp_before_;    ///< … before this transaction
-  std::optional<std::int64_t> own_stamp_;       ///< what this transaction has written last and not taken back
+  std::uint64_t transaction_ = 1;             ///< moves whenever one ends
+  std::vector<double> first_found_;           ///< what find() read past the cache, if it ever did
+  std::optional<std::int64_t> cached_stamp_;  ///< the cache is as the tables were under this stamp
+  std::optional<std::int64_t> stamp_before_;  ///< … before this transaction
+  std::optional<std::int64_t> own_stamp_;     ///< what this transaction has written last and not taken back
   /// … by a flush, which changes no object: read_version() goes on showing the stamp from before it.
   SameContents same_contents_;
   std::string table_at_begin_;  ///< the table's name then: renaming can be taken back

@@ -28,9 +28,9 @@ void Store::merge_pending() {
     if (stored > 0 && pending <= stored * worth_loading)
       merge_into_tree(interrupt);
     else if (stored > 0 && bytes > static_cast<double>(memory_->most_ordered()))
-      load_anew_in_parts(interrupt);
+      load_partitioned(interrupt);
     else
-      load_anew(interrupt);
+      reload(interrupt);
   });
   const std::uint64_t undo_position = undo_position_;
   const bool differs = differs_from_version_;
@@ -48,7 +48,7 @@ void Store::merge_into_tree(Interrupt& interrupt) {
   tree_->merge(ids, records, interrupt);
 }
 
-void Store::load_anew(Interrupt& interrupt) {
+void Store::reload(Interrupt& interrupt) {
   std::vector<std::int64_t> ids;
   std::vector<double> records;
   collect_objects(cache_, ids, records, interrupt);
@@ -70,7 +70,7 @@ void Store::load_anew(Interrupt& interrupt) {
   }
   ids.resize(kept), records.resize(kept * size);
   append_pending(ids, records);
-  tree_->load_anew(ids, records, interrupt);
+  tree_->reload(ids, records, interrupt);
 }
 
 void Store::append_pending(std::vector<std::int64_t>& ids, std::vector<double>& records) const {

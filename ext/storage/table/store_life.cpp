@@ -22,7 +22,7 @@ std::shared_ptr<Store> Store::create(sqlite3* db, const std::string& schema, con
   const QualifiedName name{schema, table};
   const NodeFormat format = create_shadow_tables(db, name, declaration);
   // A table that a rollback to a savepoint has unmade: SQLite does not report that to it.
-  if (const auto other = find_open_store(db, name); other && other->goes_by(table)) other->close();
+  if (const auto other = find_open_store(db, name); other && other->is_named(table)) other->close();
   auto rows = std::make_unique<ShadowRows>(shadow_tables(db, name, declaration), declaration);
   auto store =
       std::make_shared<Store>(db, name, declaration, format, std::move(rows), true, memory_budget_of(db));
@@ -38,7 +38,7 @@ std::shared_ptr<Store> Store::open(sqlite3* db, const std::string& schema, const
   auto rows = std::make_unique<ShadowRows>(tables, declaration);
   const NodeFormat format = read_node_format(tables, rows->meta(), declaration);
   if (auto live = find_open_store(db, name);
-      live && live->goes_by(name.table) && same_columns(live->declaration(), declaration) &&
+      live && live->is_named(name.table) && same_columns(live->declaration(), declaration) &&
       live->format().node_size == format.node_size && !live->is_taken_back())
     return live;
   auto store =
@@ -87,25 +87,25 @@ void Store::damaged(const std::string& what) const {
 }
 
 // While this connection writes nobody else can. At any other time somebody may have written since.
-void Store::believe_only_this_stamp() {
+void Store::revalidate_cache() {
   if (writing_) return;
   const auto stamp = shadow_rows().read_stamp();
   if (!stamp) damaged("the stamp is missing");
-  if (believed_stamp_ == stamp) return;
+  if (cached_stamp_ == stamp) return;
   cache_.forget_all();
   if (forms_) forms_->forget_all();
-  believed_stamp_.reset();
+  cached_stamp_.reset();
   count_.stored = shadow_rows().read_objects();
   watches_known_ = false;
-  believed_stamp_ = stamp;
+  cached_stamp_ = stamp;
 }
 
 ContentVersion Store::read_version() {
   static std::atomic<std::uint64_t> last_change{0};
   if (differs_from_version_) version_changes_ = ++last_change;
   differs_from_version_ = false;
-  believe_only_this_stamp();
-  const auto stamp = writing_ ? shadow_rows().read_stamp() : believed_stamp_;
+  revalidate_cache();
+  const auto stamp = writing_ ? shadow_rows().read_stamp() : cached_stamp_;
   if (!stamp) damaged("the stamp is missing");
   return {static_cast<std::uint64_t>(shown(*stamp)), version_changes_};
 }
@@ -115,7 +115,7 @@ std::int64_t Store::shown(std::int64_t stored_stamp) const {
 }
 
 std::shared_ptr<NodeSource> Store::take_snapshot() {
-  believe_only_this_stamp();
+  revalidate_cache();
   merge_pending();
   return std::make_shared<TreeSnapshot>(shared_from_this());
 }
@@ -124,11 +124,11 @@ std::shared_ptr<NodeSource> Store::take_snapshot() {
 
 /// From here on nobody else can write, so that savepoints are marks of what is stored now. A damaged table
 /// reports it where it is read: DROP TABLE begins a transaction too.
-void Store::revalidate_at_begin() try { believe_only_this_stamp(); } catch (const StoreError& error) {
+void Store::revalidate_at_begin() try { revalidate_cache(); } catch (const StoreError& error) {
   const int code = error.code & 0xff;
   if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;
   cache_.forget_all();
-  believed_stamp_.reset();
+  cached_stamp_.reset();
 }
 
 void Store::begin() {
@@ -183,7 +183,7 @@ void Store::close() noexcept {
 
 void Store::commit() {
   if (gone_) return;
-  if (writing_ && !stamped_) believed_stamp_.reset();  // a rollback to a savepoint took the new stamp back
+  if (writing_ && !stamped_) cached_stamp_.reset();  // a rollback to a savepoint took the new stamp back
   cache_.commit();
   end_transaction();
 }
@@ -195,10 +195,10 @@ void Store::rollback() {
   }
   if (gone_) return;
   if (is_new_) return close();
-  go_by(table_at_begin_);
+  set_table_name(table_at_begin_);
   back_to_begin();
   watches_known_ = false;
-  if (writing_) believed_stamp_ = stamp_before_;
+  if (writing_) cached_stamp_ = stamp_before_;
   end_transaction();
   differs_from_version_ = false;
   version_changes_ = 0;  // with the stamp that is stored again: the contents of that commit
@@ -264,7 +264,7 @@ void Store::rollback_to(int level) {
   // or the table joined the transaction after that savepoint.
   if (own_stamp_ && !is_taken_back()) return;
   if (is_new_ && own_stamp_) return close();
-  go_by(table_at_begin_);
+  set_table_name(table_at_begin_);
   back_to_begin();
   own_stamp_.reset();
   watches_known_ = false;
@@ -277,7 +277,7 @@ void Store::back_to(const StoreSavepoint& savepoint) {
   if (savepoint.undo_position == undo_position_ && !torn_) return;
   torn_ = true;  // until it is done
   watches_known_ = false;
-  go_by(savepoint.table);
+  set_table_name(savepoint.table);
   own_stamp_ = savepoint.own_stamp;
   cache_.restore(savepoint.mark, savepoint.map_position);
   if (forms_) forms_->forget_texts();
@@ -296,11 +296,11 @@ void Store::rename(const std::string& new_table) {
   flush();
   const OwnStatements own(*this);
   shadow_tables(db_, name_, declaration_).rename(new_table);
-  go_by(new_table);
+  set_table_name(new_table);
   note_change();
 }
 
-void Store::go_by(const std::string& table) {
+void Store::set_table_name(const std::string& table) {
   if (name_.table == table) return;
   name_.table = table;
   const ShadowTables tables = shadow_tables(db_, name_, declaration_);

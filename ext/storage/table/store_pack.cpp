@@ -35,9 +35,9 @@ void for_each_object(const Node& leaf, std::size_t record_size, Each each) {
 }  // namespace
 
 /// The steps of a load in parts: see() every object, divide(), add() every one again, write().
-class Store::LoadInParts {
+class Store::PartitionedLoad {
  public:
-  LoadInParts(Store& store, Interrupt& interrupt)
+  PartitionedLoad(Store& store, Interrupt& interrupt)
       : store_(store),
         interrupt_(interrupt),
         record_size_(static_cast<std::size_t>(store.format_.at.size)),
@@ -52,12 +52,14 @@ class Store::LoadInParts {
   void divide(std::span<const double> newest) {
     store_.require_unique(ids_, interrupt_);
     const std::size_t most = std::max<std::size_t>(1, store_.memory_->most_ordered());
-    const std::size_t parts = ids_.size() * store_.format_.record_size / most + 1;
-    division_ = store_.tree_->divide(sample_.records(), parts, newest, interrupt_);
-    spill_.emplace(store_.db_, store_.name_, record_size_, parts, most / 4);
+    const std::size_t partitions = ids_.size() * store_.format_.record_size / most + 1;
+    division_ = store_.tree_->divide(sample_.records(), partitions, newest, interrupt_);
+    spill_.emplace(store_.db_, store_.name_, record_size_, partitions, most / 4);
   }
 
-  void add(std::int64_t id, const double* record) { spill_->add(division_->part_of(record), id, record); }
+  void add(std::int64_t id, const double* record) {
+    spill_->add(division_->partition_of(record), id, record);
+  }
 
   /// In a change. The table holds what was added, and nothing else.
   void write() {
@@ -66,7 +68,7 @@ class Store::LoadInParts {
     store_.cache_.erase_everything();
     PackedMap map(std::move(ids_));
     store_.cache_.place_into(map);
-    store_.tree_->bulk_load_parts(*spill_, interrupt_);
+    store_.tree_->bulk_load_partitions(*spill_, interrupt_);
     store_.cache_.write_packed_map(interrupt_);
   }
 
@@ -76,7 +78,7 @@ class Store::LoadInParts {
   std::size_t record_size_;
   std::vector<std::int64_t> ids_;
   RecordSample sample_;
-  std::unique_ptr<SpaceDivision> division_;
+  std::unique_ptr<SpacePartitioning> division_;
   std::optional<ObjectSpill> spill_;
 };
 
@@ -130,7 +132,7 @@ void Store::pack(Interrupt& interrupt) {
   });
   if (!fits) {
     ids = {}, records = {};
-    return pack_in_parts(interrupt);
+    return pack_partitioned(interrupt);
   }
   std::vector<std::int64_t> sorted = ids;
   require_unique(sorted, interrupt);
@@ -148,10 +150,10 @@ void Store::pack(Interrupt& interrupt) {
   atomic_change.done();
 }
 
-void Store::pack_in_parts(Interrupt& interrupt) {
+void Store::pack_partitioned(Interrupt& interrupt) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   with_sound_tree([&] {
-    LoadInParts load(*this, interrupt);
+    PartitionedLoad load(*this, interrupt);
     std::unordered_set<std::int64_t> used;
     std::int64_t objects = 0;
     const auto for_each = [&](auto use) {
@@ -172,10 +174,10 @@ void Store::pack_in_parts(Interrupt& interrupt) {
   });
 }
 
-/// Within a change, as load_anew().
-void Store::load_anew_in_parts(Interrupt& interrupt) {
+/// Within a change, as reload().
+void Store::load_partitioned(Interrupt& interrupt) {
   const auto size = static_cast<std::size_t>(format_.at.size);
-  LoadInParts load(*this, interrupt);
+  PartitionedLoad load(*this, interrupt);
   std::size_t stored = 0, replaced = 0;
   bool all_are_new = false;  // of those that wait: known once all were seen
   const auto for_each = [&](auto use) {

@@ -49,21 +49,21 @@ std::optional<std::vector<double>> Store::read(std::int64_t id) {
   return record;
 }
 
-std::span<const double> Store::find(std::int64_t id, StatementBelief& belief) {
+std::span<const double> Store::find(std::int64_t id, StatementReadState& statement_state) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   const auto found = [size](const double* record) { return std::span(record, record ? size : 0); };
   if (const double* record = pending_->find(id)) return found(record);
   if (writing_) return found(nodes().find_record(id));
-  if (belief.transaction == transaction_) {
+  if (statement_state.transaction == transaction_) {
     if (const double* record = nodes().find_record_in_memory(id)) return found(record);
     if (!cache_.find_leaf(id)) return found(nullptr);
   }
   // The first row after opening should not wait for one more statement to be compiled.
-  if (!believed_stamp_ && first_found_.empty())
+  if (!cached_stamp_ && first_found_.empty())
     return read_stored(id, first_found_) ? found(first_found_.data()) : found(nullptr);
   // Before a node is read too: to who reads uncommitted rows (shared cache) it may be one of another stamp.
-  believe_only_this_stamp();
-  belief.transaction = transaction_;
+  revalidate_cache();
+  statement_state.transaction = transaction_;
   return found(cache_.find_record(id));
 }
 
@@ -178,19 +178,19 @@ void Store::result_auxiliary(sqlite3_context* context, std::int64_t id, int colu
 }
 
 double Store::read_newest_t() {
-  believe_only_this_stamp();
+  revalidate_cache();
   merge_pending();
   return with_sound_tree([&] { return foresee::read_newest_t(nodes()); });
 }
 
 std::shared_ptr<const Form> Store::form(std::int64_t number) {
-  believe_only_this_stamp();  // under another one the number may be another form's
+  revalidate_cache();  // under another one the number may be another form's
   return forms_->form(number);
 }
 
-std::shared_ptr<const Form> Store::form(std::int64_t number, StatementBelief& belief) {
-  if (belief.transaction != transaction_) believe_only_this_stamp();
-  belief.transaction = transaction_;
+std::shared_ptr<const Form> Store::form(std::int64_t number, StatementReadState& statement_state) {
+  if (statement_state.transaction != transaction_) revalidate_cache();
+  statement_state.transaction = transaction_;
   return forms_->form(number);
 }
 

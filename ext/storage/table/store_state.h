@@ -24,7 +24,7 @@ struct ContentVersion {
 /// What one statement knows of a table that it reads: in which transaction of the connection it has compared
 /// memory with the stamp. Of use only while SQLite holds the statement's read transaction on the table's
 /// database, which keeps other connections' commits from it.
-struct StatementBelief {
+struct StatementReadState {
   std::uint64_t transaction = 0;  ///< 0: not yet
 };
 

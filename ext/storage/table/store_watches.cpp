@@ -11,7 +11,7 @@ void Store::know_watches() {
 }
 
 const std::vector<std::string>& Store::watches() {
-  believe_only_this_stamp();
+  revalidate_cache();
   know_watches();
   return watches_;
 }

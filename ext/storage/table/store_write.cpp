@@ -14,8 +14,8 @@ void Store::start_change(std::span<const double> record) {
   if (!in_transaction_) begin();
   shadow_rows();
   if (!writing_) {
-    believe_only_this_stamp();
-    stamp_before_ = believed_stamp_;
+    revalidate_cache();
+    stamp_before_ = cached_stamp_;
     count_before_ = count_;
     know_watches();
     keeps_changes_ |= !watches_.empty();
@@ -33,7 +33,7 @@ void Store::write_new_stamp() {
   std::int64_t stamp;
   sqlite3_randomness(sizeof stamp, &stamp);
   shadow_rows().write_stamp(stamp);
-  believed_stamp_ = own_stamp_ = stamp;
+  cached_stamp_ = own_stamp_ = stamp;
   writing_ = stamped_ = true;
 }
 

@@ -10,15 +10,15 @@ namespace foresee {
 namespace {
 
 /// The first coordinate of an object, or nothing.
-std::optional<double> look(Store& store, std::int64_t id, StatementBelief& belief) {
-  const std::span<const double> record = store.find(id, belief);
+std::optional<double> look(Store& store, std::int64_t id, StatementReadState& statement_state) {
+  const std::span<const double> record = store.find(id, statement_state);
   return record.empty() ? std::nullopt : std::optional(record[1]);
 }
 
 /// … by a statement of its own.
 std::optional<double> look(Store& store, std::int64_t id) {
-  StatementBelief belief;
-  return look(store, id, belief);
+  StatementReadState statement_state;
+  return look(store, id, statement_state);
 }
 
 class LookUp : public ::testing::Test {
@@ -43,23 +43,23 @@ class LookUp : public ::testing::Test {
 };
 
 TEST_F(LookUp, FindsWhatReadFinds) {
-  StatementBelief belief;
+  StatementReadState statement_state;
   for (int twice = 0; twice < 2; ++twice)
     for (std::int64_t id = -1; id <= objects + 2; ++id) {
       const auto record = store->read(id);
-      const auto found = store->find(id, belief);
+      const auto found = store->find(id, statement_state);
       EXPECT_EQ(std::vector<double>(found.begin(), found.end()), record.value_or(std::vector<double>()));
     }
 }
 
 TEST_F(LookUp, ALeafInMemoryIsBelievedUnderTheSameStampOnly) {
-  StatementBelief belief;
-  for (std::int64_t id = 1; id <= objects; ++id) look(*store, id, belief);
+  StatementReadState statement_state;
+  for (std::int64_t id = 1; id <= objects; ++id) look(*store, id, statement_state);
   db.run("DELETE FROM ships_node; DELETE FROM ships_map");  // so that only a look at the rows notices
-  EXPECT_EQ(look(*store, 7, belief), 7);
+  EXPECT_EQ(look(*store, 7, statement_state), 7);
   EXPECT_EQ(look(*store, 8), 8);
   db.run("UPDATE ships_meta SET value = value + 1 WHERE key = 'stamp'");
-  EXPECT_EQ(look(*store, 7, belief), 7) << "the statement is the same";
+  EXPECT_EQ(look(*store, 7, statement_state), 7) << "the statement is the same";
   EXPECT_EQ(look(*store, 7), std::nullopt);
 }
 
@@ -91,20 +91,20 @@ TEST_F(LookUp, AMissingStampIsToldByTheSecondLookUpOfATable) {
 }
 
 TEST_F(LookUp, AStatementSeesTheChangesOfItsOwnConnectionAtOnce) {
-  StatementBelief belief;
-  for (std::int64_t id = 1; id <= objects; ++id) look(*store, id, belief);
+  StatementReadState statement_state;
+  for (std::int64_t id = 1; id <= objects; ++id) look(*store, id, statement_state);
   begin(db, *store);
   store->update(5, 5, ship(50), {});
   store->update(6, 1006, ship(60), {});
   store->erase(7);
   store->insert(2000, ship(70), {});
   const auto expect_new = [&] {
-    EXPECT_EQ(look(*store, 5, belief), 50);
-    EXPECT_EQ(look(*store, 6, belief), std::nullopt);
-    EXPECT_EQ(look(*store, 1006, belief), 60);
-    EXPECT_EQ(look(*store, 7, belief), std::nullopt);
-    EXPECT_EQ(look(*store, 2000, belief), 70);
-    EXPECT_EQ(look(*store, 8, belief), 8);
+    EXPECT_EQ(look(*store, 5, statement_state), 50);
+    EXPECT_EQ(look(*store, 6, statement_state), std::nullopt);
+    EXPECT_EQ(look(*store, 1006, statement_state), 60);
+    EXPECT_EQ(look(*store, 7, statement_state), std::nullopt);
+    EXPECT_EQ(look(*store, 2000, statement_state), 70);
+    EXPECT_EQ(look(*store, 8, statement_state), 8);
   };
   expect_new();
   store->take_snapshot();  // what is pending goes into the tree
@@ -113,7 +113,7 @@ TEST_F(LookUp, AStatementSeesTheChangesOfItsOwnConnectionAtOnce) {
   store->update(5, 5, ship(51), {});
   NeverInterrupt never;
   store->rebuild(never);
-  EXPECT_EQ(look(*store, 5, belief), 51);
+  EXPECT_EQ(look(*store, 5, statement_state), 51);
   roll_back_to(db, *store, 0);
   expect_new();
   commit(db, *store);
@@ -121,8 +121,8 @@ TEST_F(LookUp, AStatementSeesTheChangesOfItsOwnConnectionAtOnce) {
   begin(db, *store);
   store->update(5, 5, ship(52), {});
   store->erase(8);
-  EXPECT_EQ(look(*store, 5, belief), 52);
-  EXPECT_EQ(look(*store, 8, belief), std::nullopt);
+  EXPECT_EQ(look(*store, 5, statement_state), 52);
+  EXPECT_EQ(look(*store, 8, statement_state), std::nullopt);
   roll_back(db, *store);
   expect_new();
 }
@@ -160,10 +160,10 @@ TEST_F(LookUp, MoreObjectsThanMemoryHoldsAreFoundAllTheSame) {
                                             std::make_shared<MemoryBudget>(MemoryLimits{.memory = 4 * 4032}));
   for (int id = 1; id <= 2000; ++id) many->insert(id, ship(id), {});
   commit(db, *many);
-  StatementBelief belief;
+  StatementReadState statement_state;
   for (std::int64_t id = 1; id <= 2000; ++id) {
-    ASSERT_EQ(look(*many, id, belief), id);
-    ASSERT_EQ(look(*many, id * 7919 % 2000 + 1, belief), id * 7919 % 2000 + 1);
+    ASSERT_EQ(look(*many, id, statement_state), id);
+    ASSERT_EQ(look(*many, id * 7919 % 2000 + 1, statement_state), id * 7919 % 2000 + 1);
   }
 }
 
@@ -174,7 +174,7 @@ TEST_F(LookUp, RandomLivesAgreeWithAMapAtEveryMoment) {
   std::map<std::int64_t, double> model, at_start, at_savepoint;
   for (int id = 1; id <= objects; ++id) model[id] = id;
   bool in_transaction = false, in_savepoint = false;
-  std::vector<StatementBelief> statements(3);
+  std::vector<StatementReadState> statements(3);
   double mark = 1000;
   const auto change = [&](std::int64_t id) {
     const bool exists = model.contains(id);

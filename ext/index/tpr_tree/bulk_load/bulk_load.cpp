@@ -32,8 +32,8 @@ class TreeLoad {
     write_inner_levels();
   }
 
-  void run(ObjectParts& parts) {
-    const std::span<const std::size_t> counts = parts.counts();
+  void run(ObjectPartitions& partitions) {
+    const std::span<const std::size_t> counts = partitions.counts();
     std::vector<std::size_t> leaves;
     for (const std::size_t count : counts) leaves.push_back(count == 0 ? 0 : state_.leaves_for(count));
     number_nodes(std::accumulate(leaves.begin(), leaves.end(), std::size_t{0}));
@@ -41,7 +41,7 @@ class TreeLoad {
     std::vector<double> records;
     for (std::size_t i = 0, first = 0; i < leaves.size(); first += leaves[i++]) {
       if (leaves[i] == 0) continue;
-      parts.read(i, ids, records);
+      partitions.read(i, ids, records);
       write_leaves(ids, records, {first, leaves[i]});
     }
     std::vector<double>().swap(records);
@@ -138,15 +138,15 @@ void bulk_load_tree(TreeState<D>& state, std::span<const std::int64_t> ids, std:
 }
 
 template <int D>
-void bulk_load_tree(TreeState<D>& state, ObjectParts& parts, Interrupt& interrupt) {
-  TreeLoad<D>(state, interrupt).run(parts);
+void bulk_load_tree(TreeState<D>& state, ObjectPartitions& partitions, Interrupt& interrupt) {
+  TreeLoad<D>(state, interrupt).run(partitions);
 }
 
 #define FORESEE_OF_AXES(D)                                                                               \
   template void start_clock<D>(TreeState<D>&, std::span<const double>);                                  \
   template void bulk_load_tree<D>(TreeState<D>&, std::span<const std::int64_t>, std::span<const double>, \
                                   Interrupt&);                                                           \
-  template void bulk_load_tree<D>(TreeState<D>&, ObjectParts&, Interrupt&)
+  template void bulk_load_tree<D>(TreeState<D>&, ObjectPartitions&, Interrupt&)
 FORESEE_OF_AXES(1);
 FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);

@@ -1,5 +1,5 @@
 // How is a whole tree written at once? Level by level from the leaves up, each node once, from the objects in
-// leaf order; of objects that memory cannot hold together, part by part (division.h).
+// leaf order; of objects that memory cannot hold together, part by part (space_partitioning.h).
 #pragma once
 
 #include "base/error.h"
@@ -22,6 +22,6 @@ void bulk_load_tree(TreeState<D>& state, std::span<const std::int64_t> ids, std:
 /// Requires: the tree is empty, the clock runs, and there are objects. Only leaves at the border of two parts
 /// share a node that would not, had they been ordered together.
 template <int D>
-void bulk_load_tree(TreeState<D>& state, ObjectParts& parts, Interrupt& interrupt);
+void bulk_load_tree(TreeState<D>& state, ObjectPartitions& partitions, Interrupt& interrupt);
 
 }  // namespace foresee

@@ -2,7 +2,7 @@
 // one, so that the leaves of one part after another are those of the whole.
 //
 //   auto division = divide_space(state, sample, 9, interrupt);     // records of some objects, drawn anywhere
-//   parts[division->part_of(record)].push_back(object);
+//   parts[division->partition_of(record)].push_back(object);
 //
 // The sample is halved again and again like the objects of a leaf order (order.h), and the cuts are
 // remembered. Objects that lie on a cut go to either side in turn, so that a place with very many is shared.
@@ -19,7 +19,7 @@ namespace foresee {
 /// Parts have about as many objects as one another. Requires: a sample, and one part or more. Where the clock
 /// does not run the sample sets it.
 template <int D>
-std::unique_ptr<SpaceDivision> divide_space(TreeState<D>& state, std::span<const double> sample,
-                                            std::size_t parts, Interrupt& interrupt);
+std::unique_ptr<SpacePartitioning> divide_space(TreeState<D>& state, std::span<const double> sample,
+                                                std::size_t parts, Interrupt& interrupt);
 
 }  // namespace foresee

@@ -1,4 +1,4 @@
-#include "index/tpr_tree/bulk_load/division.h"
+#include "index/tpr_tree/bulk_load/space_partitioning.h"
 
 #include "base/steps.h"
 #include "index/tpr_tree/bulk_load/bulk_load.h"
@@ -8,21 +8,22 @@ namespace foresee {
 namespace {
 
 template <int D>
-class Division final : public SpaceDivision {
+class Division final : public SpacePartitioning {
  public:
-  Division(const TreeState<D>& state, std::span<const double> sample, std::size_t parts, Interrupt& interrupt)
-      : items_(state, sample.data()), parts_(parts), cuts_(parts) {
+  Division(const TreeState<D>& state, std::span<const double> sample, std::size_t partitions,
+           Interrupt& interrupt)
+      : items_(state, sample.data()), partitions_(partitions), cuts_(partitions) {
     const std::size_t size = state.reader.record_size();
     std::vector<OrderItem<D>> drawn(sample.size() / size);
     Steps step(interrupt);
     for (std::size_t i = 0; i < drawn.size(); ++i)
       step(), drawn[i] = items_.of(sample.data() + i * size, static_cast<std::uint32_t>(i));
-    cut(0, parts, drawn, step);
+    cut(0, partitions, drawn, step);
   }
 
-  std::size_t part_of(const double* record) override {
+  std::size_t partition_of(const double* record) override {
     const OrderItem<D> item = items_.of(record, 0);
-    std::size_t first = 0, last = parts_;
+    std::size_t first = 0, last = partitions_;
     while (last - first > 1) {
       const std::size_t middle = first + (last - first) / 2;
       Cut& cut = cuts_[middle];
@@ -58,24 +59,24 @@ class Division final : public SpaceDivision {
   }
 
   OrderItems<D> items_;
-  std::size_t parts_;
+  std::size_t partitions_;
   std::vector<Cut> cuts_;  ///< by the part behind it
 };
 
 }  // namespace
 
 template <int D>
-std::unique_ptr<SpaceDivision> divide_space(TreeState<D>& state, std::span<const double> sample,
-                                            std::size_t parts, Interrupt& interrupt) {
+std::unique_ptr<SpacePartitioning> divide_space(TreeState<D>& state, std::span<const double> sample,
+                                                std::size_t partitions, Interrupt& interrupt) {
   start_clock(state, sample);
-  return std::make_unique<Division<D>>(state, sample, parts, interrupt);
+  return std::make_unique<Division<D>>(state, sample, partitions, interrupt);
 }
 
-template std::unique_ptr<SpaceDivision> divide_space<1>(TreeState<1>&, std::span<const double>, std::size_t,
-                                                        Interrupt&);
-template std::unique_ptr<SpaceDivision> divide_space<2>(TreeState<2>&, std::span<const double>, std::size_t,
-                                                        Interrupt&);
-template std::unique_ptr<SpaceDivision> divide_space<3>(TreeState<3>&, std::span<const double>, std::size_t,
-                                                        Interrupt&);
+template std::unique_ptr<SpacePartitioning> divide_space<1>(TreeState<1>&, std::span<const double>,
+                                                            std::size_t, Interrupt&);
+template std::unique_ptr<SpacePartitioning> divide_space<2>(TreeState<2>&, std::span<const double>,
+                                                            std::size_t, Interrupt&);
+template std::unique_ptr<SpacePartitioning> divide_space<3>(TreeState<3>&, std::span<const double>,
+                                                            std::size_t, Interrupt&);
 
 }  // namespace foresee
