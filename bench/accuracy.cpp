@@ -25,7 +25,7 @@ constexpr std::uint64_t seed = 20260101;
 struct Effort {
   std::size_t pairs = 2000, judged = 100;
   double seconds_a_run = 0.02;
-  int runs = 5, most_steps = 100000;
+  int runs = 5, max_steps = 100000;
 };
 
 /// Median, 99th percentile, greatest.
@@ -92,7 +92,7 @@ Measured measure(const Method& method, const Truth& truth, const Effort& effort)
 
 std::vector<Method> methods_for(const Family& family, const Effort& effort) {
   std::vector<Method> methods;
-  for (int steps = 10; steps <= effort.most_steps; steps *= 10) methods.push_back(stepping(family, steps));
+  for (int steps = 10; steps <= effort.max_steps; steps *= 10) methods.push_back(stepping(family, steps));
   methods.push_back(textbook_float(family));
   methods.push_back(textbook_double(family));
   methods.push_back(textbook_fma(family));

@@ -184,7 +184,7 @@ double seconds_of_join(Method& method) {
 
 constexpr double short_run = 0.05, long_run = 2;  // seconds
 
-std::size_t most_runs(const Method& method) {
+std::size_t max_runs(const Method& method) {
   constexpr std::size_t enough = 3, unlimited = -1;
   return method.kind == Method::misses_pairs ? 1 : method.warm_up > long_run ? enough : unlimited;
 }
@@ -203,7 +203,7 @@ bool compare(const Workload& w, int repetitions, bool quick, std::FILE* csv) {
   std::vector<Method> methods = methods_for(w, sides, stages, quick);
   for (int repetition = 0; repetition <= repetitions; ++repetition) {  // the first only warms up
     for (Method& method : methods) {
-      if (method.seconds.size() >= most_runs(method)) continue;
+      if (method.seconds.size() >= max_runs(method)) continue;
       if (repetition > 0 && method.warm_up < short_run) seconds_of_join(method);
       const double seconds = seconds_of_join(method);
       const Answer& ours = methods[0].answer;

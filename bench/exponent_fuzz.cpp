@@ -81,7 +81,7 @@ Object object(Numbers& numbers, int axes, Shape shape, Law law) {
 struct Kind {
   const char* name;
   Shape a, b;
-  int least_axes;
+  int min_axes;
 };
 
 struct PairCost {
@@ -139,11 +139,11 @@ int main(int count, char** arguments) {
   using namespace foresee;
   using namespace foresee::bench;
   const std::size_t pairs = count > 1 && std::strcmp(arguments[1], "--quick") == 0 ? 100 : 2000;
-  constexpr double most_allowed = 0.010;
+  constexpr double max_allowed = 0.010;
   double most = 0;
   std::printf("pair,axes,law,numbers,pairs,hits,mean_us,worst_us\n");
   for (const Kind& kind : kinds)
-    for (int axes = kind.least_axes; axes <= 3; ++axes)
+    for (int axes = kind.min_axes; axes <= 3; ++axes)
       for (Law law : {Law::uniform, Law::accelerated})
         for (Fuzz fuzz : {Fuzz::wide, Fuzz::few, Fuzz::ends, Fuzz::grid}) {
           const PairCost cost = cost_of(kind, axes, law, fuzz, pairs);
@@ -154,5 +154,5 @@ int main(int count, char** arguments) {
           std::fflush(stdout);
         }
   std::fprintf(stderr, "worst pair: %.2f ms\n", most * 1e3);
-  return most <= most_allowed ? 0 : 1;
+  return most <= max_allowed ? 0 : 1;
 }

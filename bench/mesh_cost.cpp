@@ -113,7 +113,7 @@ Flight flight_of(const Fleet& a, const Fleet& b, const Pair& pair) {
 struct Scene {
   const char* name;
   std::uint32_t around, rings;
-  std::size_t fleet, most_pairs, plain_pairs;
+  std::size_t fleet, max_pairs, plain_pairs;
 };
 
 void compare(const Scene& scene, int repetitions) {
@@ -122,7 +122,7 @@ void compare(const Scene& scene, int repetitions) {
       b(draw, scene.fleet, scene.around, scene.rings);
   const Setup setup{a.bodies(), b.bodies(), {0, h}, 0};
   const auto contact = make_mesh_contact(setup, {&a, &b}, 1);
-  PairCosts costs(*contact, candidates(a, b, scene.most_pairs));
+  PairCosts costs(*contact, candidates(a, b, scene.max_pairs));
   if (scene.plain_pairs > 0)
     costs.add_rival("plain double", scene.plain_pairs, scene.around > 8 ? 0 : repetitions,
                     [&](const Pair& pair) {
@@ -133,7 +133,7 @@ void compare(const Scene& scene, int repetitions) {
 #ifdef FORESEE_FCL
   const std::vector<FclMesh> fcl_a(a.meshes.begin(), a.meshes.end()), fcl_b(b.meshes.begin(), b.meshes.end());
   for (const int samples : {10, 1000})
-    costs.add_rival("FCL, " + std::to_string(samples) + " samples", scene.most_pairs, repetitions,
+    costs.add_rival("FCL, " + std::to_string(samples) + " samples", scene.max_pairs, repetitions,
                     [&, samples](const Pair& pair) {
                       return first_collision(fcl_a[pair.a], fcl_b[pair.b], flight_of(a, b, pair), samples);
                     });

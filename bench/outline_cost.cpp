@@ -17,7 +17,7 @@
 namespace foresee::bench {
 namespace {
 
-constexpr std::size_t most_pairs = 20000;
+constexpr std::size_t max_pairs = 20000;
 
 Flight flight_of(const OutlineScene& scene, const Pair& pair) {
   const double *a = scene.a.bodies().row(pair.a), *b = scene.b.bodies().row(pair.b);
@@ -36,7 +36,7 @@ PlainOutlines plain_pair(const OutlineScene& scene, const Pair& pair) {
 
 void add_textbook(PairCosts& costs, const OutlineScene& scene, int repetitions) {
   for (const bool all : {false, true})
-    costs.add_rival(all ? "plain double, all corners" : "plain double", most_pairs, repetitions,
+    costs.add_rival(all ? "plain double, all corners" : "plain double", max_pairs, repetitions,
                     [&scene, all](const Pair& pair) { return first_touch(plain_pair(scene, pair), all); });
 }
 
@@ -44,7 +44,7 @@ void add_textbook(PairCosts& costs, const OutlineScene& scene, int repetitions) 
 void compare(const OutlineScene& scene, int repetitions, std::size_t sampled_pairs) {
   const Setup setup{scene.a.bodies(), scene.b.bodies(), {0, scene.h}, scene.within};
   const auto contact = make_outline_contact(setup, {&scene.a, &scene.b}, 1);
-  PairCosts costs(*contact, candidates(scene, most_pairs));
+  PairCosts costs(*contact, candidates(scene, max_pairs));
   if (scene.within == 0) add_textbook(costs, scene, repetitions);
   if (sampled_pairs == 0) {
     costs.measure(repetitions);

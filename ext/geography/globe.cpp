@@ -32,7 +32,7 @@ struct Horizontal {
   }
 };
 
-constexpr double least_radius = 1e5;  // metres
+constexpr double min_radius = 1e5;  // metres
 
 bool all_finite(const Vector& v) {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
@@ -65,7 +65,7 @@ OnGlobe::Motion motion_of(const Flight& flight, const Horizontal& here) {
 OnGlobe to_globe(const Flight& flight) {
   const LatLon& place = flight.fix.place;
   const Horizontal here(unit_direction(place.lat), unit_direction(std::remainder(place.lon, 360)));
-  if (!(here.along + flight.height >= least_radius))
+  if (!(here.along + flight.height >= min_radius))
     throw Error("height is " + shown(flight.height) +
                 " m: the centre of the Earth is 6.4e6 m down; write metres above the ellipsoid, or NULL");
   const double out = here.across + flight.height;
@@ -79,7 +79,7 @@ OnGlobe to_globe(const Flight& flight) {
 Flight from_globe(const OnGlobe& point) {
   // + 0.0: on the axis the longitude is 0, whichever zeros x and y are.
   const double x = point.x[0] + 0.0, y = point.x[1] + 0.0, z = point.x[2] + 0.0, p = std::hypot(x, y);
-  if (!(std::hypot(p, z) >= least_radius))
+  if (!(std::hypot(p, z) >= min_radius))
     throw Error("x, y, z are " + shown(std::hypot(p, z)) +
                 " m from the centre of the Earth: heights are meant from 100 km on");
   // Of the reduced latitude: tan = z / p, and so on.

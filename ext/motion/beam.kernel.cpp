@@ -28,7 +28,7 @@ constexpr std::size_t block = 8;            // lanes at a time: the widest regis
 /// from, to, reach, parts, begin and end of what has t and until; life_of() of life_interval.h, side by side.
 template <int D>
 void find_lives(BeamLanes<D>& lanes, std::size_t count, double now, double h) {
-  const double unit = h > 0 ? h : 1, least_end = h > 0 ? 0 : 1;
+  const double unit = h > 0 ? h : 1, min_end = h > 0 ? 0 : 1;
   for (std::size_t first = 0; first < count; first += block)
     for (std::size_t l = first; l < first + block; ++l) {
       const double t = lanes.t[l], until = lanes.until[l], since = now - t;
@@ -38,7 +38,7 @@ void find_lives(BeamLanes<D>& lanes, std::size_t count, double now, double h) {
       // Rounding keeps order: if t - now, rounded, exceeds the double h, then so does the exact difference.
       const bool none = (t - now > h) | (until < now);
       const double begin = lesser(greater(t - now, 0) / unit, 1);
-      const double end = greater(lesser(until - now, h) / unit, least_end), part = end - begin;
+      const double end = greater(lesser(until - now, h) / unit, min_end), part = end - begin;
       const double parts = part >= shortest_part ? 1 / part : 0;
       lanes.begin[l] = none ? 0 : begin;
       lanes.end[l] = none ? 1 : end;

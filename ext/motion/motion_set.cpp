@@ -86,7 +86,7 @@ void delay(MotionSet<D>& set, const OwnMotion& base, double p, double q, double 
 
 }  // namespace
 
-double least_change(const OwnMotion& base, const Change& change, double p, double q) {
+double min_change(const OwnMotion& base, const Change& change, double p, double q) {
   const double furthest = std::max(std::abs(p), std::abs(q));
   switch (change.manoeuvre) {
     case Manoeuvre::turn:

@@ -76,7 +76,7 @@ struct MotionSet {
 
 /// How near to each other two k in [p, q] may be before the pads of their motions tell more than they do: no
 /// finer end can be proven.
-double least_change(const OwnMotion& base, const Change& change, double p, double q);
+double min_change(const OwnMotion& base, const Change& change, double p, double q);
 
 /// Those of k in [p, q]. Requires: p <= q.
 template <int D>

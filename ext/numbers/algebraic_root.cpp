@@ -192,18 +192,18 @@ const Polynomial& LazyPolynomial::exact() {
 void LazyPolynomial::sharpen() {
   const Polynomial& p = exact();
   degree_ = p.degree;
-  for (int k = 0; k <= most; ++k) rough_[k] = k <= degree_ ? Midrad128(p.c[k]) : Midrad128();
+  for (int k = 0; k <= max_degree; ++k) rough_[k] = k <= degree_ ? Midrad128(p.c[k]) : Midrad128();
 }
 
-std::array<Midrad, LazyPolynomial::most + 1> LazyPolynomial::enclosure(int bits) {
-  std::array<Midrad, most + 1> c;
+std::array<Midrad, LazyPolynomial::max_degree + 1> LazyPolynomial::enclosure(int bits) {
+  std::array<Midrad, max_degree + 1> c;
   for (int k = 0; k <= exact().degree; ++k) c[k] = Midrad(exact().c[k], bits);
   return c;
 }
 
 int LazyPolynomial::degree() {
-  if (degree_ <= most) return degree_;
-  int degree = most;
+  if (degree_ <= max_degree) return degree_;
+  int degree = max_degree;
   while (degree >= 0 && rough_[degree].sign() == 0) --degree;
   if (degree >= 0 && rough_[degree].sign() == unknown_sign)
     sharpen();
@@ -235,7 +235,7 @@ AlgebraicRoot& LazyPolynomial::add_root(const Dyadic& low, const Dyadic& high, i
 }
 
 Midrad128 LazyPolynomial::value_at(const Midrad128& tau) const {
-  return foresee::value_at(rough_, degree_ <= most ? degree_ : most, tau);
+  return foresee::value_at(rough_, degree_ <= max_degree ? degree_ : max_degree, tau);
 }
 
 namespace {

@@ -65,8 +65,8 @@ double rounded(AlgebraicRoot& root, const Dyadic& offset);
 
 class LazyPolynomial {
  public:
-  static constexpr int most = Polynomial::most;
-  using RoughCoefficients = std::array<Midrad128, most + 1>;
+  static constexpr int max_degree = Polynomial::max_degree;
+  using RoughCoefficients = std::array<Midrad128, max_degree + 1>;
 
   /// `rough` encloses the coefficients of the source's polynomial, up to a positive factor.
   LazyPolynomial(const RoughCoefficients& rough, const PolynomialSource& source, int number)
@@ -76,7 +76,7 @@ class LazyPolynomial {
   int lead() { return degree() < 0 ? 0 : rough_[degree_].side(); }  ///< sign of the leading coefficient
   const RoughCoefficients& rough() const { return rough_; }
   const Polynomial& exact();
-  std::array<Midrad, most + 1> enclosure(int bits);  ///< encloses the coefficients of exact()
+  std::array<Midrad, max_degree + 1> enclosure(int bits);  ///< encloses the coefficients of exact()
   LazyPolynomial& slope();
 
   Midrad128 value_at(const Midrad128& tau) const;
@@ -96,8 +96,8 @@ class LazyPolynomial {
   const PolynomialSource* source_ = nullptr;  ///< of a slope: none
   LazyPolynomial* parent_ = nullptr;          ///< of a slope: the polynomial itself
   int number_ = 0;
-  int degree_ = most + 1;  ///< beyond `most`: not known yet
-  std::array<AlgebraicRoot, most> roots_;
+  int degree_ = max_degree + 1;  ///< beyond `max_degree`: not known yet
+  std::array<AlgebraicRoot, max_degree> roots_;
   int root_count_ = 0;
   std::unique_ptr<Polynomial> exact_;
   std::unique_ptr<LazyPolynomial> slope_;

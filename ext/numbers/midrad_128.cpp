@@ -9,7 +9,7 @@ namespace foresee {
 namespace {
 
 constexpr Uint128 top_bit = Uint128{1} << 127;
-constexpr int most_error_bits = 62;
+constexpr int max_error_bits = 62;
 
 int leading_zeros(Uint128 x) {
   const auto high = static_cast<std::uint64_t>(x >> 64);
@@ -33,12 +33,12 @@ Product product(Uint128 a, Uint128 b) {
 Midrad128 Midrad128::of(bool negative, Uint128 bits, std::uint64_t error, int exponent) {
   if (bits == 0 && error == 0) return {};
   Midrad128 w;
-  if (error >> most_error_bits) {
+  if (error >> max_error_bits) {
     constexpr int shift = 4;
     bits >>= shift, error = (error >> shift) + 2, exponent += shift;
   }
   int shift = bits == 0 ? 127 : leading_zeros(bits);
-  if (error != 0) shift = std::min(shift, std::countl_zero(error) - (64 - most_error_bits));
+  if (error != 0) shift = std::min(shift, std::countl_zero(error) - (64 - max_error_bits));
   w.bits_ = bits << shift, w.error_ = error == 0 ? 0 : error << shift;
   w.exponent_ = exponent - shift;
   w.negative_ = negative;
@@ -176,7 +176,7 @@ Midrad128 operator*(const Midrad128& a, const Midrad128& b) {
   int exponent = a.exponent_ + b.exponent_ + 128;
   // Bits that would be cut off are kept where there is room in front: exact products of few digits stay
   // exact.
-  if (!(p.high & top_bit) && p.high != 0 && p.low != 0 && !(error >> most_error_bits)) {
+  if (!(p.high & top_bit) && p.high != 0 && p.low != 0 && !(error >> max_error_bits)) {
     const int shift = error == 0 ? leading_zeros(p.high) : 1;
     p.high = (p.high << shift) | (p.low >> (128 - shift));
     p.low <<= shift, exponent -= shift, error <<= shift;

@@ -77,7 +77,7 @@ void pseudo_divide(Coefficients& a, int degree_a, const Coefficients& b, int deg
 }
 
 struct Residues {
-  std::array<Residue, Polynomial::most + 1> c;
+  std::array<Residue, Polynomial::max_degree + 1> c;
   int degree;
 
   explicit Residues(const Polynomial& p) : degree(p.degree) {
@@ -91,8 +91,8 @@ struct Residues {
 
 }  // namespace
 
-Polynomial::Polynomial(const std::array<Dyadic, most + 1>& coefficients) : degree(most) {
-  for (int k = 0; k <= most; ++k) c[k] = coefficients[k].reduced();
+Polynomial::Polynomial(const std::array<Dyadic, max_degree + 1>& coefficients) : degree(max_degree) {
+  for (int k = 0; k <= max_degree; ++k) c[k] = coefficients[k].reduced();
   trim();
 }
 
@@ -107,7 +107,7 @@ Dyadic value_at(const Polynomial& p, const Dyadic& x) {
 }
 
 Polynomial derivative(const Polynomial& p) {
-  std::array<Dyadic, Polynomial::most + 1> slope;
+  std::array<Dyadic, Polynomial::max_degree + 1> slope;
   for (int k = 1; k <= p.degree; ++k) slope[k - 1] = p.c[k] * Dyadic(k);
   return Polynomial(slope);
 }

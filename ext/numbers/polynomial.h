@@ -8,13 +8,13 @@
 namespace foresee {
 
 struct Polynomial {
-  static constexpr int most = 4;
-  std::array<Dyadic, most + 1> c;  ///< odd mantissas: powers of two cost nothing
-  int degree = -1;                 ///< -1: zero everywhere
+  static constexpr int max_degree = 4;
+  std::array<Dyadic, max_degree + 1> c;  ///< odd mantissas: powers of two cost nothing
+  int degree = -1;                       ///< -1: zero everywhere
 
   Polynomial() = default;
   /// coefficients[k] belongs to the k-th power.
-  explicit Polynomial(const std::array<Dyadic, most + 1>& coefficients);
+  explicit Polynomial(const std::array<Dyadic, max_degree + 1>& coefficients);
 
   void trim();
 };

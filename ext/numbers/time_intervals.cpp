@@ -15,7 +15,7 @@ struct Waypoints {
     AlgebraicRoot* root;
     int sign;
   };
-  std::array<Waypoint, 2 * LazyPolynomial::most + 1> list;
+  std::array<Waypoint, 2 * LazyPolynomial::max_degree + 1> list;
   int count = 0;
 
   void add(AlgebraicRoot* root, int sign) { list[count++] = {root, sign}; }
@@ -151,7 +151,7 @@ constexpr int bernstein_weight(int n, int i, int k) {
 int constant_sign(LazyPolynomial& polynomial, const QueriedInterval& queried) {
   const int n = polynomial.degree();
   const Midrad128 width = queried.end.at - queried.begin.at;
-  std::array<Midrad128, LazyPolynomial::most + 1> d = polynomial.rough();
+  std::array<Midrad128, LazyPolynomial::max_degree + 1> d = polynomial.rough();
   for (int k = 0; k < n; ++k)
     for (int i = n - 1; i >= k; --i) d[i] = d[i] + queried.begin.at * d[i + 1];
   Midrad128 scale = width;

@@ -26,7 +26,7 @@ struct QueriedInterval {
 };
 
 struct Roots {
-  std::array<AlgebraicRoot*, LazyPolynomial::most> list;
+  std::array<AlgebraicRoot*, LazyPolynomial::max_degree> list;
   int count = 0;
 };
 

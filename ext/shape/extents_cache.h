@@ -21,12 +21,12 @@ class ExtentsCache {
     const Pose pose{number, heading};
     const auto found = known_.find(pose);
     if (found != known_.end()) return found->second;
-    if (known_.size() >= most) known_.clear();
+    if (known_.size() >= limit) known_.clear();
     return known_.emplace(pose, form.extents(heading)).first->second;
   }
 
  private:
-  static constexpr std::size_t most = 1 << 16;
+  static constexpr std::size_t limit = 1 << 16;
 
   struct Pose {
     std::int64_t number;

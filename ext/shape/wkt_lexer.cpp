@@ -11,7 +11,7 @@ namespace foresee {
 namespace {
 
 constexpr std::string_view white_space = " \t\n\v\f\r", separators = "(),;= \t\n\v\f\r";
-constexpr std::size_t most_quoted = 40;
+constexpr std::size_t max_quoted = 40;
 
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
@@ -27,8 +27,8 @@ std::string quoted(std::string_view found) {
   std::size_t characters = 0, last = 0;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const bool starts = (static_cast<unsigned char>(found[i]) & 0xc0) != 0x80;
-    if (starts && ++characters == most_quoted) last = i;
-    if (characters > most_quoted || i > 4 * most_quoted) return std::string(found.substr(0, last)) + "…";
+    if (starts && ++characters == max_quoted) last = i;
+    if (characters > max_quoted || i > 4 * max_quoted) return std::string(found.substr(0, last)) + "…";
   }
   return std::string(found);
 }

@@ -16,11 +16,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 namespace {
 
-constexpr std::size_t most_bytes = 400;
+constexpr std::size_t max_bytes = 400;
 
 std::vector<std::uint8_t> random_input(std::uint64_t number) {
   std::mt19937_64 random(number);
-  std::vector<std::uint8_t> bytes(1 + random() % most_bytes);
+  std::vector<std::uint8_t> bytes(1 + random() % max_bytes);
   for (std::uint8_t& byte : bytes) byte = static_cast<std::uint8_t>(random());
   return bytes;
 }

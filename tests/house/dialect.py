@@ -94,7 +94,7 @@ NAMES = [(re.compile(rf"(?:^|_)(?:{pattern})(?=_|$)"), write) for pattern, write
     (r"rooms", "modules"),
 ]]
 # Names of stored columns, and words in another sense.
-LEGITIMATE_NAMES = re.compile(r"^(?:t_least|until_least|are_most|is_letter|letter|letter_of|limit_letter|keeps_leaf|looks_ahead)$")
+LEGITIMATE_NAMES = re.compile(r"^(?:t_min|until_least|is_majority|is_letter|letter|letter_of|limit_letter|keeps_leaf|looks_ahead)$")
 STORED_COLUMNS = re.compile(r"(?:^|_)(?:asked|told)(?=_|$)")
 
 HEADINGS = [(re.compile(pattern, re.I), write) for pattern, write in [

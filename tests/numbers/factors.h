@@ -11,14 +11,14 @@ namespace foresee::judge {
 
 /// By coefficients of powers 0, 1, 2, ...
 inline Polynomial polynomial(std::initializer_list<double> coefficients) {
-  std::array<Dyadic, Polynomial::most + 1> c;
+  std::array<Dyadic, Polynomial::max_degree + 1> c;
   std::size_t k = 0;
   for (const double coefficient : coefficients) c.at(k++) = Dyadic(coefficient);
   return Polynomial(c);
 }
 
 inline Polynomial multiplied(const Polynomial& p, const Polynomial& q) {
-  std::array<Dyadic, Polynomial::most + 1> c;
+  std::array<Dyadic, Polynomial::max_degree + 1> c;
   for (int i = 0; i <= p.degree; ++i)
     for (int j = 0; j <= q.degree; ++j) c.at(i + j) = c.at(i + j) + p.c[i] * q.c[j];
   return Polynomial(c);

@@ -77,8 +77,10 @@ TEST(CommonDivisor, IsTheProductOfTheCommonFactors) {
   for (int i = 0; i < cases(1000); ++i) {
     std::vector<Polynomial> left = all_factors();
     const Polynomial common = drawn_product(inputs, left, inputs.between(0, 3)),
-                     a = multiplied(common, drawn_product(inputs, left, Polynomial::most - common.degree)),
-                     b = multiplied(common, drawn_product(inputs, left, Polynomial::most - common.degree));
+                     a = multiplied(common,
+                                    drawn_product(inputs, left, Polynomial::max_degree - common.degree)),
+                     b = multiplied(common,
+                                    drawn_product(inputs, left, Polynomial::max_degree - common.degree));
     EXPECT_TRUE(is_multiple(common_divisor(a, b), common));
     EXPECT_TRUE(is_multiple(common_divisor(b, a), common));
     // Quick, and here no chance makes it miss the proof.

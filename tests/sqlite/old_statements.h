@@ -13,7 +13,7 @@ namespace foresee::testing {
 
 class KeepingDriver {
  public:
-  explicit KeepingDriver(const std::string& path, std::size_t kept = 128) : db_(path), most_kept_(kept) {}
+  explicit KeepingDriver(const std::string& path, std::size_t kept = 128) : db_(path), max_kept_(kept) {}
   ~KeepingDriver() { close_statements(0); }
   KeepingDriver(const KeepingDriver&) = delete;
   KeepingDriver& operator=(const KeepingDriver&) = delete;
@@ -44,7 +44,7 @@ class KeepingDriver {
       sqlite3_reset(statement);
       if (text.starts_with("error: ")) break;
     }
-    close_statements(most_kept_);
+    close_statements(max_kept_);
     return text;
   }
 
@@ -57,7 +57,7 @@ class KeepingDriver {
   }
 
   Database db_;
-  std::size_t most_kept_;
+  std::size_t max_kept_;
   std::vector<sqlite3_stmt*> statements_;
 };
 

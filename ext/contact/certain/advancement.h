@@ -38,7 +38,7 @@ class Advancement {
   Verdict touches() {
     if (begin_ > near_end_) return Verdict::no;
     double tau = begin_;
-    for (int leaps = 0; leaps < most_leaps; ++leaps) {
+    for (int leaps = 0; leaps < max_leaps; ++leaps) {
       const double step = apart(tau);
       const double next = step >= 0 ? after_leap(tau, step) : tau;
       if (next > near_end_) return Verdict::no;

@@ -26,17 +26,17 @@ class Chord {
     using std::abs;
     // The least slope that is divided by, and the least time that a crossing is off by where its product is
     // subnormal.
-    constexpr double slack = 0x1p-40, least_slope = 0x1p-1000, least_time = 0x1p-1000;
+    constexpr double slack = 0x1p-40, min_slope = 0x1p-1000, min_time = 0x1p-1000;
     for (int j = 0; j < D; ++j) {
       const CertainAxisMotion<Real>& r = relative.axis[j];
       // No square of a time: it may vanish where the distance does not. What overflows in the slope does so
       // in the swing, and gives no answer.
       const Real bent = end * abs(r.a), swing = abs(r.v) + bent;
-      const Real lost = r.ex + end * (r.ev + end * r.ea) + 2 * end * least_slope;
+      const Real lost = r.ex + end * (r.ev + end * r.ea) + 2 * end * min_slope;
       const Real slope = r.v + end * r.a;
       at_[j] = r.x;
-      steep_[j] = 1 / select(abs(slope) < least_slope, least_slope, slope);
-      room_[j] = 0.25 * (end * bent) + lost + slack * (abs(at_[j]) + (end + least_time) * swing) + 0x1p-1000;
+      steep_[j] = 1 / select(abs(slope) < min_slope, min_slope, slope);
+      room_[j] = 0.25 * (end * bent) + lost + slack * (abs(at_[j]) + (end + min_time) * swing) + 0x1p-1000;
     }
   }
 
@@ -65,7 +65,7 @@ class Chord {
  private:
   /// A length, at most.
   template <class Lengths>
-  static Real most(int number, const Lengths& lengths) {
+  static Real upper_bound(int number, const Lengths& lengths) {
     using std::abs;
     if (number == no_length) return 0.0;
     const BoundedOf<Real> length = lengths[number];
@@ -74,19 +74,19 @@ class Chord {
 
   /// How far out a face is at some moment, at most.
   template <class Lengths>
-  Real most(const Size& size, const Lengths& lengths) const {
-    const Real first = most(size.value, lengths);
+  Real upper_bound(const Size& size, const Lengths& lengths) const {
+    const Real first = upper_bound(size.value, lengths);
     return size.moves() ? first + moved(size, lengths) : first;
   }
   template <class Lengths>
   [[gnu::noinline]] Real moved(const Size& size, const Lengths& lengths) const {
-    return end_ * greater(most(size.rate, lengths), Real(0.0)) * (1 + 0x1p-40) + 0x1p-1000;
+    return end_ * greater(upper_bound(size.rate, lengths), Real(0.0)) * (1 + 0x1p-40) + 0x1p-1000;
   }
 
   /// When the chord crosses a face: infinite, towards the side that the face is on, if there is none.
   template <class Lengths>
   Real crossing(int axis, double side, bool there, const Size& face, const Lengths& lengths) const {
-    const Real size = most(face, lengths);
+    const Real size = upper_bound(face, lengths);
     const Real width = size + room_[axis], steep = steep_[axis];
     // A slope that is no number has no sign to go by, and the two faces must not end up on one side.
     const Real none = select(steep > 0, Real(side * for_ever), Real(-side * for_ever));

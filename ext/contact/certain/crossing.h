@@ -107,7 +107,7 @@ class Crossing {
   Instant of(const Primitive& primitive, const std::array<Bounded, N>& p) const {
     const double lost = certain_.lost(primitive), error = p[0].error_bound(lost);
     double moved = 0;
-    for (std::size_t k = N - 1; k > 0; --k) moved = width_ * (most(p[k]) + moved);
+    for (std::size_t k = N - 1; k > 0; --k) moved = width_ * (upper_bound(p[k]) + moved);
     const double certain = error + 2 * moved;
     if (p[0].value < -certain || positive_during(p, -1, lost, width_) > width_) return inside;
     if (p[0].value > certain || positive_during(p, 1, lost, width_) > width_) return outside;
@@ -124,14 +124,14 @@ class Crossing {
   template <std::size_t N>
   double bend(const std::array<Bounded, N>& p, double step) const {
     if constexpr (N == 2) return 0;
-    if constexpr (N == 3) return 2 * most(p[2]);
+    if constexpr (N == 3) return 2 * upper_bound(p[2]);
     if constexpr (N == 5) {
       const double span = std::max(width_, 2 * std::abs(step));
-      return 2 * (most(p[2]) + span * (3 * most(p[3]) + 6 * span * most(p[4])));
+      return 2 * (upper_bound(p[2]) + span * (3 * upper_bound(p[3]) + 6 * span * upper_bound(p[4])));
     }
   }
 
-  static double most(const Bounded& c) { return std::abs(c.value) + c.error_bound(0x1p-1060); }
+  static double upper_bound(const Bounded& c) { return std::abs(c.value) + c.error_bound(0x1p-1060); }
 
   CertainSet<D, Degree>& certain_;
   const PairLengths<DoubleDouble> lengths_;

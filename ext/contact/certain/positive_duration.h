@@ -43,7 +43,7 @@ inline double linear_positive_for(double p0, double p1) {
 }
 
 /// Least value that c2 + c3 s + c4 s^2 certainly keeps on [0, length].
-inline double least_bend(double c2, double c3, double c4, double length) {
+inline double min_bend(double c2, double c3, double c4, double length) {
   const double slack = 16 * unit_roundoff * (std::abs(c2) + length * (std::abs(c3) + length * std::abs(c4)));
   const double at_end = c2 + length * (c3 + length * c4);
   double least = std::min(c2, at_end);
@@ -80,7 +80,7 @@ template <std::size_t N>
   if constexpr (N == 5) {
     const double c2 = least(2), c3 = least(3), c4 = least(4);
     const double step = bent_positive_for(
-        now, least(1), room, [c2, c3, c4](double length) { return least_bend(c2, c3, c4, length); });
+        now, least(1), room, [c2, c3, c4](double length) { return min_bend(c2, c3, c4, length); });
     return step < room ? step : for_ever;
   }
 }

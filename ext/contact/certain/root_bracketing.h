@@ -14,7 +14,7 @@ struct Bracket {
   double before = 0, after = 0;
 };
 
-constexpr int most_leaps = 48;
+constexpr int max_leaps = 48;
 
 /// Where a leap from tau surely ends in what is certain.
 inline double after_leap(double tau, double step) {
@@ -25,7 +25,7 @@ inline double after_leap(double tau, double step) {
 /// ask(tau) says for how long from tau on, below 0 if not even then.
 template <class Predicate>
 double leap(Predicate&& predicate, double tau, double end) {
-  for (int leaps = 0; leaps < most_leaps; ++leaps) {
+  for (int leaps = 0; leaps < max_leaps; ++leaps) {
     const double step = predicate(tau);
     if (!(step >= 0)) return tau;
     const double next = after_leap(tau, step);

@@ -190,7 +190,7 @@ Trend trend_at_boundary(const Encounter<D>& encounter, const TrajectoryFamily<D>
   Trend trend = Trend::departing;
   const auto probe_along = [&](const Vec<D>& n, double error, double growth) {
     const double unsure = (error + 0x1p-44) * (speed + growth);
-    if (least_of<D>(n, encounter.v, encounter.ev, family.all.velocity) > growth + unsure ||
+    if (min_of<D>(n, encounter.v, encounter.ev, family.all.velocity) > growth + unsure ||
         trend == Trend::approaching)
       return;
     const bool in = (n * encounter.v).sum() + family.all.velocity.support(-n) < growth - unsure;

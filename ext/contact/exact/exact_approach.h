@@ -11,7 +11,7 @@
 namespace foresee {
 
 /// |x + v tau + a tau^2|^2 by powers of tau.
-using SquaredDistance = std::array<Dyadic, Polynomial::most + 1>;
+using SquaredDistance = std::array<Dyadic, Polynomial::max_degree + 1>;
 
 template <int D>
 SquaredDistance squared_distance(const RelativeMotion<Dyadic, D>& relative) {

@@ -22,13 +22,13 @@ class ExactPair {
                        [this](const ContactSet::Piece& piece) { return !held(piece).empty(); });
   }
 
-  NeededPieces needed(std::size_t most) {
+  NeededPieces needed(std::size_t limit) {
     const std::vector<Held> chain = chain_of(all_held());
     NeededPieces needed{{}, std::numeric_limits<double>::infinity()};
     std::size_t count = chain.size();
-    if (count > most) {
-      const double until = double_below(chain[most].interval.first->at);
-      if (lifetime_.begin < Dyadic(until)) needed.until = until, count = most;
+    if (count > limit) {
+      const double until = double_below(chain[limit].interval.first->at);
+      if (lifetime_.begin < Dyadic(until)) needed.until = until, count = limit;
     }
     for (std::size_t i = 0; i < count; ++i) needed.pieces.push_back(chain[i].piece);
     std::sort(needed.pieces.begin(), needed.pieces.end());
@@ -267,8 +267,8 @@ ExactLifetime exact_lifetime_of(const Setup& setup, const double* row_a, const d
   return lifetime;
 }
 
-NeededPieces needed_pieces(PiecePolynomials& polynomials, const ExactLifetime& lifetime, std::size_t most) {
-  return ExactPair(polynomials, lifetime).needed(most);
+NeededPieces needed_pieces(PiecePolynomials& polynomials, const ExactLifetime& lifetime, std::size_t limit) {
+  return ExactPair(polynomials, lifetime).needed(limit);
 }
 
 bool exact_touches(PiecePolynomials& polynomials, const ExactLifetime& lifetime) {

@@ -34,8 +34,8 @@ struct NeededPieces {
   double until;  ///< measured from now; later than all that is asked about where they are enough for that
 };
 
-/// The fewest that are enough; no more than `most` of them, but until then, where those begin one by one.
-NeededPieces needed_pieces(PiecePolynomials& polynomials, const ExactLifetime& lifetime, std::size_t most);
+/// The fewest that are enough; no more than `limit` of them, but until then, where those begin one by one.
+NeededPieces needed_pieces(PiecePolynomials& polynomials, const ExactLifetime& lifetime, std::size_t limit);
 
 /// Whether two touch at a moment at which no piece holds.
 using TouchesBetween = std::function<bool(const Dyadic& time)>;

@@ -59,12 +59,12 @@ class Passing {
     const Triple n = cross(u, v);
     const Triple a{dot(n, a_.at[0]), dot(n, a_.at[1]), dot(n, a_.at[2])};
     const Triple b{dot(n, b_.at[0]), dot(n, b_.at[1]), dot(n, b_.at[2])};
-    const auto [least_a, greatest_a] = std::minmax({a[0], a[1], a[2]});
-    const auto [least_b, greatest_b] = std::minmax({b[0], b[1], b[2]});
+    const auto [min_a, greatest_a] = std::minmax({a[0], a[1], a[2]});
+    const auto [min_b, greatest_b] = std::minmax({b[0], b[1], b[2]});
     // What underflows in n is no harm either, and in the sums it is less than this.
     const double slack = slack_ * sum_of_sizes(n) + 0x1p-1000;
     const double swing = dot(n, swing_), at = dot(n, place_), speed = dot(n, speed_);
-    const double low = least_a - greatest_b, high = greatest_a - least_b;
+    const double low = min_a - greatest_b, high = greatest_a - min_b;
     // n is off by less than 2^-49 of |u| |v|.
     const double wide = 2 * slack_ * (sum_of_sizes(u) * sum_of_sizes(v)) + 2 * slack;
     within_[count_++] = {low + wide + std::max(swing, 0.0), high - wide + std::min(swing, 0.0), at, speed};

@@ -7,7 +7,7 @@ namespace foresee {
 namespace {
 
 /// Squares of less vanish, or nearly; of more they overflow.
-constexpr double least = 0x1p-490, most_size = 0x1p500;
+constexpr double least = 0x1p-490, max_size = 0x1p500;
 
 double dot(const Corner& a, const Corner& b) {
   return a.x * b.x + a.y * b.y;
@@ -46,7 +46,7 @@ class SumAlongPath {
   double slack() const { return 0x1p-45 * size_ + least; }
 
   Verdict is_near(const Bounded& radius, double slack) {
-    if (!(size_ < most_size)) return Verdict::uncertain;
+    if (!(size_ < max_size)) return Verdict::uncertain;
     const double surely = radius.value - radius.error - slack, possibly = radius.value + radius.error + slack;
     corners_[0] = gap(gap(a_[0], b_[0]), path_[0]), count_ = 1;
     Corner nearest = corners_[0];

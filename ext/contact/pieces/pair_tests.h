@@ -39,7 +39,7 @@ class PairTests {
   /// Before another pair is tested all are forgotten: so the memory for a pair of objects is bounded, and
   /// they are tested again if they are asked for again.
   bool is_full() const {
-    return space_.tested.size() + space_.intervals.size() + space_.ends.size() >= most_known;
+    return space_.tested.size() + space_.intervals.size() + space_.ends.size() >= max_known;
   }
 
   /// All stays that are known.
@@ -111,7 +111,7 @@ class PairTests {
 
  private:
   /// Some megabytes.
-  static constexpr std::size_t most_known = 1 << 15;
+  static constexpr std::size_t max_known = 1 << 15;
 
   struct Tested {
     std::span<const PieceInterval> intervals;

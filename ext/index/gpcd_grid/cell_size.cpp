@@ -58,9 +58,9 @@ void coarsen_until_few_giants(std::span<const FloatBox<D>> sample, std::size_t c
   }
 }
 
-double parts(double length, double width, double most) {
-  const double wished = width > 0 ? std::ceil(length / width) : length > 0 ? most : 1;
-  return std::clamp(wished, 1.0, std::max(1.0, std::min(most, parts_max)));
+double parts(double length, double width, double limit) {
+  const double wished = width > 0 ? std::ceil(length / width) : length > 0 ? limit : 1;
+  return std::clamp(wished, 1.0, std::max(1.0, std::min(limit, parts_max)));
 }
 
 Cuts cuts_of(const Range& range, double count) {

@@ -82,9 +82,9 @@ typename PaperGrid<D>::Cuts PaperGrid<D>::choose_cells(const Sides& sides) {
     cuts.per_unit[k] = 1 / figures_.cell[k];
     cuts.from[k] = std::isfinite(axis[k].lowest) ? axis[k].lowest : 0;
   }
-  const double most = entries_per_object * static_cast<double>(sides[0].size() + sides[1].size() + 1);
+  const double limit = entries_per_object * static_cast<double>(sides[0].size() + sides[1].size() + 1);
   double count = entry_count(sides, cuts);
-  for (; count > most; count = entry_count(sides, cuts)) {
+  for (; count > limit; count = entry_count(sides, cuts)) {
     cuts.per_unit /= 2;
     figures_.cell *= 2;
     figures_.doubled *= 2;

@@ -11,9 +11,9 @@ constexpr double least = 0x1p-1000;  // more than underflow loses
 constexpr double inf = std::numeric_limits<double>::infinity();
 
 /// Disjoint spans in order of time.
-template <std::size_t Most>
+template <std::size_t MaxCount>
 struct Times {
-  std::array<SharedInterval, Most> spans;
+  std::array<SharedInterval, MaxCount> spans;
   std::size_t count = 0;
 
   void add(double begin, double end) {

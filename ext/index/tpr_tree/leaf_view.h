@@ -22,7 +22,7 @@ template <int D>
 MovingBox<D> child_box(const Node& inner, std::size_t slot, const Horizon& horizon) {
   const Times times = times_at<D>(inner, slot);
   return moving_box<D>(bounds_at<D>(inner, slot), inner.epoch,
-                       span_between(times.t_least, times.until_greatest, horizon), horizon);
+                       span_between(times.t_min, times.until_greatest, horizon), horizon);
 }
 
 }  // namespace foresee

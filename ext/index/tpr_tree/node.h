@@ -71,18 +71,17 @@ struct Mover {
 
 /// When the objects beneath an entry begin and end.
 struct Times {
-  double t_least = std::numeric_limits<double>::infinity();
-  double t_greatest = -std::numeric_limits<double>::infinity();
+  double t_min = std::numeric_limits<double>::infinity();
+  double t_max = -std::numeric_limits<double>::infinity();
   double until_greatest = -std::numeric_limits<double>::infinity();
 
   void include(const Times& other) {
-    t_least = std::min(t_least, other.t_least);
-    t_greatest = std::max(t_greatest, other.t_greatest);
+    t_min = std::min(t_min, other.t_min);
+    t_max = std::max(t_max, other.t_max);
     until_greatest = std::max(until_greatest, other.until_greatest);
   }
   bool contains(const Times& other) const {
-    return t_least <= other.t_least && other.t_greatest <= t_greatest &&
-           other.until_greatest <= until_greatest;
+    return t_min <= other.t_min && other.t_max <= t_max && other.until_greatest <= until_greatest;
   }
   friend bool operator==(const Times&, const Times&) = default;
 };
@@ -127,7 +126,7 @@ Entry<D> entry_at(const Node& inner, std::size_t slot) {
 template <int D>
 void set_entry(Node& inner, std::size_t slot, const Entry<D>& entry) {
   double* to = inner.values.data() + slot * entry_size(D);
-  *to++ = entry.times.t_least, *to++ = entry.times.t_greatest, *to++ = entry.times.until_greatest;
+  *to++ = entry.times.t_min, *to++ = entry.times.t_max, *to++ = entry.times.until_greatest;
   for (const Vec<D>* part : {&entry.bounds.x_lower, &entry.bounds.x_upper, &entry.bounds.v_lower,
                              &entry.bounds.v_upper, &entry.bounds.a_lower, &entry.bounds.a_upper})
     to = std::copy_n(part->data(), D, to);

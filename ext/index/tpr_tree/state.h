@@ -75,7 +75,7 @@ struct TreeState {
     return objects <= pages.leaf_capacity() ? 1 : (objects + packed_size() - 1) / packed_size();
   }
   /// A node with fewer keys is dissolved, the root excepted. At most the smaller half of any split.
-  std::size_t least_size(int level) const { return std::max<std::size_t>(2, capacity(level) / 4); }
+  std::size_t min_size(int level) const { return std::max<std::size_t>(2, capacity(level) / 4); }
 };
 
 /// Something that gets a place in the tree: an object in a leaf, or a branch in an inner node.

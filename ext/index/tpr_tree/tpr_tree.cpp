@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t few = 32;
 /// No more are merged at once, and none than there is memory for if each concerns another leaf: leaves stay
 /// in memory meanwhile, as they were and as they become.
-constexpr std::size_t most_merged = 1 << 15, merge_memory = 64 << 20;
+constexpr std::size_t max_merged = 1 << 15, merge_memory = 64 << 20;
 /// Of so many updates one looks around its leaf; of objects that are merged together, which renew what is
 /// above them anyway, one of more.
 constexpr std::size_t between_repacks = 24, between_merged = 512;
@@ -146,7 +146,7 @@ class Tree final : public TprTree {
   /// How many objects are merged at once.
   std::size_t portion() const {
     const std::size_t leaf = state_.pages.leaf_capacity() * state_.reader.record_size() * sizeof(double);
-    return std::clamp(merge_memory / leaf, few, most_merged);
+    return std::clamp(merge_memory / leaf, few, max_merged);
   }
 
   /// The records that were written last are the last ones.
@@ -176,7 +176,7 @@ class Tree final : public TprTree {
   /// to mend.
   static bool entry_contains(const Node& parent, NodeNumber child, const NewObject<D>& object) {
     Entry<D> entry = entry_at<D>(parent, slot_of(parent, child));
-    entry.times.t_greatest = std::numeric_limits<double>::infinity();
+    entry.times.t_max = std::numeric_limits<double>::infinity();
     return entry.contains(object.entry(parent.epoch));
   }
 

@@ -16,7 +16,7 @@
 namespace foresee {
 namespace {
 
-constexpr double least_number = std::numeric_limits<double>::denorm_min();
+constexpr double min_number = std::numeric_limits<double>::denorm_min();
 
 /// One manoeuvre of one question, step by step.
 class Manoeuvring {
@@ -133,8 +133,8 @@ class Manoeuvring {
     }
     const KRange around = *after;
     auto place = clear.erase(after);
-    if (around.to > 0) place = clear.insert(place, {least_number, around.to});
-    if (around.from < 0) clear.insert(place, {around.from, -least_number});
+    if (around.to > 0) place = clear.insert(place, {min_number, around.to});
+    if (around.from < 0) clear.insert(place, {around.from, -min_number});
     return clear;
   }
 

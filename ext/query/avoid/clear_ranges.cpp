@@ -29,7 +29,7 @@ ClearRanges<D>::ClearRanges(const OwnMotion& base, const Change& change,
 template <int D>
 std::vector<KRange> ClearRanges<D>::between(double lo, double hi) {
   width_ = hi - lo;
-  least_change_ = least_change(base_, change_, lo, hi);
+  min_change_ = min_change(base_, change_, lo, hi);
   clear_.clear();
   const std::size_t all = intruders_.size();
   open_.resize(all);
@@ -46,9 +46,9 @@ std::vector<KRange> ClearRanges<D>::between(double lo, double hi) {
 template <int D>
 double ClearRanges<D>::narrowest() const {
   constexpr std::uint64_t usual = 1 << 20;
-  return std::max(least_change_, width_ * (evaluations_ < usual       ? 0x1p-40
-                                           : evaluations_ < 4 * usual ? 0x1p-22
-                                                                      : 0x1p-12));
+  return std::max(min_change_, width_ * (evaluations_ < usual       ? 0x1p-40
+                                         : evaluations_ < 4 * usual ? 0x1p-22
+                                                                    : 0x1p-12));
 }
 
 /// Parting on bent paths is proven by intervals, which leave a little in doubt at any width.

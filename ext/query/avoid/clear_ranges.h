@@ -68,7 +68,7 @@ class ClearRanges {
   std::vector<IntruderCertificate<D>> intruders_;  ///< then parts of them
   std::unordered_map<std::uint32_t, std::pair<std::uint32_t, std::uint32_t>> parts_;
   Steps step_;
-  double width_ = 0, least_change_ = 0;
+  double width_ = 0, min_change_ = 0;
   std::uint64_t evaluations_ = 0;    ///< beyond the first at each intruder
   std::vector<std::uint32_t> open_;  ///< of each range on the way down, its intruders in doubt
   std::vector<KRange> clear_;

@@ -64,7 +64,7 @@ class Explanation {
 
  private:
   bool has(Shape shape) const { return a_.layout.shape == shape || b_.layout.shape == shape; }
-  bool to_the_letter() const { return plan_.method == JoinMethod::gpcd; }
+  bool uses_paper_grid() const { return plan_.method == JoinMethod::gpcd; }
 
   void open_axes() {
     with_axes(a_.layout.axes, [&]<int D>(Axes<D>) { open<D>(); });
@@ -77,7 +77,7 @@ class Explanation {
     const Bodies a = a_.bodies(), b = b_.bodies();
     const bool between = question_.b != nullptr;
     const double begin = thread_seconds();
-    if (to_the_letter())
+    if (uses_paper_grid())
       candidates_ = owned(make_paper_grid<D>(a, b, between, horizon, margin, interrupt_));
     else
       candidates_ = join_candidates(question_, plan_.method, horizon, contact_->reach(), interrupt_);
@@ -170,7 +170,7 @@ class Explanation {
 
   std::string test_detail(PaperStage stage) const {
     std::string detail;
-    if (!to_the_letter())
+    if (!uses_paper_grid())
       detail = std::string("left out: '") + name_of(plan_.method) +
                "' goes from candidates to exact time; measured here";
     if (stage != PaperStage::centre_point) return detail;

@@ -18,7 +18,7 @@ constexpr double grid_repetition = 60;  // a pair in contact already is looked a
 
 /// How many rows of a scene are looked at: one in so many, within limits.
 struct SampleSize {
-  std::size_t one_in, least, most;
+  std::size_t one_in, min, max;
 };
 constexpr SampleSize usual_sample{256, 48, 256}, few{256, 16, 16}, many{16, 48, 4096};
 constexpr std::size_t slabs_max = 4096;
@@ -38,7 +38,7 @@ template <int D>
 std::vector<Box<D>> sample_of(const Scene& scene, const Horizon& horizon, const Vec<D>& margin,
                               const SampleSize& size = usual_sample) {
   const std::size_t count = scene.size(),
-                    wanted = std::min(count, std::clamp(count / size.one_in, size.least, size.most));
+                    wanted = std::min(count, std::clamp(count / size.one_in, size.min, size.max));
   const Bodies bodies = scene.bodies();
   std::vector<Box<D>> boxes;
   boxes.reserve(wanted);
@@ -95,8 +95,8 @@ struct QueriedSpan {
 };
 
 QueriedSpan span_of(const JoinQuestion& question) {
-  const double begin = std::max({0.0, question.queried_dt.least, question.queried_t.least - question.now});
-  const double end = std::min({question.h, question.queried_dt.most, question.queried_t.most - question.now});
+  const double begin = std::max({0.0, question.queried_dt.min, question.queried_t.min - question.now});
+  const double end = std::min({question.h, question.queried_dt.max, question.queried_t.max - question.now});
   return {begin, std::max(0.0, end - begin)};
 }
 
@@ -163,7 +163,7 @@ TimeSlabs slabs_of(const JoinPlan& plan, const JoinQuestion& question) {
   const double step = plan.slabs > 1 ? length / static_cast<double>(plan.slabs) : endless;
   if (question.order == JoinOrder::any) return {question, {step, step}};
   constexpr double first_share = 1.0 / 64;
-  return {question, {step, std::min(step, length * first_share), question.queried_dt.least <= 0}};
+  return {question, {step, std::min(step, length * first_share), question.queried_dt.min <= 0}};
 }
 
 }  // namespace foresee

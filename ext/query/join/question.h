@@ -34,11 +34,11 @@ struct JoinWants {
 
 /// Both ends included. Rows outside are left out.
 struct QueriedTimes {
-  double least = -std::numeric_limits<double>::infinity();
-  double most = std::numeric_limits<double>::infinity();
+  double min = -std::numeric_limits<double>::infinity();
+  double max = std::numeric_limits<double>::infinity();
 
-  bool holds(double time) const { return least <= time && time <= most; }
-  bool are_all() const { return least == QueriedTimes{}.least && most == QueriedTimes{}.most; }
+  bool holds(double time) const { return min <= time && time <= max; }
+  bool are_all() const { return min == QueriedTimes{}.min && max == QueriedTimes{}.max; }
 };
 
 inline constexpr std::size_t all_rows = std::numeric_limits<std::size_t>::max();

@@ -24,7 +24,7 @@ namespace foresee {
 class SortedHits {
  public:
   explicit SortedHits(const JoinQuestion& question)
-      : question_(question), room_(std::max(least_room, question.likely_rows)) {}
+      : question_(question), room_(std::max(min_room, question.likely_rows)) {}
 
   /// Of the slab's hits behind those taken the first are kept, at least as many as are likely to be read; of
   /// the others some may be left out (leaves_some_out).
@@ -43,7 +43,7 @@ class SortedHits {
   std::size_t size() const { return found_.size(); }
 
  private:
-  static constexpr std::size_t least_room = 4096, growth = 8;
+  static constexpr std::size_t min_room = 4096, growth = 8;
 
   struct Found {
     double t, dt;

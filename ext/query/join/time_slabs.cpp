@@ -24,10 +24,9 @@ TimeSlabs::TimeSlabs(const JoinQuestion& question, const SlabLengths& lengths)
     : horizon_{question.now, question.h}, lengths_(lengths) {
   const FloatEnvironment environment;
   // A dt of at least d stands for a real number above the double before d, and so on.
-  begin_ =
-      std::max({question.now, question.queried_t.least, question.now + before(question.queried_dt.least)});
+  begin_ = std::max({question.now, question.queried_t.min, question.now + before(question.queried_dt.min)});
   end_ = std::min(
-      {question.now + question.h, question.queried_t.most, question.now + after(question.queried_dt.most)});
+      {question.now + question.h, question.queried_t.max, question.now + after(question.queried_dt.max)});
   at_ = begin_;
   done_ = !(begin_ <= end_);
 }

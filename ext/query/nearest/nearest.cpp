@@ -72,7 +72,7 @@ class Search {
       if (i % 256 == 0) interrupt_.check();
       const MovingBox<D> box =
           moving_box<D>(motion_of<D>(bodies, i), Extents<D>::none(), horizon_, Vec<D>::Zero());
-      if (box.span.is_empty() || least_distance(box, question, box.span) > best_.reach()) continue;
+      if (box.span.is_empty() || min_distance(box, question, box.span) > best_.reach()) continue;
       offer(scene.ids[i], bodies.row(i));
     }
     return std::move(best_).ranked();

@@ -17,8 +17,8 @@ Box<D> met_by_all(const std::vector<QueriedCorners>& queried) {
   Box<D> box{Vec<D>::Constant(-inf), Vec<D>::Constant(inf)};
   for (int axis = 0; axis < std::min(D, static_cast<int>(queried.size())); ++axis) {
     const QueriedCorners& corners = queried[static_cast<std::size_t>(axis)];
-    const double one = std::max(corners.lower_least, corners.upper_least),
-                 other = std::min(corners.lower_most, corners.upper_most);
+    const double one = std::max(corners.lower_min, corners.upper_min),
+                 other = std::min(corners.lower_max, corners.upper_max);
     box.lower[axis] = std::min(one, other), box.upper[axis] = std::max(one, other);
   }
   return box;

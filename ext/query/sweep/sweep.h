@@ -62,7 +62,7 @@ Vec<D> sweep_margin(double within, std::optional<double> within_z) {
 
 /// Between which numbers a box's corners are asked for, per axis: both ends included.
 struct QueriedCorners {
-  double lower_least, lower_most, upper_least, upper_most;
+  double lower_min, lower_max, upper_min, upper_max;
 };
 
 struct SweepQuestion {

@@ -34,7 +34,7 @@ inline Vec<3> place_of(const SpaceCorner& corner) {
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// As many triangles a mesh may have.
-constexpr std::size_t most_triangles = 65536;
+constexpr std::size_t max_triangles = 65536;
 
 class Mesh {
  public:

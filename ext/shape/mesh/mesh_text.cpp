@@ -58,7 +58,7 @@ class MeshReader : WktLexer {
   void faces() {
     must_take('(');
     do {
-      if (corners_.size() == 3 * most_triangles) refuse_triangles();
+      if (corners_.size() == 3 * max_triangles) refuse_triangles();
       face();
     } while (take(','));
     must_take(')');
@@ -116,8 +116,8 @@ class MeshReader : WktLexer {
   [[noreturn]] void refuse_triangles() {
     const std::string_view left = rest();
     const auto others = static_cast<std::size_t>(std::count(left.begin(), left.end(), '(')) / 2;
-    throw Error(std::to_string(most_triangles + std::max<std::size_t>(others, 1)) + " triangles; at most " +
-                std::to_string(most_triangles) + ": simplify the mesh");
+    throw Error(std::to_string(max_triangles + std::max<std::size_t>(others, 1)) + " triangles; at most " +
+                std::to_string(max_triangles) + ": simplify the mesh");
   }
 
   std::vector<SpaceCorner> corners_;  ///< three a triangle

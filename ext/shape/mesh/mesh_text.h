@@ -4,7 +4,7 @@
 //
 // TIN Z is a surface, POLYHEDRALSURFACE Z a solid, MULTIPOLYGON Z a solid if it is closed. Every face is a
 // triangle: a ring of three corners, three numbers each, of which the first comes again at the end. Equal
-// corners become one; -0 is 0. At most `most_triangles`: what has more is refused when the first too many is
+// corners become one; -0 is 0. At most `max_triangles`: what has more is refused when the first too many is
 // read. Whether triangles have an area, and whether a solid is closed, is not asked here (mesh_check.h).
 //
 // Throws Error, which names the face or the character (the first is 1) and quotes at most 40 characters.

@@ -32,7 +32,7 @@ struct Corner {
 };
 
 /// As many corners an outline may have, closing ones not counted.
-constexpr std::size_t most_corners = 65536;
+constexpr std::size_t max_corners = 65536;
 
 class Outline {
  public:

@@ -76,12 +76,12 @@ class OutlineReader : WktLexer {
       const double x = number();
       outline_.add({x, number()});
       if (!take(',')) break;
-      if (outline_.corners().size() > most_corners) refuse_corners(1);
+      if (outline_.corners().size() > max_corners) refuse_corners(1);
     }
     if (!take(')')) refuse_corner_end();
     const std::size_t last = outline_.rings() - 1;
     if (outline_.close_ring() || outline_.ring(last).size() == 1) {
-      if (outline_.corners().size() > most_corners) refuse_corners(0);
+      if (outline_.corners().size() > max_corners) refuse_corners(0);
       return;
     }
     throw Error(name_of_ring(outline_, last) + " is not closed: write the first corner (" +
@@ -102,7 +102,7 @@ class OutlineReader : WktLexer {
       if (c == ',') ++corners, closed = false;
       if (c == ')' && !closed) --corners, closed = true;
     }
-    throw Error(std::to_string(corners) + " corners; at most " + std::to_string(most_corners) +
+    throw Error(std::to_string(corners) + " corners; at most " + std::to_string(max_corners) +
                 ": simplify the outline");
   }
 

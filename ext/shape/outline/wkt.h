@@ -6,7 +6,7 @@
 // way round and are closed: the first corner comes again at the end. Each number is the double nearest to
 // what is written; one beyond the largest double is refused, and one that is not 0 but nearest to it.
 // "SRID=n;" before them is dropped, but 4326 is refused: degrees are no lengths. Corners that repeat the one
-// before them are dropped. At most `most_corners`: what has more is refused when the first too many is read.
+// before them are dropped. At most `max_corners`: what has more is refused when the first too many is read.
 // Whether rings cross is not asked here (validity.h).
 //
 // Throws Error, which names the ring or the character (the first is 1) and quotes at most 40 characters.

@@ -113,12 +113,12 @@ FunctionCall::Bounds FunctionCall::bounds(int output) const {
     // An integer may lie on either side of its double.
     const bool exact = type == SQLITE_FLOAT || integer_of(number) == sqlite3_value_int64(hint.value);
     const double below = std::nextafter(number, -inf), above = std::nextafter(number, inf);
-    if (hint.op == SQLITE_INDEX_CONSTRAINT_GT) bounds.least = std::max(bounds.least, exact ? above : below);
+    if (hint.op == SQLITE_INDEX_CONSTRAINT_GT) bounds.min = std::max(bounds.min, exact ? above : below);
     if (hint.op == SQLITE_INDEX_CONSTRAINT_GE || hint.op == SQLITE_INDEX_CONSTRAINT_EQ)
-      bounds.least = std::max(bounds.least, exact ? number : below);
-    if (hint.op == SQLITE_INDEX_CONSTRAINT_LT) bounds.most = std::min(bounds.most, exact ? below : above);
+      bounds.min = std::max(bounds.min, exact ? number : below);
+    if (hint.op == SQLITE_INDEX_CONSTRAINT_LT) bounds.max = std::min(bounds.max, exact ? below : above);
     if (hint.op == SQLITE_INDEX_CONSTRAINT_LE || hint.op == SQLITE_INDEX_CONSTRAINT_EQ)
-      bounds.most = std::min(bounds.most, exact ? number : above);
+      bounds.max = std::min(bounds.max, exact ? number : above);
   }
   return bounds;
 }

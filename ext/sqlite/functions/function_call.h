@@ -132,7 +132,7 @@ class FunctionCall {
   /// What the query wants `output` to lie between, both ends included; infinite where it does not say. No
   /// double that the query takes lies outside.
   struct Bounds {
-    double least, most;
+    double min, max;
   };
   Bounds bounds(int output) const;
   /// The outputs by which rows must come, rising: one of the function's orders, or its beginning.

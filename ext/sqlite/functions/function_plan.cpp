@@ -132,8 +132,8 @@ constexpr int order_length_at = 16, order_at = 20;  // in idxNum
 /// The bits of the outputs of which a call is told whether they are read: all, or of a function with orders
 /// the first sixteen.
 std::uint32_t outputs_reported(const TableFunction& function) {
-  constexpr int most = 30;
-  const int max_bits = function.orders.empty() ? most : order_length_at;
+  constexpr int limit = 30;
+  const int max_bits = function.orders.empty() ? limit : order_length_at;
   return (1u << std::min(output_count(function), max_bits)) - 1;
 }
 

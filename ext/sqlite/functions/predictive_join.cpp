@@ -61,7 +61,7 @@ JoinOrder order_of(std::span<const int> outputs) {
 }
 
 QueriedTimes queried(const FunctionCall::Bounds& bounds) {
-  return {bounds.least, bounds.most};
+  return {bounds.min, bounds.max};
 }
 
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {

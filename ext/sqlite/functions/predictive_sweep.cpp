@@ -42,7 +42,7 @@ class SweepRows final : public FunctionRows {
 QueriedCorners queried_corners(const FunctionCall& call, int axis) {
   const FunctionCall::Bounds lower = call.bounds(out_x0 + 2 * axis),
                              upper = call.bounds(out_x0 + 2 * axis + 1);
-  return {lower.least, lower.most, upper.least, upper.most};
+  return {lower.min, lower.max, upper.min, upper.max};
 }
 
 std::unique_ptr<FunctionRows> start(const FunctionCall& call) {

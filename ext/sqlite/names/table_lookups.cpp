@@ -46,7 +46,7 @@ void TableLookups::keep(const QueriedTable& name, std::int64_t number, const std
   try {
     Statement witness(db_, "SELECT 1 FROM " + quoted_name(schema) + ".sqlite_master WHERE 0");
     witness.prepare();
-    if (kept_.size() == most_kept) kept_.erase(kept_.begin());
+    if (kept_.size() == max_kept) kept_.erase(kept_.begin());
     kept_.push_back({name, number, std::move(witness)});
   } catch (const StoreError&) {
     // An authorizer may forbid to read the schema: then SQLite is asked each time.

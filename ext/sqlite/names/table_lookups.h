@@ -55,7 +55,7 @@ class TableLookups {
     std::int64_t number;
     Statement witness;
   };
-  static constexpr std::size_t most_kept = 8;
+  static constexpr std::size_t max_kept = 8;
 
   /// What the table that SQLite finds under the name answers; nothing if it gives no number. Throws as
   /// number_of() does.

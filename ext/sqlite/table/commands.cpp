@@ -8,12 +8,12 @@
 namespace foresee {
 
 void require_integrity(MovingObjectsTable& table) {
-  constexpr std::size_t most = 5;
+  constexpr std::size_t limit = 5;
   const std::vector<std::string> findings = table.store().integrity_check(table.connection->interrupt());
   if (findings.empty()) return;
   std::string text;
-  for (std::size_t i = 0; i < findings.size() && i < most; ++i) text += (i == 0 ? "" : "; ") + findings[i];
-  if (findings.size() > most) text += "; and " + std::to_string(findings.size() - most) + " more";
+  for (std::size_t i = 0; i < findings.size() && i < limit; ++i) text += (i == 0 ? "" : "; ") + findings[i];
+  if (findings.size() > limit) text += "; and " + std::to_string(findings.size() - limit) + " more";
   throw StoreError(SQLITE_CORRUPT_VTAB, table.name + ": " + text);
 }
 

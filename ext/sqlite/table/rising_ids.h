@@ -21,7 +21,7 @@ class RisingIds {
   /// `id` is asked for now. The first id of a batch to come, if it is time to fetch that.
   std::optional<std::int64_t> next(std::int64_t id) {
     const std::uint64_t gap = static_cast<std::uint64_t>(id) - static_cast<std::uint64_t>(last_);
-    const bool rises = last_ < id && gap <= widest_gap && id <= most;
+    const bool rises = last_ < id && gap <= widest_gap && id <= limit;
     last_ = id;
     if (!rises) {
       named_until_ = id;
@@ -37,9 +37,9 @@ class RisingIds {
   /// How many ids before its first one a batch is named: fetching takes about as long as so many look-ups.
   static constexpr std::int64_t lead = 4;
   static constexpr std::uint64_t widest_gap = 4;
-  static constexpr std::int64_t most = std::numeric_limits<std::int64_t>::max() - 2 * batch;
+  static constexpr std::int64_t limit = std::numeric_limits<std::int64_t>::max() - 2 * batch;
 
-  std::int64_t last_ = most;
+  std::int64_t last_ = limit;
   std::int64_t named_until_ = 0;  ///< of a rising order: ids below have been named
 };
 

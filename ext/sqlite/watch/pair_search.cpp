@@ -30,7 +30,7 @@ ChangedObjects changed_objects(const Connection::OpenTable& table, const std::op
   return changed;
 }
 
-bool are_most(const ChangedObjects& changed, const Connection::OpenTable& table) {
+bool is_majority(const ChangedObjects& changed, const Connection::OpenTable& table) {
   return static_cast<double>(changed.ids.size()) > std::max(many, share_of_many * objects_of(table));
 }
 

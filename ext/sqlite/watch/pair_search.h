@@ -37,7 +37,7 @@ struct ChangedSides {
 ChangedObjects changed_objects(const Connection::OpenTable& table, const std::optional<std::int64_t>& stamp);
 
 /// So many that the join of all is cheaper than looking at what they were in and are in now.
-bool are_most(const ChangedObjects& changed, const Connection::OpenTable& table);
+bool is_majority(const ChangedObjects& changed, const Connection::OpenTable& table);
 
 class PairSearch {
  public:

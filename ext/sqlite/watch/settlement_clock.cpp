@@ -76,7 +76,7 @@ void Settlement::follow_reports() {
 bool Settlement::must_compute_anew() const {
   if (!changed_a_.reported || !changed_b_.reported || before_.anew || !before_.clock) return true;
   if (clock_ < *before_.clock || clock_ > before_.known_to) return true;
-  return are_most(changed_a_, tables_.a) || (tables_.b && are_most(changed_b_, *tables_.b));
+  return is_majority(changed_a_, tables_.a) || (tables_.b && is_majority(changed_b_, *tables_.b));
 }
 
 /// A look costs nearly the same however far it goes, some hundred nanoseconds for each object; what it finds

@@ -81,8 +81,8 @@ bool WatchCursor::read_changed(WatchRows& rows, const WatchState& state, const W
   if (state.anew || state.asked || !state.clock) return false;
   ChangedSides changed{.a = changed_objects(tables.a, state.stamp), .b = {}};
   changed.b = tables.b && !tables.are_one() ? changed_objects(*tables.b, state.other_stamp) : changed.a;
-  if (!changed.a.reported || !changed.b.reported || are_most(changed.a, tables.a)) return false;
-  if (tables.b && are_most(changed.b, *tables.b)) return false;
+  if (!changed.a.reported || !changed.b.reported || is_majority(changed.a, tables.a)) return false;
+  if (tables.b && is_majority(changed.b, *tables.b)) return false;
   // Of one object its own pairs are asked anew, however many others have changed.
   const bool of_one = only_a_ || only_b_;
   std::vector<ShownPair> pairs = of_one ? std::vector<ShownPair>{} : kept_pairs(rows, changed);

@@ -34,7 +34,7 @@ constexpr std::string_view stored_meshes = "meshes";
 constexpr std::string_view stored_growth = "growth";
 
 /// Bytes that are read of their names.
-constexpr std::size_t most_features = 1000;
+constexpr std::size_t max_features = 1000;
 
 /// Those that this library knows.
 std::span<const Feature> known_features();

@@ -7,7 +7,7 @@
 namespace foresee {
 namespace {
 
-enum EntryNumber { t_least, t_greatest, until_greatest, first_bound };
+enum EntryNumber { t_min, t_max, until_greatest, first_bound };
 
 std::size_t count_of(std::span<const std::byte> blob) {
   return load_number<std::uint16_t>(blob.data() + NodeFormat::count_at);
@@ -28,10 +28,9 @@ const char* entry_fault(const NodeFormat& format, const std::byte* entry, std::i
   const auto child = load_number<std::int64_t>(entry);
   if (child < 1 || child == number) return "a child is no other node";
   const auto value = [entry](std::size_t i) { return load_number<double>(entry + (i + 1) * sizeof(double)); };
-  if (!std::isfinite(value(t_least)) || !std::isfinite(value(t_greatest)) ||
-      value(t_least) > value(t_greatest))
+  if (!std::isfinite(value(t_min)) || !std::isfinite(value(t_max)) || value(t_min) > value(t_max))
     return "reference times are out of order";
-  if (!(value(until_greatest) >= value(t_least))) return "a child ends before it begins";
+  if (!(value(until_greatest) >= value(t_min))) return "a child ends before it begins";
   const auto axes = static_cast<std::size_t>(format.layout.axes);
   for (std::size_t at = first_bound; at < stored_numbers(format); at += 2 * axes)
     for (std::size_t axis = 0; axis < axes; ++axis)

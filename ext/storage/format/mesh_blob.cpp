@@ -83,7 +83,7 @@ const char* decode_mesh(std::span<const std::byte> blob, Mesh& mesh) {
   const auto kind = mesh_kind_of(form_kind_of(blob));
   if (!kind) return "its format or kind is not known";
   const MeshCounts counts = mesh_counts_of(blob.data());
-  if (counts.triangles == 0 || counts.triangles > most_triangles || counts.corners > 3 * counts.triangles)
+  if (counts.triangles == 0 || counts.triangles > max_triangles || counts.corners > 3 * counts.triangles)
     return "its counts are wrong";
   if (blob.size() != counts.size()) return "its size does not fit its counts";
   std::vector<SpaceCorner> corners;

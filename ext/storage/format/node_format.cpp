@@ -38,8 +38,8 @@ NodeFormat::NodeFormat(const Layout& layout, std::size_t node_size)
       inner_capacity((node_size - entries_at - checksum_size) / inner_entry_size) {}
 
 std::size_t NodeFormat::node_size_for(const Layout& layout, std::size_t page_size) {
-  const std::size_t leaf = ids_at + least_capacity * (number_size + record_bytes(layout));
-  const std::size_t inner = entries_at + least_capacity * inner_entry_bytes(layout);
+  const std::size_t leaf = ids_at + min_capacity * (number_size + record_bytes(layout));
+  const std::size_t inner = entries_at + min_capacity * inner_entry_bytes(layout);
   const std::size_t least = std::max(leaf, inner) + number_size;  // the checksum, and still a multiple of 8
   return std::max(page_size - page_reserve, least);
 }

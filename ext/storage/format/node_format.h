@@ -36,15 +36,15 @@ struct NodeFormat {
   static constexpr std::size_t epoch_at = 16;
   static constexpr std::size_t entries_at = 24;
   static constexpr std::size_t checksum_size = 4;
-  static constexpr std::size_t least_capacity = 4;  ///< entries of a node, however small the page
-  static constexpr std::size_t page_reserve = 64;   ///< what SQLite needs of a page beside the blob
+  static constexpr std::size_t min_capacity = 4;   ///< entries of a node, however small the page
+  static constexpr std::size_t page_reserve = 64;  ///< what SQLite needs of a page beside the blob
 
   NodeFormat() = default;
   /// Requires: node_size is what `node_size_for` gave for some page size.
   NodeFormat(const Layout& layout, std::size_t node_size);
 
   /// The size of the table's blobs: they fit a page, unless the page is so small that they would hold fewer
-  /// than `least_capacity` entries.
+  /// than `min_capacity` entries.
   static std::size_t node_size_for(const Layout& layout, std::size_t page_size);
 
   Layout layout;

@@ -74,7 +74,7 @@ const char* decode_outline(std::span<const std::byte> blob, Outline& outline) {
   if (const char* fault = form_frame_fault(blob)) return fault;
   if (form_kind_of(blob) != FormKind::outline) return "its format or kind is not known";
   const Counts counts = counts_of(blob.data());
-  if (counts.corners > most_corners || counts.rings > counts.corners || counts.parts > counts.rings)
+  if (counts.corners > max_corners || counts.rings > counts.corners || counts.parts > counts.rings)
     return "its counts are wrong";
   if (blob.size() != counts.size()) return "its size does not fit its counts";
   if (const char* fault = read_rings(blob.data(), counts, outline)) return fault;

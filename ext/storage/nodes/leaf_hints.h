@@ -46,7 +46,7 @@ class LeafHints {
   /// Grows, by a step, towards so many places.
   void reserve(std::size_t places) {
     if (empty()) make_parts();
-    const std::size_t wanted = std::min(std::bit_ceil(places), most_places);
+    const std::size_t wanted = std::min(std::bit_ceil(places), max_places);
     for (std::size_t added = 0; places_ < wanted && (added == 0 || added + parts_[next_].size() <= step);)
       added += double_next_part();
   }
@@ -72,12 +72,12 @@ class LeafHints {
   void clear() noexcept { *this = {}; }
 
  private:
-  static constexpr std::size_t most_places = 1 << 22;
+  static constexpr std::size_t max_places = 1 << 22;
   static constexpr std::uint32_t slots = 1 << 8;
   static constexpr std::size_t line = 16;  ///< hints that the processor fetches together
   static constexpr std::int64_t leaves = 1 << 24;
   static constexpr int part_bits = 6;
-  static constexpr std::size_t step = most_places >> part_bits >> 1;  ///< the largest part there is to double
+  static constexpr std::size_t step = max_places >> part_bits >> 1;  ///< the largest part there is to double
 
   using Part = std::vector<std::uint32_t>;  ///< a power of two, in lines
 

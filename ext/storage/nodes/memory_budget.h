@@ -43,8 +43,8 @@ class MemoryBudget {
  public:
   explicit MemoryBudget(const MemoryLimits& limits = {}) : limits_(limits) {}
 
-  std::size_t most_kept() const { return limits_.memory; }
-  std::size_t most_ordered() const { return limits_.ordered; }
+  std::size_t max_kept() const { return limits_.memory; }
+  std::size_t max_ordered() const { return limits_.ordered; }
   bool too_much_waits() const { return pending_ > limits_.pending || waiting_ + map_ > limits_.memory; }
   /// … to put more of them in the middle of a change, of a table that holds `own` bytes of them: enough to be
   /// worth writing.

@@ -53,7 +53,7 @@ void NodeCache::evict_if_full() {
 // While there are few, room for as many as are ever kept: a large table that grows keeps somebody waiting.
 NodeCache::Slot& NodeCache::add_slot(NodeNumber number) {
   constexpr std::size_t few = 1024;
-  if (slots_.size() == few) slots_.reserve(share_.budget().most_kept() / format_.node_size);
+  if (slots_.size() == few) slots_.reserve(share_.budget().max_kept() / format_.node_size);
   return slots_[number];
 }
 

@@ -63,10 +63,10 @@ const double* NodeCache::find_record_in_memory(std::int64_t id) {
 // Ids that count up lead all over memory, from hint to slot to node to record, and each step would wait for
 // the one before it. Many ids take a step at a time, so that the processor waits for all of them at once.
 void NodeCache::fetch_ahead(std::int64_t first, std::int64_t many) {
-  constexpr std::int64_t most = 16;
-  std::array<LeafHints::Hint, most> hints;
-  std::array<const Slot*, most> slots;
-  const auto count = static_cast<std::size_t>(std::min(many, most));
+  constexpr std::int64_t limit = 16;
+  std::array<LeafHints::Hint, limit> hints;
+  std::array<const Slot*, limit> slots;
+  const auto count = static_cast<std::size_t>(std::min(many, limit));
   for (std::size_t i = 0; i < count; ++i) hints[i] = hints_.find(first + static_cast<std::int64_t>(i));
   for (std::size_t i = 0; i < count; ++i) slots[i] = hints[i].leaf == 0 ? nullptr : in_memory(hints[i].leaf);
   for (std::size_t i = 0; i < count; ++i) {

@@ -31,11 +31,11 @@ void append(std::span<const std::byte> bytes, std::vector<T>& values) {
 }  // namespace
 
 ObjectSpill::ObjectSpill(sqlite3* db, const QualifiedName& name, std::size_t record_size,
-                         std::size_t partitions, std::size_t most_held)
+                         std::size_t partitions, std::size_t max_held)
     : table_(name.table),
       record_size_(record_size),
       objects_a_row_(std::max<std::size_t>(
-          1, std::min(largest_row, most_held / partitions) / ((record_size + 1) * sizeof(double)))),
+          1, std::min(largest_row, max_held / partitions) / ((record_size + 1) * sizeof(double)))),
       partitions_(partitions),
       counts_(partitions) {
   const char* where = keeps_in_memory(db) ? ":memory:" : "";

@@ -26,10 +26,10 @@ namespace foresee {
 
 class ObjectSpill final : public ObjectPartitions {
  public:
-  /// `db`: the connection that says whether the file is in memory; `record_size` in doubles; `most_held`:
+  /// `db`: the connection that says whether the file is in memory; `record_size` in doubles; `max_held`:
   /// bytes of objects that may wait for a write.
   ObjectSpill(sqlite3* db, const QualifiedName& name, std::size_t record_size, std::size_t partitions,
-              std::size_t most_held);
+              std::size_t max_held);
 
   void add(std::size_t partition, std::int64_t id, const double* record);
   /// All are there.

@@ -23,12 +23,12 @@ class MetaRows {
       : read_(tables.statement("SELECT value FROM {meta} WHERE key = ?1")),
         write_(tables.statement("INSERT OR REPLACE INTO {meta} VALUES(?1, ?2)")) {}
 
-  /// What stands under a key, as text; "" where there is nothing. Of a text that is longer than `most` bytes
+  /// What stands under a key, as text; "" where there is nothing. Of a text that is longer than `limit` bytes
   /// only the beginning: who reads it compares it with what is shorter.
-  std::string read(std::string_view key, std::size_t most = 100) {
+  std::string read(std::string_view key, std::size_t limit = 100) {
     Statement::Run run(read_);
     run.bind(1, key);
-    return run.step() ? run.text(0, most) : "";
+    return run.step() ? run.text(0, limit) : "";
   }
 
   /// Nothing if the key is missing or its value is no integer.

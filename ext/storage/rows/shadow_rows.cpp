@@ -85,7 +85,7 @@ void ShadowRows::write_map(std::span<const IdHashMap::Entry> changes) {
   if (changes.empty()) return;
   map_.write(changes);
   // A table of version 0.1 has blocks from now on, and that version would not understand them.
-  if (const std::string features = meta_.read("features", most_features); !has_feature(features, map_blocks))
+  if (const std::string features = meta_.read("features", max_features); !has_feature(features, map_blocks))
     meta_.write("features", features + (features.empty() ? "" : ",") + std::string(map_blocks));
 }
 

@@ -26,7 +26,7 @@ std::int64_t page_size(sqlite3* db, const QualifiedName& name) {
 }
 
 void require_known_features(MetaRows& meta, const QualifiedName& name) {
-  const std::string unknown = unknown_feature(meta.read("features", most_features));
+  const std::string unknown = unknown_feature(meta.read("features", max_features));
   if (!unknown.empty())
     refuse(SQLITE_ERROR, name,
            "written with '" + without_nul(unknown) + "', which this foresee does not know: use a newer one");
@@ -94,9 +94,9 @@ NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const De
 }
 
 std::optional<std::int64_t> read_object_count(MetaRows& meta) {
-  constexpr std::int64_t most = std::int64_t{1} << 53;
+  constexpr std::int64_t limit = std::int64_t{1} << 53;
   const std::optional<std::int64_t> stored = meta.read_integer("objects");
-  return stored && 0 <= *stored && *stored <= most ? stored : std::nullopt;
+  return stored && 0 <= *stored && *stored <= limit ? stored : std::nullopt;
 }
 
 void refuse_unknown_features(sqlite3* db, const QualifiedName& name) {

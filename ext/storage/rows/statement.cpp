@@ -111,8 +111,8 @@ bool Statement::Run::step() {
   throw_sqlite_error(owner_.db_, code);
 }
 
-std::string Statement::Run::text(int column, std::size_t most) {
-  return text_of(statement_, column, most);
+std::string Statement::Run::text(int column, std::size_t limit) {
+  return text_of(statement_, column, limit);
 }
 
 std::span<const std::byte> Statement::Run::blob(int column) {

@@ -90,7 +90,7 @@ class Statement::Run {
   bool is_null(int column) { return sqlite3_column_type(statement_, column) == SQLITE_NULL; }
   std::int64_t integer(int column) { return sqlite3_column_int64(statement_, column); }
   /// Of a longer text only the beginning, at most so many bytes and no part of a character.
-  std::string text(int column, std::size_t most = std::string::npos);
+  std::string text(int column, std::size_t limit = std::string::npos);
   /// Empty if the column is no blob.
   std::span<const std::byte> blob(int column);
   sqlite3_value* value(int column) { return sqlite3_column_value(statement_, column); }

@@ -9,13 +9,13 @@
 namespace foresee {
 namespace {
 
-/// Its first bytes, not more than `most` and no part of a character.
-std::string_view beginning(std::string_view text, std::size_t most) {
+/// Its first bytes, not more than `limit` and no part of a character.
+std::string_view beginning(std::string_view text, std::size_t limit) {
   const auto is_inside_character = [&](std::size_t i) {
     return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
   };
-  while (most > 0 && most < text.size() && is_inside_character(most)) --most;
-  return text.substr(0, most);
+  while (limit > 0 && limit < text.size() && is_inside_character(limit)) --limit;
+  return text.substr(0, limit);
 }
 
 /// SQLite says null for NULL, and out of memory for anything.
@@ -34,10 +34,10 @@ std::string text_of(sqlite3_value* value) {
   return std::string(text_or_no_memory(type, text, sqlite3_value_bytes(value)));
 }
 
-std::string text_of(sqlite3_stmt* row, int column, std::size_t most) {
+std::string text_of(sqlite3_stmt* row, int column, std::size_t limit) {
   const int type = sqlite3_column_type(row, column);
   const unsigned char* text = sqlite3_column_text(row, column);
-  return std::string(beginning(text_or_no_memory(type, text, sqlite3_column_bytes(row, column)), most));
+  return std::string(beginning(text_or_no_memory(type, text, sqlite3_column_bytes(row, column)), limit));
 }
 
 bool is_null_or_empty(sqlite3_value* value) {
@@ -51,7 +51,7 @@ std::string without_nul(std::string text) {
 }
 
 std::string shown(sqlite3_value* value) {
-  constexpr std::size_t most = 40;
+  constexpr std::size_t limit = 40;
   switch (sqlite3_value_type(value)) {
     case SQLITE_NULL:
       return "NULL";
@@ -63,8 +63,8 @@ std::string shown(sqlite3_value* value) {
       return "a blob of " + std::to_string(sqlite3_value_bytes(value)) + " bytes";
     default: {
       const std::string text = without_nul(text_of(value));
-      if (text.size() <= most) return std::string("'").append(text).append("'");
-      return std::string("'").append(beginning(text, most)).append("...'");
+      if (text.size() <= limit) return std::string("'").append(text).append("'");
+      return std::string("'").append(beginning(text, limit)).append("...'");
     }
   }
 }

@@ -14,8 +14,8 @@ namespace foresee {
 
 /// A value as text, "" for NULL. Throws std::bad_alloc out of memory.
 std::string text_of(sqlite3_value* value);
-/// Of a text that is longer than `most` bytes only the beginning, without a part of a character.
-std::string text_of(sqlite3_stmt* row, int column, std::size_t most = std::string::npos);
+/// Of a text that is longer than `limit` bytes only the beginning, without a part of a character.
+std::string text_of(sqlite3_stmt* row, int column, std::size_t limit = std::string::npos);
 
 /// Both mean that a value was left out.
 bool is_null_or_empty(sqlite3_value* value);

@@ -8,14 +8,14 @@ namespace foresee {
 namespace {
 
 // Beyond these memory begins anew: some 100 bytes a corner, with its pieces.
-constexpr std::size_t most_corners_known = 1 << 20;
-constexpr std::size_t most_text_bytes = 1 << 22, longest_text = most_text_bytes / 4;
+constexpr std::size_t max_corners_known = 1 << 20;
+constexpr std::size_t max_text_bytes = 1 << 22, longest_text = max_text_bytes / 4;
 
 }  // namespace
 
 void StoredForms::remember(std::int64_t number, const std::shared_ptr<const Form>& form) {
   const std::size_t corners = form->corners();
-  if (!known_ || corners_ + corners > most_corners_known) known_ = std::make_shared<ByNumber>(), corners_ = 0;
+  if (!known_ || corners_ + corners > max_corners_known) known_ = std::make_shared<ByNumber>(), corners_ = 0;
   (*known_)[number] = form;
   corners_ += corners;
 }
@@ -53,7 +53,7 @@ StoredForms::Known StoredForms::find_or_add(std::string_view text) {
   known.form = find_known(known.number);
   if (!known.form) remember(known.number, known.form = std::move(form));
   if (!short_enough) return known;
-  if (text_bytes_ + text.size() > most_text_bytes) forget_texts();
+  if (text_bytes_ + text.size() > max_text_bytes) forget_texts();
   texts_.emplace(key, known);
   text_bytes_ += text.size();
   return known;

@@ -80,7 +80,7 @@ std::string FormCheck::object_fault(const double* record) {
 
 namespace {
 
-constexpr std::size_t most_faults = 100;
+constexpr std::size_t max_faults = 100;
 
 struct Entry {
   std::int64_t id, leaf;
@@ -210,7 +210,7 @@ class IntegrityCheck {
     faults_.push_back(error.what());
   }
   void say(const std::string& fault) {
-    if (faults_.size() < most_faults) faults_.push_back(name_.table + ": " + fault);
+    if (faults_.size() < max_faults) faults_.push_back(name_.table + ": " + fault);
   }
 
   ShadowRows& shadow_rows_;

@@ -23,7 +23,7 @@ class RecordSample {
   void add(const double* record) {
     const std::uint64_t lot = lot_of(seen_++);
     if (!is_drawn(lot)) return;
-    while (lots_.size() == most) draw_half();
+    while (lots_.size() == limit) draw_half();
     if (!is_drawn(lot)) return;
     records_.insert(records_.end(), record, record + record_size_);
     lots_.push_back(lot);
@@ -32,7 +32,7 @@ class RecordSample {
   std::span<const double> records() const { return records_; }
 
  private:
-  static constexpr std::size_t most = 1 << 14;
+  static constexpr std::size_t limit = 1 << 14;
 
   /// The finalizer of SplitMix64 (Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators",
   /// OOPSLA 2014): neighbours get bits that have nothing to do with one another.

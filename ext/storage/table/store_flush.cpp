@@ -27,7 +27,7 @@ void Store::merge_pending() {
     const double bytes = (pending + stored) * static_cast<double>(format_.record_size);
     if (stored > 0 && pending <= stored * worth_loading)
       merge_into_tree(interrupt);
-    else if (stored > 0 && bytes > static_cast<double>(memory_->most_ordered()))
+    else if (stored > 0 && bytes > static_cast<double>(memory_->max_ordered()))
       load_partitioned(interrupt);
     else
       reload(interrupt);

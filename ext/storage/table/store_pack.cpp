@@ -51,10 +51,10 @@ class Store::PartitionedLoad {
   /// Throws if an id was seen twice. `newest`: as TprTree::divide().
   void divide(std::span<const double> newest) {
     store_.require_unique(ids_, interrupt_);
-    const std::size_t most = std::max<std::size_t>(1, store_.memory_->most_ordered());
-    const std::size_t partitions = ids_.size() * store_.format_.record_size / most + 1;
+    const std::size_t limit = std::max<std::size_t>(1, store_.memory_->max_ordered());
+    const std::size_t partitions = ids_.size() * store_.format_.record_size / limit + 1;
     division_ = store_.tree_->divide(sample_.records(), partitions, newest, interrupt_);
-    spill_.emplace(store_.db_, store_.name_, record_size_, partitions, most / 4);
+    spill_.emplace(store_.db_, store_.name_, record_size_, partitions, limit / 4);
   }
 
   void add(std::int64_t id, const double* record) {
@@ -128,7 +128,7 @@ void Store::pack(Interrupt& interrupt) {
       ids.push_back(id);
       records.insert(records.end(), record, record + size);
     });
-    return records.size() * sizeof(double) <= memory_->most_ordered();
+    return records.size() * sizeof(double) <= memory_->max_ordered();
   });
   if (!fits) {
     ids = {}, records = {};

@@ -209,12 +209,12 @@ std::optional<std::int64_t> WatchRows::oldest() {
   return run.integer(0) - 1;
 }
 
-std::vector<StoredChange> WatchRows::changes(std::int64_t after, std::int64_t last, std::int64_t most) {
+std::vector<StoredChange> WatchRows::changes(std::int64_t after, std::int64_t last, std::int64_t limit) {
   std::vector<StoredChange> found;
   Statement::Run run(changes_);
   run.bind(1, after);
   run.bind(2, last);
-  run.bind(3, most);
+  run.bind(3, limit);
   while (run.step()) {
     const std::string op = run.text(1, 2);
     const bool is_gone = op == "-", is_op = is_gone || op == "+" || op == "~";

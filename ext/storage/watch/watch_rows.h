@@ -83,8 +83,8 @@ class WatchRows {
   void trim(std::int64_t up_to);
   /// The position from which on changes can be read; nothing: there are none.
   std::optional<std::int64_t> oldest();
-  /// At most `most` of them, seq in (after, last], rising.
-  std::vector<StoredChange> changes(std::int64_t after, std::int64_t last, std::int64_t most);
+  /// At most `limit` of them, seq in (after, last], rising.
+  std::vector<StoredChange> changes(std::int64_t after, std::int64_t last, std::int64_t limit);
 
  private:
   [[noreturn]] void damaged(const std::string& what) const;

@@ -104,7 +104,7 @@ void expect_to_meet(double speed, double other, double h) {
     SharedInterval span = shared_span(a, met), turned = span;
     EXPECT_TRUE(narrow_to_contact(a, met, span) && span.begin <= h / 2);
     EXPECT_TRUE(narrow_to_contact(met, a, turned) && turned.begin <= h / 2);
-    EXPECT_EQ(least_distance(a, met, shared_span(a, met)), 0);
+    EXPECT_EQ(min_distance(a, met, shared_span(a, met)), 0);
   }
 }
 

@@ -172,7 +172,7 @@ TEST(LeastDistance, IsNeverAboveWhatSamplesFind) {
       return MovingBox<2>{lower, lower + random.unit(), v, v + (i % 2 ? 0 : random.unit()), {0, 5}};
     };
     const MovingBox<2> a = box(), b = box();
-    const double bound = least_distance(a, b, {0, 5});
+    const double bound = min_distance(a, b, {0, 5});
     double sampled = infinity;
     for (int step = 0; step <= 100; ++step) {
       const double tau = step * 0.05;
@@ -192,8 +192,7 @@ TEST(LeastDistance, IsNoneWhereTheSlopeOfASquareVanishes) {
     for (double pace : {1e-180, 1e-200, 1e-220}) {
       const Vec<2> none = Vec<2>::Zero(), place(0, gap), speed(0, -pace);
       const SharedInterval span{0, 1e105};
-      EXPECT_EQ(least_distance<2>({none, none, none, none, span}, {place, place, speed, speed, span}, span),
-                0)
+      EXPECT_EQ(min_distance<2>({none, none, none, none, span}, {place, place, speed, speed, span}, span), 0)
           << gap << " " << pace;
     }
 }
@@ -210,8 +209,8 @@ TEST(LeastDistance, OfPointsHoldsAtEverySizeOfNumbers) {
                                infinity};
         const Vec<2> point = random_vec<2>(random, -size, size), speed = random_vec<2>(random, -slow, slow);
         const double bound =
-            least_point_distance(moving_box<2>(motion, Extents<2>::none(), horizon, Vec<2>::Zero()),
-                                 moving_window<2>(point, point, speed, horizon));
+            min_point_distance(moving_box<2>(motion, Extents<2>::none(), horizon, Vec<2>::Zero()),
+                               moving_window<2>(point, point, speed, horizon));
         long double sampled = infinity;
         for (int step = 0; step <= 100; ++step) {
           const long double tau = step * 0.01L * h, s = tau - motion.t;

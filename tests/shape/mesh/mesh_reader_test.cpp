@@ -103,11 +103,11 @@ TEST(MeshReader, EveryCutTextIsRefused) {
 }
 
 TEST(MeshReader, ThereAreAtMostSoManyTriangles) {
-  EXPECT_EQ(refusal(fan("TIN Z", most_triangles)), "");
-  EXPECT_EQ(refusal(fan("TIN Z", most_triangles + 1)), "65537 triangles; at most 65536: simplify the mesh");
+  EXPECT_EQ(refusal(fan("TIN Z", max_triangles)), "");
+  EXPECT_EQ(refusal(fan("TIN Z", max_triangles + 1)), "65537 triangles; at most 65536: simplify the mesh");
   EXPECT_EQ(refusal(fan("TIN Z", 70000)), "70000 triangles; at most 65536: simplify the mesh");
   // What follows is not read any more.
-  EXPECT_EQ(refusal(fan("TIN Z", most_triangles + 1) + " nonsense").substr(0, 5), "65537");
+  EXPECT_EQ(refusal(fan("TIN Z", max_triangles + 1) + " nonsense").substr(0, 5), "65537");
 }
 
 // Unlike a table of hashes: no text makes corners collide.
@@ -118,7 +118,7 @@ TEST(MeshReader, TakesNoLongerThanTheTextIsLong) {
   std::string many = "TIN Z(((0 0 0";
   for (int i = 0; i < 300'000; ++i) many += ", 0 0 0";
   EXPECT_EQ(refusal(many + ")))"), "face 1 has 300000 corners: write triangles, of three corners each");
-  EXPECT_EQ(refusal(fan("MULTIPOLYGON Z", most_triangles)), "");
+  EXPECT_EQ(refusal(fan("MULTIPOLYGON Z", max_triangles)), "");
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
 }
 

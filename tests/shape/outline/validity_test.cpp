@@ -219,7 +219,7 @@ TEST(Validity, TheMostCornersTakeNoLongerThanOthers) {
   for (const Outline& outline :
        {random_star(random, 65536), comb(32767), slanted, spiral(8192), chain_of_holes(16382)}) {
     EXPECT_GT(outline.corners().size(), 65500u);
-    EXPECT_LE(outline.corners().size(), most_corners);
+    EXPECT_LE(outline.corners().size(), max_corners);
     const auto begin = std::chrono::steady_clock::now();
     EXPECT_EQ(flaw_of(outline), std::nullopt);
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));

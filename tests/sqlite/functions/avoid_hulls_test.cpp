@@ -11,7 +11,7 @@ namespace foresee::testing {
 namespace {
 
 /// That this process had so far, in KiB; 0 where it is not told.
-long most_memory() {
+long max_memory() {
 #if defined(__linux__)
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
@@ -140,10 +140,10 @@ TEST_F(AvoidHulls, OfManyPiecesTakeLittleMemory) {
       "  INSERT INTO stars SELECT id, 400 * id, 40 * id, 1 - 2 * id, 0, 'POLYGON((' || corners || '))', 3 * "
       "id"
       "    FROM star, (SELECT 0 AS id UNION ALL SELECT 1)");
-  const long before = most_memory();
+  const long before = max_memory();
   EXPECT_EQ(db.rows("SELECT count(*), sum(clear) FROM predictive_avoid(600, 'stars', 0, 0, 'turn')"), "3|2");
   if (!sanitized) {
-    EXPECT_LT(most_memory() - before, 128 << 10);
+    EXPECT_LT(max_memory() - before, 128 << 10);
   }
 }
 

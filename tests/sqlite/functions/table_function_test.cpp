@@ -49,7 +49,7 @@ const TableFunction countdown = {.name = "countdown",
                                    ++seen.calls;
                                    seen.reads_half = call.reads(1);
                                    seen.only_n = call.only(0);
-                                   seen.above_zero = call.bounds(1).least > 0;
+                                   seen.above_zero = call.bounds(1).min > 0;
                                    return std::make_unique<Countdown>(call.required_number(0),
                                                                       call.number(1).value_or(1),
                                                                       call.text(2).value_or("#"));

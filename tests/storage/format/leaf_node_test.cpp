@@ -49,8 +49,8 @@ TEST(NodeFormat, FitsThePage) {
         const NodeFormat format(layout, size);
         EXPECT_EQ(size % 8, 0u);
         EXPECT_EQ(format.records_at % 8, 0u);
-        EXPECT_GE(format.leaf_capacity, NodeFormat::least_capacity);
-        EXPECT_GE(format.inner_capacity, NodeFormat::least_capacity);
+        EXPECT_GE(format.leaf_capacity, NodeFormat::min_capacity);
+        EXPECT_GE(format.inner_capacity, NodeFormat::min_capacity);
         EXPECT_LE(format.records_at + format.leaf_capacity * format.record_size,
                   size - NodeFormat::checksum_size);
         EXPECT_LE(NodeFormat::entries_at + format.inner_capacity * format.inner_entry_size,

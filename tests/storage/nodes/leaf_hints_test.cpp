@@ -47,15 +47,15 @@ TEST(LeafHints, NobodyWaitsUntilALargeTableHasGrown) {
   constexpr std::size_t wanted = 1 << 22;
   LeafHints hints;
   hints.reserve(1);
-  std::size_t most_added = 0;
+  std::size_t max_added = 0;
   for (std::int64_t leaf = 1; leaf <= 10000; ++leaf) {
     const std::size_t before = hints.places();
     hints.reserve(wanted);
-    most_added = std::max(most_added, hints.places() - before);
+    max_added = std::max(max_added, hints.places() - before);
     hints.learn(count_from(leaf * 64, 64), leaf);
   }
   EXPECT_EQ(hints.places(), wanted);
-  EXPECT_LE(most_added, wanted / 128);
+  EXPECT_LE(max_added, wanted / 128);
   for (std::int64_t id = 64; id < 64 * 10001; ++id) ASSERT_EQ(hints.find(id).leaf, id / 64);
 }
 

@@ -23,7 +23,7 @@ struct Gap {
 
 /// Along each axis a gap is the greater of two straight lines and 0: least at an end, or 0 in between.
 template <int D>
-Vec<D> least_gaps(const MovingBox<D>& a, const MovingBox<D>& b, const SharedInterval& span) {
+Vec<D> min_gaps(const MovingBox<D>& a, const MovingBox<D>& b, const SharedInterval& span) {
   const Vec<D> left = a.lower - b.upper, right = b.lower - a.upper;
   const Vec<D> left_speed = a.v_lower - b.v_upper, right_speed = b.v_lower - a.v_upper;
   auto least = [&](const Vec<D>& gap, const Vec<D>& speed) -> Vec<D> {
@@ -41,14 +41,14 @@ inline constexpr double shrink = 1 - 0x1p-44;  // more than the rounding of what
 template <int D>
 double tangent_bound(const MovingBox<D>& a, const MovingBox<D>& b, SharedInterval span) {
   constexpr int halvings = 5;
-  constexpr double least_slope = 1e-290;
+  constexpr double min_slope = 1e-290;
   for (int i = 0; i < halvings; ++i) {
     const double middle = 0.5 * (span.begin + span.end);
     (Gap<D>(a, b, middle).growth() > 0 ? span.end : span.begin) = middle;
   }
   const Gap<D> first(a, b, span.begin), last(a, b, span.end);
   const double f = first.squared(), down = first.growth(), g = last.squared(), up = last.growth();
-  if (std::abs(down) < least_slope || std::abs(up) < least_slope) return 0;
+  if (std::abs(down) < min_slope || std::abs(up) < min_slope) return 0;
   if (down >= 0) return f * shrink;
   if (up <= 0) return g * shrink;
   const double tau = (g - f - up * (span.end - span.begin)) / (down - up);
@@ -67,8 +67,8 @@ bool moves_far(const MovingBox<D>& a, const MovingBox<D>& b, const SharedInterva
 }  // namespace
 
 template <int D>
-double least_distance(const MovingBox<D>& a, const MovingBox<D>& b, const SharedInterval& span) {
-  const Vec<D> gaps = least_gaps(a, b, span);
+double min_distance(const MovingBox<D>& a, const MovingBox<D>& b, const SharedInterval& span) {
+  const Vec<D> gaps = min_gaps(a, b, span);
   const double by_axis = gaps.square().sum(), widest = gaps.maxCoeff();
   double squared = by_axis * shrink;
   if (D > 1 && moves_far(a, b, span)) squared = std::max(squared, tangent_bound(a, b, span));
@@ -80,14 +80,14 @@ double least_distance(const MovingBox<D>& a, const MovingBox<D>& b, const Shared
 /// question's: that of the chords, less how far both may be off theirs. The rounding of this, tau's included,
 /// is some 10 units of magnitudes of which `off` has 32.
 template <int D>
-double least_point_distance(const MovingBox<D>& point, const MovingBox<D>& question) {
+double min_point_distance(const MovingBox<D>& point, const MovingBox<D>& question) {
   const Vec<D> gap = 0.5 * point.lower - 0.5 * question.lower + (0.5 * point.upper - 0.5 * question.upper);
   const Vec<D> off = 0.5 * point.upper - 0.5 * point.lower + (0.5 * question.upper - 0.5 * question.lower);
   const Vec<D> speed = point.v_lower - question.v_lower;
   const double fastest = speed.abs().maxCoeff(),
                farthest = (gap.abs() + speed.abs() * point.span.end).maxCoeff();
   const bool squares_fit = farthest < 1e140 && fastest < 1e140 && (fastest > 1e-140 || fastest == 0);
-  if (!squares_fit) return least_distance(point, question, point.span);
+  if (!squares_fit) return min_distance(point, question, point.span);
   double tau = point.span.begin;
   if (fastest > 0)
     tau = std::clamp(-(gap * speed).sum() / speed.square().sum(), point.span.begin, point.span.end);
@@ -134,7 +134,7 @@ template <int D>
   for (std::size_t slot = 0; slot < inner.size(); ++slot) {
     const MovingBox<D> box = child_box<D>(inner, slot, horizon_);
     if (box.span.is_empty()) continue;
-    const double distance = least_distance(box, question_, box.span);
+    const double distance = min_distance(box, question_, box.span);
     if (distance > reach) continue;
     open_.push_back({distance, unread_child(number, inner, slot)});
     std::push_heap(open_.begin(), open_.end());
@@ -148,16 +148,16 @@ template <int D>
     const Motion<D> motion = reader_.motion(reader_.record(leaf, slot));
     const MovingBox<D> box = moving_box<D>(motion, Extents<D>::none(), horizon_, Vec<D>::Zero());
     if (box.span.is_empty()) continue;
-    const double distance = least_point_distance(box, question_);
+    const double distance = min_point_distance(box, question_);
     if (distance <= reach) near_.emplace_back(distance, static_cast<std::uint32_t>(slot));
   }
   std::sort(near_.begin(), near_.end());
   for (const auto& [distance, slot] : near_) hits.slots.push_back(slot), hits.distances.push_back(distance);
 }
 
-#define FORESEE_OF_AXES(D)                                                                            \
-  template double least_distance<D>(const MovingBox<D>&, const MovingBox<D>&, const SharedInterval&); \
-  template double least_point_distance<D>(const MovingBox<D>&, const MovingBox<D>&);                  \
+#define FORESEE_OF_AXES(D)                                                                          \
+  template double min_distance<D>(const MovingBox<D>&, const MovingBox<D>&, const SharedInterval&); \
+  template double min_point_distance<D>(const MovingBox<D>&, const MovingBox<D>&);                  \
   template class NearestWalk<D>
 FORESEE_OF_AXES(1);
 FORESEE_OF_AXES(2);

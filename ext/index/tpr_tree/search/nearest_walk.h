@@ -19,11 +19,11 @@ namespace foresee {
 
 /// A lower bound of the distance between two boxes during `span`. Requires: the span is not empty.
 template <int D>
-double least_distance(const MovingBox<D>& a, const MovingBox<D>& b, const SharedInterval& span);
+double min_distance(const MovingBox<D>& a, const MovingBox<D>& b, const SharedInterval& span);
 
 /// The same for the centre of an object without extents and a moving point, during the object's span.
 template <int D>
-double least_point_distance(const MovingBox<D>& point, const MovingBox<D>& question);
+double min_point_distance(const MovingBox<D>& point, const MovingBox<D>& question);
 
 template <int D>
 class NearestWalk {

@@ -18,7 +18,7 @@ namespace {
 constexpr double reach_pad = 0x1p-47;  // 64 units
 
 double farthest(double time, const Times& times) {
-  return std::max(std::abs(time - times.t_least), std::abs(time - times.t_greatest));
+  return std::max(std::abs(time - times.t_min), std::abs(time - times.t_max));
 }
 
 /// What swept boxes of objects beneath an entry can cover; a face that no number bounds is infinite or NaN.

@@ -8,9 +8,9 @@ namespace {
 /// The side of a typical question: half the mean width of some of the children.
 template <int D>
 double typical_query(const Node& inner, const VisitCost<D>& cost) {
-  constexpr std::size_t most = 8;
-  const std::size_t step = (inner.size() + most - 1) / most;
-  std::array<double, most> widths;
+  constexpr std::size_t limit = 8;
+  const std::size_t step = (inner.size() + limit - 1) / limit;
+  std::array<double, limit> widths;
   std::size_t count = 0;
   for (std::size_t slot = 0; slot < inner.size(); slot += step)
     widths[count++] = cost.mean_width(bounds_at<D>(inner, slot));
@@ -45,12 +45,12 @@ void ChildChoice<D>::costs_with(const Bounds<D>& added, std::vector<double>& cos
   for (int part = 0; part < faces; part += 2) {
     const double more = part == x_lower ? query_ : 0, share = part == a_lower ? 0.5 : 1;
     for (int axis = 0; axis < D; ++axis) {
-      const double *least = face(part, axis), *most = face(part + 1, axis);
+      const double *least = face(part, axis), *limit = face(part + 1, axis);
       const double low = (*ends[part])[axis], high = (*ends[part + 1])[axis];
       double* width = widths_.data() + static_cast<std::size_t>(part / 2 * D + axis) * children_;
       for (std::size_t slot = 0; slot < children_; ++slot)
         width[slot] =
-            ((most[slot] > high ? most[slot] : high) - (least[slot] < low ? least[slot] : low)) * share +
+            ((limit[slot] > high ? limit[slot] : high) - (least[slot] < low ? least[slot] : low)) * share +
             more;
     }
   }
@@ -72,11 +72,11 @@ template <int D>
 std::size_t ChildChoice<D>::choose(const Bounds<D>& added) {
   costs_with(added, after_);
   std::size_t best = 0;
-  double least_growth = std::numeric_limits<double>::infinity(), least_cost = least_growth;
+  double min_growth = std::numeric_limits<double>::infinity(), min_cost = min_growth;
   for (std::size_t slot = 0; slot < children_; ++slot) {
     const double growth = after_[slot] - before_[slot];
-    if (growth < least_growth || (growth == least_growth && before_[slot] < least_cost))
-      best = slot, least_growth = growth, least_cost = before_[slot];
+    if (growth < min_growth || (growth == min_growth && before_[slot] < min_cost))
+      best = slot, min_growth = growth, min_cost = before_[slot];
   }
   return best;
 }
@@ -97,13 +97,13 @@ std::vector<Growth> growths(const Node& inner, const Bounds<D>& added, const Vis
 
 template <int D>
 std::vector<std::size_t> closest_children(const TreeState<D>& state, const Node& above, NodeNumber number,
-                                          std::size_t most) {
+                                          std::size_t limit) {
   const VisitCost<D> cost = state.cost(above.epoch);
   const std::size_t own = slot_of(above, number);
   const Bounds<D> bounds = bounds_at<D>(above, own);
   std::vector<Growth> all = growths(above, bounds, cost, 0.1 * cost.mean_width(bounds));
   all[own].cost = -std::numeric_limits<double>::infinity();
-  std::vector<std::size_t> closest(std::min(most, all.size()));
+  std::vector<std::size_t> closest(std::min(limit, all.size()));
   std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(closest.size()), all.end());
   for (std::size_t i = 0; i < closest.size(); ++i) closest[i] = all[i].slot;
   return closest;

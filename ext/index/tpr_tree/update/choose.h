@@ -60,6 +60,6 @@ std::vector<Growth> growths(const Node& inner, const Bounds<D>& added, const Vis
 /// The slots of a child and its siblings that it overlaps most, itself first: so many, or all.
 template <int D>
 std::vector<std::size_t> closest_children(const TreeState<D>& state, const Node& above, NodeNumber number,
-                                          std::size_t most);
+                                          std::size_t limit);
 
 }  // namespace foresee

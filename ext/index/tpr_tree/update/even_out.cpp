@@ -31,10 +31,10 @@ NodeNumber sibling_with_room(const TreeState<D>& state, const Node& parent, Node
 template <int D>
 NodeNumber partner_of(const TreeState<D>& state, const Node& parent, NodeNumber leaf) {
   const NodeNumber sibling = sibling_with_room(state, parent, leaf);
-  const std::size_t size = key_count(state.pages, leaf), most = state.capacity(0);
-  const bool is_due = size > most || size < state.least_size(0);
+  const std::size_t size = key_count(state.pages, leaf), limit = state.capacity(0);
+  const bool is_due = size > limit || size < state.min_size(0);
   const bool stays = sibling == leaf
-                         ? size <= most
+                         ? size <= limit
                          : !is_due && size + key_count(state.pages, sibling) > state.packed_size();
   return stays ? 0 : sibling;
 }
@@ -74,7 +74,7 @@ class EvenOut {
  private:
   bool is_even(const Node& node) const {
     return node.size() <= state_.capacity(node.level) &&
-           node.size() >= (node.is_leaf() ? state_.capacity(0) / 2 : state_.least_size(node.level));
+           node.size() >= (node.is_leaf() ? state_.capacity(0) / 2 : state_.min_size(node.level));
   }
 
   bool has(NodeNumber child) const { return has_child(parent_, child); }
@@ -100,7 +100,7 @@ class EvenOut {
   }
 
   void even_out_inner(NodeNumber child) {
-    if (key_count(state_.pages, child) < state_.least_size(parent_.level - 1)) {
+    if (key_count(state_.pages, child) < state_.min_size(parent_.level - 1)) {
       const NodeNumber sibling = parent_.keys[closest_sibling(state_, parent_, child)];
       if (sibling == child) return;
       take_up(child, sibling);

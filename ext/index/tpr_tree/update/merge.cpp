@@ -71,7 +71,7 @@ class Merge {
 
   /// Would the entry of this child stay true? Greatest t apart, which settling mends.
   static Entry<D> without_newest(Entry<D> entry) {
-    entry.times.t_greatest = std::numeric_limits<double>::infinity();
+    entry.times.t_max = std::numeric_limits<double>::infinity();
     return entry;
   }
 

@@ -11,7 +11,7 @@ namespace {
 /// Leaves that are packed together, or if that does not do; and how many of their objects may move where
 /// leaves do not hold more: each may be another row of the page map, and a small commit should stay small.
 constexpr std::size_t packed_together[] = {4, 2};
-constexpr std::size_t most_moved = 72;
+constexpr std::size_t max_moved = 72;
 /// What leaves cost after they were packed, or another parent, in parts of what they did, to be worth it.
 constexpr double worth_packing = 0.95, worth_moving = 0.8;
 
@@ -64,7 +64,7 @@ void move_where_it_costs_less(TreeState<D>& state, NodeNumber leaf) {
     const auto node = state.pages.read(leaf);
     const auto parent = read_above(state.pages, leaf, *node);
     const auto above = parent ? read_above(state.pages, node->parent, *parent) : nullptr;
-    if (!above || parent->size() <= state.least_size(parent->level)) return;
+    if (!above || parent->size() <= state.min_size(parent->level)) return;
     from = node->parent, above_number = parent->parent;
     const VisitCost<D> cost = state.cost(above->epoch);
     const std::size_t own = slot_of(*above, from), slot = slot_of(*parent, leaf);
@@ -100,7 +100,7 @@ bool pack_with_siblings(TreeState<D>& state, NodeNumber number, NodeNumber leaf,
     query /= static_cast<double>(before.size());
     pack.arrange(before.size());
     after = pack.summaries(parent->epoch);
-    if (pack.arriving() > std::max(most_moved, state.capacity(0))) return false;
+    if (pack.arriving() > std::max(max_moved, state.capacity(0))) return false;
     if (!(total(after, cost, query) < worth_packing * total(before, cost, query))) return false;
   }
   pack.write_beneath(number, state.pages.modify(number), after);

@@ -72,7 +72,7 @@ bool condense(TreeState<D>& state, NodeNumber leaf, Orphans<D>& orphans) {
     bool too_empty;
     {
       const auto node = state.pages.read(number);
-      parent = node->parent, too_empty = node->size() < state.least_size(node->level);
+      parent = node->parent, too_empty = node->size() < state.min_size(node->level);
       if (!read_above(state.pages, number, *node)) break;
     }
     if (too_empty) {
@@ -142,8 +142,8 @@ template <int D>
 double newest_in(const Node& node, const LeafReader<D>& reader) {
   double newest = -std::numeric_limits<double>::infinity();
   for (std::size_t slot = 0; slot < node.size(); ++slot)
-    newest = std::max(
-        newest, node.is_leaf() ? reader.t(reader.record(node, slot)) : times_at<D>(node, slot).t_greatest);
+    newest = std::max(newest,
+                      node.is_leaf() ? reader.t(reader.record(node, slot)) : times_at<D>(node, slot).t_max);
   return newest;
 }
 
@@ -158,8 +158,8 @@ void refresh_newest(TreeState<D>& state, NodeNumber number) {
       if (!parent) return;
       slot = slot_of(*parent, number), entry = entry_at<D>(*parent, slot);
       const double newest = newest_in(*node, state.reader);
-      if (entry.times.t_greatest == newest) return;
-      entry.times.t_greatest = newest;
+      if (entry.times.t_max == newest) return;
+      entry.times.t_max = newest;
       number = node->parent;
     }
     set_entry(state.pages.modify(number), slot, entry);
