@@ -5,7 +5,7 @@
 #include <iterator>
 #include <limits>
 
-#include "accuracy/drafts.h"
+#include "accuracy/pair_drafts.h"
 #include "base/error.h"
 
 namespace foresee::bench {

@@ -1,6 +1,6 @@
 // Joins of hulls, boxes and discs: counted, with times, joined to their table, and for one ship each.
-#include "hulls/answers.h"
 #include "hulls/modes.h"
+#include "hulls/query_costs.h"
 #include "hulls/ships.h"
 
 namespace foresee::bench {

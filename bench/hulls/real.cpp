@@ -1,6 +1,6 @@
 // Hulls of real ships against their boxes.
-#include "hulls/answers.h"
 #include "hulls/modes.h"
+#include "hulls/query_costs.h"
 #include "hulls/ships.h"
 #include "shape/outline/wkt.h"
 #include "sql_ours.h"

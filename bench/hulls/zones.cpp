@@ -1,8 +1,8 @@
 // Zones of 100 corners over points, against windows of their boxes and steps in plain double.
 #include <cmath>
 
-#include "hulls/answers.h"
 #include "hulls/modes.h"
+#include "hulls/query_costs.h"
 #include "hulls/ships.h"
 #include "plain_outline.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/shown.h"
+#include "base/number_text.h"
 #include "geography/ellipsoid.h"
 
 namespace foresee {

@@ -73,7 +73,7 @@ struct Offsets {
   int hz = absent;        ///< half height of a cylinder or prism
   int growth = absent;    ///< by how much the shape grows in a unit of time
   int growth_z = absent;  ///< along z, apart from the rest
-  int outline = absent;   ///< number of the outline or mesh (storage/table/forms.h); 0: none
+  int outline = absent;   ///< number of the outline or mesh (storage/table/stored_forms.h); 0: none
   int heading = absent;   ///< by which it is turned, in degrees clockwise
   int bounds = absent;  ///< of the turned outline around the centre: lower x, y, upper x, y; a mesh: x, y, z
   int until = absent;   ///< last moment of the motion, +infinity for ever

@@ -1,7 +1,7 @@
 #include "shape/turned_forms.h"
 
 #include "base/integer_of.h"
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "shape/mesh/shared_mesh.h"
 #include "shape/outline/shared_outline.h"
 

@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
 namespace foresee {
 

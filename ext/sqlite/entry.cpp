@@ -1,7 +1,7 @@
 // The entry point: everything that `.load foresee` brings.
 #include "sqlite/callback.h"
 #include "sqlite/foresee.h"
-#include "sqlite/host.h"
+#include "sqlite/host_sqlite.h"
 #include "sqlite/modules.h"
 #include "storage/rows/statement.h"
 

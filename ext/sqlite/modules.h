@@ -8,7 +8,7 @@
 namespace foresee {
 
 // Each returns an SQLite result code.
-int register_scalars(sqlite3* db);  // scalars.cpp
+int register_scalars(sqlite3* db);  // scalar_functions.cpp
 int register_moving_objects(sqlite3* db,
                             const std::shared_ptr<Connection>& connection);  // moving_objects.cpp
 int register_predictive_watch(sqlite3* db,

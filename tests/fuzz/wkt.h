@@ -7,7 +7,7 @@
 #include <cstring>
 #include <string>
 
-#include "base/shown.h"
+#include "base/number_text.h"
 #include "bytes.h"
 
 namespace foresee::testing {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "geography/walked.h"
+#include "geography/geodesic_by_steps.h"
 #include "scenes.h"
 
 namespace foresee {

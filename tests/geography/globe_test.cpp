@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "geography/walked.h"
+#include "geography/geodesic_by_steps.h"
 #include "scenes.h"
 
 namespace foresee {

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "geography/geodesic_by_steps.h"
 #include "geography/globe.h"
 #include "geography/plane.h"
-#include "geography/walked.h"
 #include "scenes.h"
 
 namespace foresee {

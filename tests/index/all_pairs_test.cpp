@@ -1,7 +1,7 @@
 #include "index/all_pairs.h"
 
 #include "candidate_pairs.h"
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 
 namespace foresee::testing {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "index/candidates.h"
-#include "never.h"
+#include "never_interrupt.h"
 #include "scenes.h"
 
 namespace foresee::testing {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "query/join_cases.h"
-#include "query/searched.h"
+#include "query/search_target.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
 namespace foresee::testing {
@@ -17,11 +17,11 @@ inline std::shared_ptr<NodeSource> tree_of(const RandomScene& scene) {
   return {held, &held->model.pages};
 }
 
-inline Searched as_scene(const RandomScene& scene) {
+inline SearchTarget as_scene(const RandomScene& scene) {
   return {"ships", scene_of(scene), nullptr};
 }
 
-inline Searched as_tree(const RandomScene& scene) {
+inline SearchTarget as_tree(const RandomScene& scene) {
   return {"ships", nullptr, tree_of(scene)};
 }
 

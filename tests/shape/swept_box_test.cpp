@@ -6,7 +6,7 @@
 
 #include "sanitized.h"
 #include "shape/swept_boxes.h"
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 
 namespace foresee {
 namespace {

@@ -4,7 +4,7 @@
 
 #include "sanitized.h"
 #include "sqlite/database.h"
-#include "sqlite/drawn.h"
+#include "sqlite/random_numbers.h"
 
 namespace foresee::testing {
 namespace {

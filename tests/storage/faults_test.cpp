@@ -1,5 +1,5 @@
 // A write that fails changes nothing; what waits in memory survives a failed flush.
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 #include "storage/database.h"
 #include "storage/rows/shadow_schema.h"
 #include "storage/table/store.h"

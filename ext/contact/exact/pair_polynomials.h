@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "contact/set/contact_set.h"
 #include "contact/set/relative_motion.h"
 #include "numbers/algebraic_root.h"

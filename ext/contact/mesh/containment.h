@@ -9,7 +9,7 @@
 
 #include <optional>
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "contact/certain/certain_motion.h"
 #include "contact/mesh/space_condition.h"
 #include "numbers/dyadic.h"

@@ -1,7 +1,7 @@
 // What contact of outlines is made of (pieces/union_pair.h): convex pieces, and prisms over them.
 #pragma once
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "contact/certain/certain_motion.h"
 #include "contact/certain/chord.h"
 #include "contact/exact/pair_polynomials.h"

@@ -11,7 +11,7 @@
 
 #include <cstdint>
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "contact/certain/chord.h"
 #include "contact/pieces/moving_size.h"
 #include "motion/box.h"

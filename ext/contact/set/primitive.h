@@ -15,7 +15,7 @@
 #include <cstdint>
 
 #include "numbers/coefficients.h"
-#include "numbers/exactly.h"
+#include "numbers/exact_conversion.h"
 
 namespace foresee {
 

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "motion/motion.h"
-#include "numbers/exactly.h"
+#include "numbers/exact_conversion.h"
 #include "shape/bodies.h"
 
 namespace foresee {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 
 namespace foresee::gpcd {
 namespace {

@@ -1,6 +1,6 @@
 #include "index/tpr_tree/leaf_pack.h"
 
-#include "index/tpr_tree/bulk_load/order.h"
+#include "index/tpr_tree/bulk_load/leaf_order.h"
 
 namespace foresee {
 

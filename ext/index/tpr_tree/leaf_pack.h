@@ -12,7 +12,7 @@
 
 #include <vector>
 
-#include "index/tpr_tree/state.h"
+#include "index/tpr_tree/tree_state.h"
 
 namespace foresee {
 

@@ -1,14 +1,14 @@
 #include "index/tpr_tree/tpr_tree.h"
 
 #include "base/axes.h"
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "index/tpr_tree/bulk_load/bulk_load.h"
-#include "index/tpr_tree/bulk_load/order.h"
+#include "index/tpr_tree/bulk_load/leaf_order.h"
 #include "index/tpr_tree/bulk_load/space_partitioning.h"
-#include "index/tpr_tree/update/grow.h"
+#include "index/tpr_tree/update/insertion.h"
 #include "index/tpr_tree/update/merge.h"
+#include "index/tpr_tree/update/removal.h"
 #include "index/tpr_tree/update/repack.h"
-#include "index/tpr_tree/update/shrink.h"
 
 namespace foresee {
 namespace {

@@ -2,7 +2,7 @@
 #include <set>
 
 #include "base/axes.h"
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "index/tpr_tree/node.h"
 #include "index/tpr_tree/tpr_tree.h"
 

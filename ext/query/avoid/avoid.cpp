@@ -58,7 +58,7 @@ class Manoeuvring {
 
   ExactAvoidance::Scenes scenes() {
     ExactAvoidance::Scenes near;
-    const auto search = [&](const Searched& others, std::optional<std::int64_t> itself) {
+    const auto search = [&](const SearchTarget& others, std::optional<std::int64_t> itself) {
       near.push_back(intruders(question_, reference_motion_, change_, queried_, others, itself,
                                reach_to(others), interrupt_));
     };
@@ -68,7 +68,7 @@ class Manoeuvring {
     return near;
   }
 
-  Contact::Reach reach_to(const Searched& others) const {
+  Contact::Reach reach_to(const SearchTarget& others) const {
     Scene none;
     none.layout = others.layout();
     return make_contact(question_.own->bodies(), none.bodies(),

@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "query/avoid/intruder_certificate.h"
 
 namespace foresee {

@@ -94,7 +94,7 @@ void walk_scene(const Scene& all, MovingBox<D> box, const Horizon& horizon,
 
 std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const OwnMotion& base,
                                        const Change& change, const QueriedChanges& queried,
-                                       const Searched& others, std::optional<std::int64_t> itself,
+                                       const SearchTarget& others, std::optional<std::int64_t> itself,
                                        const Contact::Reach& reach, Interrupt& interrupt) {
   auto near = std::make_shared<Scene>();
   near->name = others.name, near->layout = others.layout();

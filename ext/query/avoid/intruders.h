@@ -19,7 +19,7 @@ namespace foresee {
 /// `itself`: of whom an object of this id is left out. `reach`: contact's.
 std::shared_ptr<const Scene> intruders(const AvoidQuestion& question, const OwnMotion& base,
                                        const Change& change, const QueriedChanges& queried,
-                                       const Searched& others, std::optional<std::int64_t> itself,
+                                       const SearchTarget& others, std::optional<std::int64_t> itself,
                                        const Contact::Reach& reach, Interrupt& interrupt);
 
 }  // namespace foresee

@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/shown.h"
+#include "base/number_text.h"
+#include "query/input_checks.h"
 #include "query/join/question.h"
-#include "query/require.h"
 
 namespace foresee {
 namespace {
@@ -68,7 +68,7 @@ void require_no_meshes(const AvoidQuestion& question) {
 }
 
 /// What a join of the two would refuse.
-void require_join(const AvoidQuestion& question, const Searched& others) {
+void require_join(const AvoidQuestion& question, const SearchTarget& others) {
   auto none = std::make_shared<Scene>();
   none->name = others.name, none->layout = others.layout();
   JoinQuestion join{.a = question.own, .b = none};

@@ -9,7 +9,7 @@
 
 #include "motion/manoeuvre.h"
 #include "query/scene.h"
-#include "query/searched.h"
+#include "query/search_target.h"
 
 namespace foresee {
 
@@ -23,8 +23,8 @@ struct AvoidQuestion {
   std::shared_ptr<const Scene> own;       ///< the object that changes, or nobody
   std::vector<double> record;             ///< its numbers as they are stored; empty: nobody
   std::shared_ptr<const Form> form = {};  ///< the outline that it has; null: none
-  Searched others;                        ///< own's table: an object with own's id is own itself
-  std::optional<Searched> also = {};
+  SearchTarget others;                    ///< own's table: an object with own's id is own itself
+  std::optional<SearchTarget> also = {};
   double now = 0;
   bool now_given = false;
   double h = 0;

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "base/error.h"
-#include "base/shown.h"
-#include "query/require.h"
+#include "base/number_text.h"
+#include "query/input_checks.h"
 
 namespace foresee {
 namespace {

@@ -14,8 +14,8 @@
 
 #include "contact/contact.h"
 #include "index/gpcd_grid/work_space.h"
-#include "query/margin.h"
 #include "query/scene.h"
+#include "query/sweep_margin.h"
 #include "query/tile/tile.h"
 
 namespace foresee {

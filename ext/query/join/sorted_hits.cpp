@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 
 namespace foresee {
 

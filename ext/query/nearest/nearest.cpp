@@ -10,7 +10,7 @@
 #include "contact/closest_approach.h"
 #include "contact/window_contact.h"
 #include "index/tpr_tree/search/nearest_walk.h"
-#include "query/require.h"
+#include "query/input_checks.h"
 
 namespace foresee {
 namespace {
@@ -119,7 +119,7 @@ class Search {
 template <int D>
 std::vector<NearestRow> search(const NearestQuestion& question, Interrupt& interrupt) {
   Search<D> search(question, interrupt);
-  const Searched& objects = question.objects;
+  const SearchTarget& objects = question.objects;
   return objects.scene ? std::move(search).in_scene(*objects.scene)
                        : std::move(search).in_tree(*objects.tree);
 }

@@ -16,12 +16,12 @@
 
 #include "base/error.h"
 #include "contact/contact.h"
-#include "query/searched.h"
+#include "query/search_target.h"
 
 namespace foresee {
 
 struct NearestQuestion {
-  Searched objects;
+  SearchTarget objects;
   double now = 0;
   double h = 0;
   std::int64_t k = 1;

@@ -3,7 +3,7 @@
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "motion/position.h"
-#include "query/require.h"
+#include "query/input_checks.h"
 
 namespace foresee {
 namespace {

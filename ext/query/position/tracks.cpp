@@ -6,8 +6,8 @@
 
 #include "base/error.h"
 #include "base/float_environment.h"
-#include "base/steps.h"
-#include "query/require.h"
+#include "base/interrupt_steps.h"
+#include "query/input_checks.h"
 
 namespace foresee {
 namespace {

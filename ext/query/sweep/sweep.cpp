@@ -5,7 +5,7 @@
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "index/tpr_tree/search/sweep_walk.h"
-#include "query/require.h"
+#include "query/input_checks.h"
 
 namespace foresee {
 namespace {

@@ -21,7 +21,7 @@
 
 #include "base/error.h"
 #include "index/pages.h"
-#include "query/margin.h"
+#include "query/sweep_margin.h"
 #include "shape/bodies.h"
 
 namespace foresee {

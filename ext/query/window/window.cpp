@@ -8,7 +8,7 @@
 #include "base/axes.h"
 #include "base/float_environment.h"
 #include "index/tpr_tree/search/window_walk.h"
-#include "query/require.h"
+#include "query/input_checks.h"
 
 namespace foresee {
 
@@ -124,7 +124,7 @@ class WindowOfTree final : public ObjectCandidates {
 
 }  // namespace
 
-std::unique_ptr<ObjectCandidates> window_candidates(const Searched& objects, const WindowFaces& faces,
+std::unique_ptr<ObjectCandidates> window_candidates(const SearchTarget& objects, const WindowFaces& faces,
                                                     bool is_zone, const Horizon& horizon,
                                                     Interrupt& interrupt) {
   const FloatEnvironment environment;

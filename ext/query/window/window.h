@@ -17,7 +17,7 @@
 
 #include "base/error.h"
 #include "contact/window_contact.h"
-#include "query/searched.h"
+#include "query/search_target.h"
 
 namespace foresee {
 
@@ -49,7 +49,7 @@ class ObjectCandidates {
 
 /// Every object that can touch the window during the horizon, once, and others. `is_zone`: what is between
 /// the faces need not be in the window, which is a zone that they enclose.
-std::unique_ptr<ObjectCandidates> window_candidates(const Searched& objects, const WindowFaces& faces,
+std::unique_ptr<ObjectCandidates> window_candidates(const SearchTarget& objects, const WindowFaces& faces,
                                                     bool is_zone, const Horizon& horizon,
                                                     Interrupt& interrupt);
 
@@ -59,7 +59,7 @@ struct WindowWants {
 };
 
 struct WindowQuestion {
-  Searched objects;
+  SearchTarget objects;
   double now = 0;
   double h = 0;
   WindowFaces faces = {};  ///< infinite: no bound

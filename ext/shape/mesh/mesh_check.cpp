@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "base/float_environment.h"
-#include "base/shown.h"
+#include "base/number_text.h"
 #include "shape/mesh/mesh_text.h"
 #include "shape/outline/orientation.h"
 

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/float_environment.h"
-#include "base/shown.h"
+#include "base/number_text.h"
 #include "shape/outline/sweep.h"
 #include "shape/outline/wkt.h"
 

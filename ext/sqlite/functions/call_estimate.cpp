@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "sqlite/functions/table_function.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

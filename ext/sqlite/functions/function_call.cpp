@@ -7,7 +7,7 @@
 #include "base/integer_of.h"
 #include "sqlite/date_text.h"
 #include "sqlite/functions/table_function.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
 namespace foresee {
 

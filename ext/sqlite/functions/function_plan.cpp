@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "sqlite/host.h"
+#include "sqlite/host_sqlite.h"
 
 namespace foresee {
 namespace {
@@ -93,7 +93,7 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
 /// an input is written out as NULL, or comes from another table and may be NULL in some row, there must be no
 /// such plan. It is known by what comes before it: a call as a whole that says nothing of ids. (A question
 /// about one id that follows such a call may be planned worse than need be.) What is bound later is taken for
-/// no NULL where SQLite lets us refuse one (host.h); elsewhere it may be NULL.
+/// no NULL where SQLite lets us refuse one (host_sqlite.h); elsewhere it may be NULL.
 void estimate(const TableFunction& function, const Connection& connection, PlansBefore& before,
               FunctionPlan& plan, sqlite3_index_info& info) {
   const bool whole = (plan.inputs_given & 1) != 0;

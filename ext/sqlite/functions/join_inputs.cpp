@@ -6,7 +6,7 @@
 #include "query/join/probe.h"
 #include "query/join/tile_scenes.h"
 #include "sqlite/names/open_table.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

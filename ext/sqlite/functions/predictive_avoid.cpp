@@ -4,7 +4,7 @@
 #include "query/avoid/avoid.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {
@@ -123,7 +123,7 @@ bool reads_any(const FunctionCall& call, int first, int last) {
   return false;
 }
 
-Searched searched(const Connection::OpenTable& table) {
+SearchTarget searched(const Connection::OpenTable& table) {
   return {table.table, nullptr, table.store->take_snapshot()};
 }
 

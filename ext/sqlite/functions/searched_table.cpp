@@ -2,7 +2,7 @@
 
 #include "index/tpr_tree/tpr_tree.h"
 #include "sqlite/names/open_table.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
 namespace foresee {
 

@@ -1,7 +1,7 @@
 // What do predictive_window and predictive_nearest search, and what is `now`?
 #pragma once
 
-#include "query/searched.h"
+#include "query/search_target.h"
 #include "sqlite/functions/function_call.h"
 
 namespace foresee {
@@ -12,7 +12,7 @@ struct SearchInputs {
 };
 
 struct SearchedTable {
-  Searched objects;
+  SearchTarget objects;
   double now;  ///< as given, or the newest t stored
 };
 

@@ -5,7 +5,7 @@
 
 #include "sqlite/names/visible_tables.h"
 #include "sqlite/sql_tokens.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

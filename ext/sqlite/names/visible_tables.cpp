@@ -1,6 +1,6 @@
 #include "sqlite/names/visible_tables.h"
 
-#include "sqlite/host.h"
+#include "sqlite/host_sqlite.h"
 #include "sqlite/sql_tokens.h"
 #include "storage/rows/statement.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "shape/layout.h"
-#include "sqlite/table/vocabulary.h"
+#include "sqlite/table/column_vocabulary.h"
 
 namespace foresee {
 

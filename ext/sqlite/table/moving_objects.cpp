@@ -1,15 +1,15 @@
 // The virtual table moving_objects: SQLite's callbacks, each of which hands its work to the file that knows.
 //
-//   CREATE  declare.h      plan  table_plan.h  scan  cursor.h      write  write.h, values.h
+//   CREATE  table_declaration.h      plan  table_plan.h  scan  table_cursor.h      write  row_write.h, record_values.h
 //   transactions, savepoints, rename and drop: Store, whose methods are named as the callbacks
 #include "sqlite/callback.h"
 #include "sqlite/modules.h"
-#include "sqlite/table/commands.h"
-#include "sqlite/table/cursor.h"
-#include "sqlite/table/declare.h"
 #include "sqlite/table/moving_objects_table.h"
+#include "sqlite/table/row_write.h"
+#include "sqlite/table/table_commands.h"
+#include "sqlite/table/table_cursor.h"
+#include "sqlite/table/table_declaration.h"
 #include "sqlite/table/table_plan.h"
-#include "sqlite/table/write.h"
 #include "storage/rows/shadow_schema.h"
 
 namespace foresee {

@@ -1,6 +1,6 @@
 #include "sqlite/table/moving_objects_table.h"
 
-#include "sqlite/table/declare.h"
+#include "sqlite/table/table_declaration.h"
 #include "storage/rows/shadow_schema.h"
 
 namespace foresee {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "sqlite/connection.h"
-#include "sqlite/table/values.h"
+#include "sqlite/table/record_values.h"
 #include "storage/table/store.h"
 
 namespace foresee {

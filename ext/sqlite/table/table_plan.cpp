@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <span>
 
-#include "sqlite/host.h"
+#include "sqlite/host_sqlite.h"
 
 namespace foresee {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "sqlite/sql_tokens.h"
-#include "sqlite/table/arguments.h"
+#include "sqlite/table/table_arguments.h"
 #include "storage/rows/statement.h"
 
 namespace foresee {

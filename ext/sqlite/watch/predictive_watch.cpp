@@ -10,7 +10,7 @@
 #include "sqlite/watch/settlement.h"
 #include "sqlite/watch/watch_functions.h"
 #include "sqlite/watch/watch_table.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "sqlite/callback.h"
 #include "sqlite/watch/watch_table.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

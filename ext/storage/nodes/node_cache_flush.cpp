@@ -1,7 +1,7 @@
 // Out of memory: what leaves because there is no room, and what is written.
 #include <algorithm>
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
 #include "storage/nodes/node_cache.h"

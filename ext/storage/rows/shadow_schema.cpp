@@ -7,7 +7,7 @@
 #include "storage/rows/map_rows.h"
 #include "storage/rows/shape_rows.h"
 #include "storage/rows/store_error.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
 namespace foresee {
 namespace {

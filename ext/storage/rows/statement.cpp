@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "storage/rows/store_error.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
 namespace foresee {
 

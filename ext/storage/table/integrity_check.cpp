@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "base/error.h"
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "index/tpr_tree/tpr_tree.h"
 #include "shape/extents_cache.h"
 #include "storage/format/inner_node.h"
@@ -13,7 +13,7 @@
 #include "storage/format/node_format.h"
 #include "storage/rows/shape_rows.h"
 #include "storage/rows/store_error.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 
 namespace foresee {
 

@@ -32,8 +32,8 @@
 #include "storage/nodes/object_changes.h"
 #include "storage/nodes/pending_objects.h"
 #include "storage/rows/store_error.h"
-#include "storage/table/forms.h"
 #include "storage/table/store_state.h"
+#include "storage/table/stored_forms.h"
 
 namespace foresee {
 
@@ -246,7 +246,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// Outlines that none of these numbers names go, unless a snapshot may still ask for them.
   void keep_only_forms(const std::unordered_set<std::int64_t>& used);
 
-  // transactions (store_life.cpp)
+  // transactions (store_transactions.cpp)
   /// Something is not stored yet.
   bool waits() const { return cache_.waits() || pending_->count() > 0 || count_.added != 0; }
   void back_to(const StoreSavepoint& savepoint);

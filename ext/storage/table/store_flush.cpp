@@ -1,7 +1,7 @@
 // From memory to the tables: pending objects into the tree, and all that waits into the rows.
 #include <algorithm>
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
 #include "storage/rows/statement.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "storage/format/inner_node.h"
 #include "storage/format/leaf_node.h"
 #include "storage/nodes/object_spill.h"

@@ -5,9 +5,9 @@
 #include <map>
 
 #include "base/float_environment.h"
-#include "base/shown.h"
+#include "base/number_text.h"
 #include "storage/rows/store_error.h"
-#include "storage/rows/text.h"
+#include "storage/rows/value_text.h"
 #include "storage/watch/watch_rows.h"
 
 namespace foresee {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <random>
 
-#include "contact/mesh/facets.h"
+#include "contact/mesh/integer_triangles.h"
 
 namespace foresee::oracle {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/mesh/facets.h"
+#include "contact/mesh/integer_triangles.h"
 #include "contact/mesh/mesh_shapes.h"
 
 namespace foresee::oracle {

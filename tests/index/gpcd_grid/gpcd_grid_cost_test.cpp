@@ -3,7 +3,7 @@
 #include "index/gpcd_grid/grid.h"
 #include "index/gpcd_grid/moving_source.h"
 #include "index/resting_bodies.h"
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 
 namespace foresee::testing {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "index/candidate_pairs.h"
 #include "sanitized.h"
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 
 namespace foresee {
 namespace {

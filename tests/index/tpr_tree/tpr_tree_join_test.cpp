@@ -3,7 +3,7 @@
 #include <set>
 
 #include "index/tpr_tree/search/tree_join.h"
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 #include "tests/index/tpr_tree/tree_model.h"
 
 namespace foresee {

@@ -5,15 +5,15 @@
 
 #include <cmath>
 
-#include "base/shown.h"
-#include "never.h"
+#include "base/number_text.h"
+#include "never_interrupt.h"
 #include "query/avoid/avoid.h"
 #include "query/search_cases.h"
 
 namespace foresee::testing {
 
 /// About the object in row `i` of the scene.
-inline AvoidQuestion avoid_question(const RandomScene& scene, std::size_t i, const Searched& others) {
+inline AvoidQuestion avoid_question(const RandomScene& scene, std::size_t i, const SearchTarget& others) {
   const auto stored = static_cast<std::size_t>(record_offsets(scene.layout).size);
   const auto read = static_cast<std::size_t>(row_offsets(scene.layout).size);
   AvoidQuestion question;

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "query/avoid/avoid_cases.h"
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 
 namespace foresee {
 namespace {

@@ -4,7 +4,7 @@
 #include "query/join/join_plan.h"
 #include "query/join_cases.h"
 #include "sanitized.h"
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 
 namespace foresee {
 namespace {

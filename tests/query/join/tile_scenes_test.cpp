@@ -7,7 +7,7 @@
 #include <cstdlib>
 
 #include "base/axes.h"
-#include "never.h"
+#include "never_interrupt.h"
 #include "query/join/tilings.h"
 #include "query/join_cases.h"
 

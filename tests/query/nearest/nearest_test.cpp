@@ -116,7 +116,7 @@ TEST_P(NearestOfEveryLayout, TreeAgreesWithScan) {
     for (double epoch : {0.0, 1.7e9}) {
       const RandomScene scene =
           shifted(random_scene({.layout = GetParam(), .kind = kind, .count = 60, .seed = 43}), epoch);
-      const Searched tree = as_tree(scene);
+      const SearchTarget tree = as_tree(scene);
       Random random(44);
       for (int i = 0; i < 6; ++i) {
         NearestQuestion question = random_question(random, scene, i);
@@ -155,11 +155,11 @@ TEST(Nearest, EqualDistancesComeById) {
 TEST(Nearest, ADistanceIsTheNearestDoubleWhereDoublesCannotTell) {
   const Layout layout{.axes = 2, .law = Law::uniform};
   // Passes the point at 1e-30 and 1e20 a second: no digit of the distance is left in double-double.
-  const Searched ships{"ships", scene_of(layout, {1}, {-1e20, 1e-30, 1e20, 0}), nullptr};
+  const SearchTarget ships{"ships", scene_of(layout, {1}, {-1e20, 1e-30, 1e20, 0}), nullptr};
   const std::vector<Row> rows = answer({.objects = ships, .h = 2, .point = {0.0, 0.0}});
   ASSERT_EQ(rows.size(), 1u);
   EXPECT_EQ(std::get<1>(rows[0]), 1e-30);
-  const Searched still{
+  const SearchTarget still{
       "ships", scene_of({.axes = 2}, {1, 2, 3, 4}, {3e200, 4e200, 3e-200, 4e-200, 0, 0, 1e308, 1.5e308}),
       nullptr};
   const std::vector<Row> far = answer({.objects = still, .k = 4, .point = {0.0, 0.0}});
@@ -181,7 +181,7 @@ std::string error_of(const NearestQuestion& question) {
 }
 
 TEST(Nearest, SaysWhatIsWrong) {
-  const Searched ships{"ships", scene_of({.axes = 2}, {}, {}), nullptr};
+  const SearchTarget ships{"ships", scene_of({.axes = 2}, {}, {}), nullptr};
   EXPECT_EQ(error_of({.objects = ships, .k = 0, .point = {0, 0}}), "k must be a whole number >= 1, not 0");
   EXPECT_EQ(error_of({.objects = ships, .h = -1, .point = {0, 0}}), "h must be a finite number >= 0, not -1");
   EXPECT_EQ(error_of({.objects = ships, .point = {0}}),

@@ -96,7 +96,7 @@ TEST_P(WindowOfEveryLayout, TreeAgreesWithScan) {
     for (double epoch : {0.0, 1.7e9}) {
       const RandomScene scene =
           shifted(random_scene({.layout = GetParam(), .kind = kind, .count = 60, .seed = 33}), epoch);
-      const Searched tree = as_tree(scene), all = as_scene(scene);
+      const SearchTarget tree = as_tree(scene), all = as_scene(scene);
       Random random(34);
       for (int i = 0; i < 6; ++i) {
         WindowFaces faces = random_faces(random, scene, i % 2 == 0);
@@ -134,7 +134,7 @@ INSTANTIATE_TEST_SUITE_P(AxesLawShapeTimes, WindowOfEveryLayout, ::testing::Valu
 const Layout disc{.axes = 2, .law = Law::uniform, .shape = Shape::ball};
 
 /// One disc of radius 5 at (x, y) moving with (vx, vy).
-Searched one_disc(double x, double y, double vx, double vy) {
+SearchTarget one_disc(double x, double y, double vx, double vy) {
   return {"ships", scene_of(disc, {7}, {x, y, vx, vy, 5}), nullptr};
 }
 
@@ -163,7 +163,7 @@ TEST(Window, NeedsNoCentreThatADoubleHolds) {
   const WindowFaces wide = faces_of(0.1, 1e17, -infinity, infinity);
   EXPECT_EQ(answer({.objects = one_disc(-4.9, 0, 0, 0), .h = 1, .faces = wide}).size(),
             0u);  // a hair short of 0.1
-  const Searched points{
+  const SearchTarget points{
       "points",
       scene_of({.axes = 1}, {1, 2, 3, 4}, {0.1, std::nextafter(0.1, 0), 1e17, std::nextafter(1e17, 2e17)}),
       nullptr};
@@ -185,7 +185,7 @@ std::string error_of(WindowQuestion question) {
 }
 
 TEST(Window, SaysWhatIsWrong) {
-  const Searched ships = one_disc(0, 0, 0, 0);
+  const SearchTarget ships = one_disc(0, 0, 0, 0);
   EXPECT_EQ(error_of({.objects = ships, .h = -1}), "h must be a finite number >= 0, not -1");
   EXPECT_EQ(error_of({.objects = ships, .now = infinity}), "now must be a finite number, not inf");
   EXPECT_EQ(error_of({.objects = ships, .faces = {.lower = {5, 0}, .upper = {3, 0}}}),

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "shape/mesh/mesh_text.h"
-#include "shape/mesh/meshes.h"
+#include "shape/mesh/test_meshes.h"
 #include "shape/mesh/turned_mesh.h"
 
 namespace foresee {

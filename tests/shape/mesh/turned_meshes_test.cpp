@@ -5,7 +5,7 @@
 
 #include <thread>
 
-#include "shape/mesh/meshes.h"
+#include "shape/mesh/test_meshes.h"
 #include "shape/swept_boxes.h"
 
 namespace foresee {

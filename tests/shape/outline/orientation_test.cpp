@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "shape/outline/judge.h"
+#include "shape/outline/outline_judge.h"
 
 namespace foresee {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <random>
 
-#include "shape/outline/outlines.h"
+#include "shape/outline/test_outlines.h"
 #include "shape/outline/wkt.h"
 
 namespace foresee {

@@ -1,5 +1,5 @@
 // predictive_explain in SQL: its columns, inputs and errors.
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 #include "sqlite/scene_table.h"
 
 namespace foresee::testing {

@@ -1,5 +1,5 @@
 // Every wrong call of predictive_join says what to write.
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {

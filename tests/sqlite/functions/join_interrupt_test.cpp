@@ -4,7 +4,7 @@
 #include <thread>
 #include <vector>
 
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 #include "sqlite/scene_table.h"
 
 namespace foresee::testing {

@@ -2,7 +2,7 @@
 #include <chrono>
 #include <thread>
 
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 #include "sqlite/scene_table.h"
 
 #if defined(__has_feature)

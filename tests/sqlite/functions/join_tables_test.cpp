@@ -1,5 +1,5 @@
 // Which table does a function ask? Names resolve as SQLite resolves them; a message lists what there is.
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {

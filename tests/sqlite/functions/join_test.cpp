@@ -1,5 +1,5 @@
 // predictive_join in SQL: its outputs, its inputs by place and by name, its defaults.
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {

@@ -1,5 +1,5 @@
 // predictive_nearest in SQL: inputs by place, by name and by lateral columns, errors, plans, snapshots.
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {

@@ -1,5 +1,5 @@
 // predictive_position in SQL.
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {

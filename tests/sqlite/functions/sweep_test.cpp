@@ -1,6 +1,6 @@
 // predictive_sweep: its boxes hold their objects, and bounds on corners find what they find row by row.
 #include "sqlite/functions/tiled_tables.h"
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {

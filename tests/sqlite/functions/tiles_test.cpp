@@ -1,6 +1,6 @@
 // own_* in SQL: tiles together answer the whole join, by every method, from a tree of several levels.
 #include "sqlite/functions/tiled_tables.h"
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {

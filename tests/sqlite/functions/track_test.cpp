@@ -1,5 +1,5 @@
 // predictive_track in SQL; inputs that were left out, of all functions.
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 
 namespace foresee::testing {
 namespace {

@@ -1,5 +1,5 @@
 // predictive_window in SQL: inputs by place, by name and by lateral columns, errors, plans, snapshots.
-#include "sqlite/harbour.h"
+#include "sqlite/harbour_scene.h"
 #include "sqlite/scene_table.h"
 
 namespace foresee::testing {

@@ -1,5 +1,5 @@
 // After a large load: which ids are there, and which are surely not (nodes/id_filter.h)?
-#include "storage/table/parts.h"
+#include "storage/table/partitioned_table.h"
 
 namespace foresee {
 namespace {

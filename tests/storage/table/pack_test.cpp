@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 #include "storage/database.h"
 
 namespace foresee {

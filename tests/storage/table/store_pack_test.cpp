@@ -1,8 +1,8 @@
 // More objects than are ordered together: 'rebuild', 'optimize' and loads by way of a temporary file.
 #include "index/tpr_tree/tpr_tree.h"
-#include "stop_at.h"
+#include "stopping_interrupt.h"
 #include "storage/format/leaf_node.h"
-#include "storage/table/parts.h"
+#include "storage/table/partitioned_table.h"
 
 namespace foresee {
 namespace {

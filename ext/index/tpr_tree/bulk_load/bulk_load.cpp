@@ -2,8 +2,8 @@
 
 #include <numeric>
 
-#include "base/steps.h"
-#include "index/tpr_tree/bulk_load/order.h"
+#include "base/interrupt_steps.h"
+#include "index/tpr_tree/bulk_load/leaf_order.h"
 
 namespace foresee {
 namespace {

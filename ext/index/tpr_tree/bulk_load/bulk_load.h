@@ -3,8 +3,8 @@
 #pragma once
 
 #include "base/error.h"
-#include "index/tpr_tree/state.h"
 #include "index/tpr_tree/tpr_tree.h"
+#include "index/tpr_tree/tree_state.h"
 
 namespace foresee {
 

@@ -1,8 +1,8 @@
 #include "index/tpr_tree/bulk_load/space_partitioning.h"
 
-#include "base/steps.h"
+#include "base/interrupt_steps.h"
 #include "index/tpr_tree/bulk_load/bulk_load.h"
-#include "index/tpr_tree/bulk_load/order_items.h"
+#include "index/tpr_tree/bulk_load/leaf_order_items.h"
 
 namespace foresee {
 namespace {

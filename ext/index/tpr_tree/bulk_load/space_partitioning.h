@@ -4,15 +4,15 @@
 //   auto division = divide_space(state, sample, 9, interrupt);     // records of some objects, drawn anywhere
 //   parts[division->partition_of(record)].push_back(object);
 //
-// The sample is halved again and again like the objects of a leaf order (order.h), and the cuts are
+// The sample is halved again and again like the objects of a leaf order (leaf_order.h), and the cuts are
 // remembered. Objects that lie on a cut go to either side in turn, so that a place with very many is shared.
 // Parts differ in size as the sample does: by some hundredths. Cost, an object: its motion, and a comparison
 // for each halving.
 #pragma once
 
 #include "base/error.h"
-#include "index/tpr_tree/state.h"
 #include "index/tpr_tree/tpr_tree.h"
+#include "index/tpr_tree/tree_state.h"
 
 namespace foresee {
 

@@ -15,7 +15,7 @@
 #pragma once
 
 #include "base/error.h"
-#include "index/tpr_tree/leaf_view.h"
+#include "index/tpr_tree/leaf_hits.h"
 
 namespace foresee {
 

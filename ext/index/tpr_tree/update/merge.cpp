@@ -2,12 +2,12 @@
 
 #include <map>
 
-#include "base/steps.h"
-#include "index/tpr_tree/update/choose.h"
-#include "index/tpr_tree/update/even_out.h"
-#include "index/tpr_tree/update/grow.h"
+#include "base/interrupt_steps.h"
+#include "index/tpr_tree/update/choose_child.h"
+#include "index/tpr_tree/update/insertion.h"
+#include "index/tpr_tree/update/rebalance.h"
+#include "index/tpr_tree/update/removal.h"
 #include "index/tpr_tree/update/repack.h"
-#include "index/tpr_tree/update/shrink.h"
 
 namespace foresee {
 namespace {

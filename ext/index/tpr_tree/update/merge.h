@@ -14,7 +14,7 @@
 // nodes; what a leaf's writing costs is shared by all its objects.
 #pragma once
 
-#include "index/tpr_tree/state.h"
+#include "index/tpr_tree/tree_state.h"
 
 namespace foresee {
 

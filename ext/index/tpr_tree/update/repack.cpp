@@ -1,9 +1,9 @@
 #include "index/tpr_tree/update/repack.h"
 
 #include "index/tpr_tree/leaf_pack.h"
-#include "index/tpr_tree/update/choose.h"
-#include "index/tpr_tree/update/grow.h"
-#include "index/tpr_tree/update/shrink.h"
+#include "index/tpr_tree/update/choose_child.h"
+#include "index/tpr_tree/update/insertion.h"
+#include "index/tpr_tree/update/removal.h"
 
 namespace foresee {
 namespace {

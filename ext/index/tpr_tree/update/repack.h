@@ -10,7 +10,7 @@
 // sixteenth time those of the node above too, are computed anew at the clock's time.
 #pragma once
 
-#include "index/tpr_tree/state.h"
+#include "index/tpr_tree/tree_state.h"
 
 namespace foresee {
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/shown.h"
+#include "base/number_text.h"
 #include "sqlite/functions/table_function.h"
 
 namespace foresee {
