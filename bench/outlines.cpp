@@ -17,7 +17,7 @@
 #include "measure.h"
 #include "program.h"
 #include "shape/outline/convex_pieces.h"
-#include "shape/outline/turn.h"
+#include "shape/outline/outline_rotation.h"
 #include "shape/outline/validity.h"
 #include "shape/outline/wkt.h"
 

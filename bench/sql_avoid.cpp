@@ -30,26 +30,27 @@ struct Scene {
 };
 
 /// What ships look like: columns, their values as of a velocity ?4, ?5, and those of a copy turned by k.
-struct Look {
+struct ShipShape {
   std::string columns, drawn, turned;
 };
-const Look disc{"r", "10", "r"};
-const Look hull{"shape, heading",
-                "'POLYGON((-4 -10, 4 -10, 4 6, 0 10, -4 6, -4 -10))', degrees(atan2(?4, ?5))",
-                "shape, mod(heading + k + 540, 360) - 180"};
+const ShipShape disc{"r", "10", "r"};
+const ShipShape hull{"shape, heading",
+                     "'POLYGON((-4 -10, 4 -10, 4 6, 0 10, -4 6, -4 -10))', degrees(atan2(?4, ?5))",
+                     "shape, mod(heading + k + 540, 360) - 180"};
 
-void make_table(Database& db, const Look& look) {
+void make_table(Database& db, const ShipShape& ship_shape) {
   register_foresee(db);
   for (const char* table : {"ships", "turned"})
     db.run(std::string("CREATE VIRTUAL TABLE ") + table + " USING moving_objects(id, t, x, y, vx, vy, " +
-           look.columns + ")");
+           ship_shape.columns + ")");
 }
 
-Scene fill_uniform(Database& db, const Look& look, std::size_t count, double side, const std::string& name) {
+Scene fill_uniform(Database& db, const ShipShape& ship_shape, std::size_t count, double side,
+                   const std::string& name) {
   std::mt19937_64 random(1);
   std::uniform_real_distribution<double> place(0, side), speed(-10, 10);
   db.run("BEGIN");
-  Statement insert(db, "INSERT INTO ships VALUES (?1, 0, ?2, ?3, ?4, ?5, " + look.drawn + ")");
+  Statement insert(db, "INSERT INTO ships VALUES (?1, 0, ?2, ?3, ?4, ?5, " + ship_shape.drawn + ")");
   for (std::size_t i = 0; i < count; ++i) {
     insert.bind(1, static_cast<std::int64_t>(i) + 1);
     for (int place_of = 2; place_of <= 3; ++place_of) insert.bind(place_of, place(random));
@@ -101,14 +102,14 @@ double seconds_a_question(Statement& statement, const Scene& scene, std::int64_t
 }
 
 /// One object's 361 turned copies, written and joined with the table.
-double seconds_of_copies(Database& db, const Scene& scene, const Look& look, std::int64_t id) {
+double seconds_of_copies(Database& db, const Scene& scene, const ShipShape& ship_shape, std::int64_t id) {
   Statement write(
       db,
       "WITH RECURSIVE d(k) AS (SELECT -180 UNION ALL SELECT k + 1 FROM d WHERE k < 180) INSERT INTO "
       "turned SELECT k + 181, t, x, y, vx * cos(k * 0.017453292519943295) + vy * sin(k * "
       "0.017453292519943295), vy * cos(k * 0.017453292519943295) - vx * sin(k * "
       "0.017453292519943295), " +
-          look.turned + " FROM ships, d WHERE id = ?1");
+          ship_shape.turned + " FROM ships, d WHERE id = ?1");
   const std::string join = "SELECT a, count(*) FROM predictive_join(" + std::to_string(scene.h) +
                            ", 'turned', " + std::to_string(scene.within) +
                            ", 'ships') WHERE b <> ?1 GROUP BY a";
@@ -122,7 +123,7 @@ double seconds_of_copies(Database& db, const Scene& scene, const Look& look, std
   });
 }
 
-void measure(Database& db, const Scene& scene, const Look& look, int repetitions) {
+void measure(Database& db, const Scene& scene, const ShipShape& ship_shape, int repetitions) {
   const std::string numbers = std::to_string(scene.h) + ", 'ships'", within = std::to_string(scene.within);
   Statement avoid(
       db, "SELECT manoeuvre, clear, k_from, k_to FROM predictive_avoid(" + numbers + ", ?1, " + within + ")");
@@ -136,7 +137,7 @@ void measure(Database& db, const Scene& scene, const Look& look, int repetitions
     whole.push_back(seconds_a_question(all, scene, ignored));
     joined.push_back(seconds_a_question(join, scene, pairs));
     ratios.push_back(ours.back() / joined.back());
-    copies.push_back(seconds_of_copies(db, scene, look,
+    copies.push_back(seconds_of_copies(db, scene, ship_shape,
                                        scene.queried[static_cast<std::size_t>(i) % scene.queried.size()]));
   }
   const double queried = static_cast<double>(scene.queried.size());
@@ -151,11 +152,12 @@ void measure(Database& db, const Scene& scene, const Look& look, int repetitions
 int main_of(const Options& options) {
   const bool quick = options.has("--quick");
   const int repetitions = quick ? 3 : 9;
-  const auto measure_uniform = [&](const Look& look, std::size_t count, const std::string& name) {
+  const auto measure_uniform = [&](const ShipShape& ship_shape, std::size_t count, const std::string& name) {
     Database db(":memory:");
-    make_table(db, look);
+    make_table(db, ship_shape);
     const double side = 100 * std::sqrt(static_cast<double>(count));
-    measure(db, fill_uniform(db, look, count, side, name + " " + std::to_string(count)), look, repetitions);
+    measure(db, fill_uniform(db, ship_shape, count, side, name + " " + std::to_string(count)), ship_shape,
+            repetitions);
   };
   for (const std::size_t count : {1000, 10000, 100000}) measure_uniform(disc, count, "uniform");
   measure_uniform(hull, 10000, "hulls");

@@ -140,7 +140,7 @@ class SetContact : public Contact {
         const Pair& pair = some[std::min(l, some.size() - 1)];  // lanes without a pair repeat the last one
         set_lanes_.a[l] = setup_.a.row(pair.a), set_lanes_.b[l] = setup_.b.row(pair.b);
       }
-      set_kernel_.look(question_, set_lanes_);
+      set_kernel_.classify(question_, set_lanes_);
       for (std::size_t l = 0; l < some.size(); ++l)
         if (!(set_lanes_.begin[l] > set_lanes_.end[l])) visit(some[l], static_cast<int>(l));
     }

@@ -27,7 +27,7 @@ struct Scene {
   std::size_t size() const { return ids.size(); }
   Bodies bodies() const {
     Bodies bodies{layout, rows.data(), ids.size()};
-    if (forms) forms->lend(bodies);
+    if (forms) forms->attach_to(bodies);
     return bodies;
   }
   /// Once all rows are there. `source`: null for a layout without outlines and meshes.

@@ -26,7 +26,7 @@ class Form {
   virtual std::size_t corners() const = 0;
   /// Canonical well-known text.
   virtual std::string text() const = 0;
-  /// The smallest box around it, turned by `heading` degrees (outline/turn.h); of an outline none along z.
+  /// The smallest box around it, turned by `heading` degrees (outline/outline_rotation.h); of an outline none along z.
   /// Throws Error if that is no outline or mesh, or beyond the largest double. Requires: -360 <= heading <=
   /// 360.
   virtual Extents<3> extents(double heading) const = 0;

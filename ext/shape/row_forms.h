@@ -2,7 +2,7 @@
 //
 //   RowForms forms;
 //   forms.assign(bodies, source, interrupt);              // once the rows are there
-//   forms.lend(bodies);                                   // bodies.outlines or bodies.meshes
+//   forms.attach_to(bodies);                                   // bodies.outlines or bodies.meshes
 #pragma once
 
 #include "shape/mesh/turned_meshes.h"
@@ -20,7 +20,7 @@ class RowForms {
       outlines_.assign(bodies, source, interrupt);
   }
   /// Contact of these bodies asks here from now on; this must outlive it.
-  void lend(Bodies& bodies) const {
+  void attach_to(Bodies& bodies) const {
     if (bodies.layout.shape == Shape::mesh)
       bodies.meshes = &meshes_;
     else

@@ -156,7 +156,7 @@ struct CylinderShape {
 // sides in x and y. What has no outline is what its other columns say: a point, a disc, or an upright
 // cylinder.
 //
-// A row knows the number of its outline and the smallest box around it as it lies (outline/turn.h), so that
+// A row knows the number of its outline and the smallest box around it as it lies (outline/outline_rotation.h), so that
 // who only needs boxes looks no outline up.
 
 struct OutlineShape {

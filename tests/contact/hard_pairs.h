@@ -130,12 +130,12 @@ oracle::Rule rule_of(const Object& a, const Object& b, const ContactQuestion& qu
 Case make_case(Generator& generate, const Family& family, Shapes shapes, int axes);
 
 /// look(case, generate) at `count` cases of every family, the ordinary and the extreme ones.
-template <class Look>
-void for_each_hard_pair(Shapes shapes, int axes, int count, std::uint64_t seed, Look&& look) {
+template <class Visit>
+void for_each_hard_pair(Shapes shapes, int axes, int count, std::uint64_t seed, Visit&& visit) {
   for (const auto& families : {ordinary_families(), extreme_families()})
     for (const Family& family : families) {
       Generator generate(family, ++seed);
-      for (int i = 0; i < count; ++i) look(make_case(generate, family, shapes, axes), generate);
+      for (int i = 0; i < count; ++i) visit(make_case(generate, family, shapes, axes), generate);
     }
 }
 

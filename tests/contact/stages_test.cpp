@@ -89,7 +89,7 @@ class StagesOfPair {
     SetLanes lanes;
     std::fill_n(lanes.a, lanes.width, row_a_.data());
     std::fill_n(lanes.b, lanes.width, row_b_.data());
-    set_kernel<D, Degree>().look(question, lanes);
+    set_kernel<D, Degree>().classify(question, lanes);
     expect_from_every_cpu(question, lanes);
     for (const int l : {0, 13}) {
       const bool misses = lanes.begin[l] > lanes.end[l];
@@ -108,7 +108,7 @@ class StagesOfPair {
   void expect_from_every_cpu(const LanesQuestion& question, const SetLanes& lanes) const {
     testing::for_every_simd([&](Simd) {
       SetLanes others = lanes;
-      set_kernel<D, Degree>().look(question, others);
+      set_kernel<D, Degree>().classify(question, others);
       EXPECT_EQ(std::memcmp(&lanes, &others, sizeof lanes), 0) << case_;
     });
   }

@@ -9,7 +9,7 @@
 #include "numbers/dyadic.h"
 #include "shape/outline/convex_pieces.h"
 #include "shape/outline/orientation.h"
-#include "shape/outline/turn.h"
+#include "shape/outline/outline_rotation.h"
 #include "shape/outline/validity.h"
 #include "shape/outline/wkt.h"
 #include "wkt.h"

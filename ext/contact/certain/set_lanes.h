@@ -3,7 +3,7 @@
 //
 //   SetLanes lanes;
 //   lanes.a[l] = row_a, lanes.b[l] = row_b;                     // pair number l of `width`
-//   set_kernel<2, 1>().look(question, lanes);
+//   set_kernel<2, 1>().classify(question, lanes);
 //   lanes.begin[l] > lanes.end[l];                              // certainly they never touch
 //   lanes.touches[l] > 0;                                       // certainly they do
 //
@@ -50,7 +50,7 @@ inline std::size_t lanes_space(const ContactSet& set) {
 template <int D, int Degree>
 struct SetKernel {
   /// Fills in what is found. Requires: each lane has rows.
-  void (*look)(const LanesQuestion& question, SetLanes& lanes);
+  void (*classify)(const LanesQuestion& question, SetLanes& lanes);
 };
 
 template <int D, int Degree, Simd simd>

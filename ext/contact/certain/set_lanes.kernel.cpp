@@ -64,10 +64,10 @@ struct Lives {
 
 /// A register of pairs, looked at. What is NaN proves nothing.
 template <int D, int Degree>
-class Look {
+class PairRegister {
  public:
   /// Computes lives, motions and lengths of these pairs. The question must outlive it.
-  Look(const LanesQuestion& q, const Rows& a, const Rows& b)
+  PairRegister(const LanesQuestion& q, const Rows& a, const Rows& b)
       : q_(q),
         lives_(q, a, b),
         lengths_{q.space},
@@ -144,16 +144,16 @@ class Look {
   double* const values_;  ///< of each primitive, at most
 };
 
-/// SetKernel::look, register by register.
+/// SetKernel::classify, register by register.
 template <int D, int Degree>
-void look_here(const LanesQuestion& q, SetLanes& lanes) {
+void classify_lanes(const LanesQuestion& q, SetLanes& lanes) {
   for (int l = 0; l < lanes.width; l += register_width) {
-    const Look<D, Degree> look(q, Rows{lanes.a + l}, Rows{lanes.b + l});
-    const Interval<Doubles> interval = look.interval();
+    const PairRegister<D, Degree> pairs(q, Rows{lanes.a + l}, Rows{lanes.b + l});
+    const Interval<Doubles> interval = pairs.interval();
     store(lanes.begin + l, interval.begin.of), store(lanes.end + l, interval.end.of);
     if (!q.touches_wanted) continue;
     DoublesMask found = interval.begin <= interval.end;
-    if (any(found)) found = found & look.touches(0.5 * (interval.begin + interval.end));
+    if (any(found)) found = found & pairs.touches(0.5 * (interval.begin + interval.end));
     store(lanes.touches + l, select(found, Doubles(1.0), Doubles(0.0)).of);
   }
 }
@@ -162,7 +162,7 @@ void look_here(const LanesQuestion& q, SetLanes& lanes) {
 
 template <int D, int Degree, Simd simd>
 const SetKernel<D, Degree>& set_kernel() {
-  static constexpr SetKernel<D, Degree> kernel{look_here<D, Degree>};
+  static constexpr SetKernel<D, Degree> kernel{classify_lanes<D, Degree>};
   return kernel;
 }
 

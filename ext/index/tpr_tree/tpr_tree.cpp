@@ -28,14 +28,14 @@ class Tree final : public TprTree {
   Tree(Pages& pages, double horizon) : state_(pages, horizon) {}
 
   void insert(std::int64_t id, std::span<const double> record) override {
-    state_.clock.saw(state_.reader.t(record.data()));
+    state_.clock.observe(state_.reader.t(record.data()));
     insert_object(state_, NewObject<D>{id, record, Mover<D>(state_.reader, record.data())});
   }
 
   bool update(std::int64_t id, std::span<const double> record) override {
     const auto leaf = state_.pages.find_leaf(id);
     if (!leaf) return false;
-    state_.clock.saw(state_.reader.t(record.data()));
+    state_.clock.observe(state_.reader.t(record.data()));
     const NewObject<D> object{id, record, Mover<D>(state_.reader, record.data())};
     freshen_above(*leaf);
     const auto [slot, stays] = place_of(*leaf, object);
@@ -153,7 +153,7 @@ class Tree final : public TprTree {
   void see_newest(std::span<const double> records) {
     const std::size_t size = state_.reader.record_size(), all = records.size() / size;
     for (std::size_t i = all - std::min(all, WriteClock::memory); i < all; ++i)
-      state_.clock.saw(state_.reader.t(records.data() + i * size));
+      state_.clock.observe(state_.reader.t(records.data() + i * size));
   }
 
   static std::size_t slot_in_leaf(const Node& leaf, std::int64_t id) {

@@ -25,7 +25,7 @@ class WriteClock {
   bool runs() const { return count_ > 0; }
 
   /// An object with this t is being written. A fresh clock believes its first write.
-  void saw(double t) {
+  void observe(double t) {
     if (count_ == 0) recent_.fill(t);
     recent_[count_++ % recent_.size()] = t;
     if (t == now_ && count_ > 1) return;

@@ -67,7 +67,7 @@ class WindowOfTree final : public ObjectCandidates {
     rows_.resize(batch_size * static_cast<std::size_t>(row_offsets(layout).size));
     ids_.resize(batch_size);
     bodies_ = Bodies(layout, rows_.data(), batch_size);
-    if (tree_->forms()) forms_.lend(bodies_);
+    if (tree_->forms()) forms_.attach_to(bodies_);
   }
 
   const Bodies& bodies() const override { return bodies_; }

@@ -1,7 +1,7 @@
 #include "shape/mesh/turned_mesh.h"
 
 #include "base/float_environment.h"
-#include "shape/outline/turn.h"
+#include "shape/outline/outline_rotation.h"
 
 namespace foresee {
 

@@ -1,4 +1,4 @@
-// Where does a mesh lie that is turned? As a flat outline does (outline/turn.h), in x and y; z stays.
+// Where does a mesh lie that is turned? As a flat outline does (outline/outline_rotation.h), in x and y; z stays.
 //
 //   Mesh rotated = turned(building, 37.5);         // degrees clockwise from the y axis, around the z axis
 //

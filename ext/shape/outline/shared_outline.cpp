@@ -1,6 +1,6 @@
 #include "shape/outline/shared_outline.h"
 
-#include "shape/outline/turn.h"
+#include "shape/outline/outline_rotation.h"
 
 namespace foresee {
 

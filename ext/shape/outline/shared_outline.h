@@ -28,7 +28,7 @@ class SharedOutline final : public Form {
     std::call_once(cut_, [this] { pieces_ = convex_pieces(outline_); });
     return pieces_;
   }
-  /// Turned by `heading` degrees (turn.h). Throws Error if that is no outline, or beyond the largest double.
+  /// Turned by `heading` degrees (outline_rotation.h). Throws Error if that is no outline, or beyond the largest double.
   /// Requires: -360 <= heading <= 360.
   Outline rotated(double heading) const;
   ConvexPieces rotated_pieces(double heading) const { return turned_pieces(pieces(), rotated(heading)); }

@@ -45,7 +45,7 @@ bool SweepLine::holds(Place crossed, const Corner& place) const {
   return edge.right == place || orientation(edge.left, edge.right, place) == 0;
 }
 
-void SweepLine::look(Meeting& m) {
+void SweepLine::find_meeting(Meeting& m) {
   m.arriving.clear();
   m.leaving.clear();
   first_ = line_.end();

@@ -76,7 +76,7 @@ class SweepLine {
   explicit SweepLine(const SweepEdges& edges) : edges_(edges), line_(Below{&edges}), places_(edges.size()) {}
 
   /// Fills in what meets in m.place at m.corners.
-  void look(Meeting& m);
+  void find_meeting(Meeting& m);
   /// Moves on: what arrives goes, what leaves comes.
   void pass(const Meeting& m);
 
@@ -113,7 +113,7 @@ void sweep(const SweepEdges& edges, Visit&& visit) {
     m.place = edges.place_of(*next);
     m.corners.clear();
     while (next != order.end() && edges.place_of(*next) == m.place) m.corners.push_back(*next++);
-    line.look(m);
+    line.find_meeting(m);
     visit(std::as_const(m));
     line.pass(m);
   }

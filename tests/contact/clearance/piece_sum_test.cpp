@@ -6,7 +6,7 @@
 
 #include "contact/outline/outline_scenes.h"
 #include "scenes.h"
-#include "shape/outline/turn.h"
+#include "shape/outline/outline_rotation.h"
 
 namespace foresee {
 namespace {

@@ -110,19 +110,19 @@ class DrawScene {
     const auto triangles = scene.a.mesh.triangles();
     const Triangle& t = triangles[draw_.below(triangles.size())];
     const Vec<3> p = place_of(corners[t[0]]), q = place_of(corner_of(scene.b));
-    const auto way_to = [&](const SpaceCorner& corner) -> Vec<3> {
+    const auto path_to = [&](const SpaceCorner& corner) -> Vec<3> {
       const double pace = std::ldexp(1.0, static_cast<int>(draw_.below(4)) - 2) * (draw_.below(2) ? 1 : -1);
       return pace * (place_of(corner) - p);
     };
     Meeting met{p - q, any.velocity};
     if (family_.motion == Motion::none) met.velocity.setZero();
-    if (family_.motion == Motion::along_an_edge) met.velocity = way_to(corners[t[1]]);
+    if (family_.motion == Motion::along_an_edge) met.velocity = path_to(corners[t[1]]);
     if (family_.motion == Motion::across_a_face) {
-      met.velocity = way_to(corners[t[1]]);
-      met.velocity += way_to(corners[t[2]]);
+      met.velocity = path_to(corners[t[1]]);
+      met.velocity += path_to(corners[t[2]]);
     }
     if (family_.motion == Motion::through_corners)
-      met.velocity = way_to(corners[draw_.below(corners.size())]);
+      met.velocity = path_to(corners[draw_.below(corners.size())]);
     if (family_.motion == Motion::passes_a_corner) pass(scene, met);
     return met;
   }

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "contact/outline_contact.h"
-#include "shape/outline/turn.h"
+#include "shape/outline/outline_rotation.h"
 #include "shape/outline/validity.h"
 
 namespace foresee::testing_by_hand {

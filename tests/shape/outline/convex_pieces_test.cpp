@@ -9,8 +9,8 @@
 
 #include "contact/case_count.h"
 #include "shape/outline/outline_judge.h"
+#include "shape/outline/outline_rotation.h"
 #include "shape/outline/test_outlines.h"
-#include "shape/outline/turn.h"
 #include "shape/outline/validity.h"
 #include "shape/outline/wkt.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "shape/outline/convex_pieces.h"
+#include "shape/outline/outline_rotation.h"
 #include "shape/outline/test_outlines.h"
-#include "shape/outline/turn.h"
 #include "shape/outline/validity.h"
 #include "shape/outline/wkt.h"
 

@@ -14,9 +14,9 @@ std::string all_columns(Database& db, const std::string& from) {
 }
 
 /// 400 objects: few changes are probes, 40 are joined with all, 130 are computed anew with all.
-class WatchWays : public ::testing::TestWithParam<const char*> {
+class WatchVariants : public ::testing::TestWithParam<const char*> {
  protected:
-  WatchWays() {
+  WatchVariants() {
     db.exec(
         "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, r);"
         "CREATE VIRTUAL TABLE ferries USING moving_objects(id, t, x, y, vx, vy, r)");
@@ -60,7 +60,7 @@ class WatchWays : public ::testing::TestWithParam<const char*> {
   int time_ = 0;
 };
 
-TEST_P(WatchWays, FewManyAndMostChangesGiveTheRowsOfTheJoin) {
+TEST_P(WatchVariants, FewManyAndMostChangesGiveTheRowsOfTheJoin) {
   for (const int count : {1, 60, 5, 300, 20, 90, 2, 600, 30}) {
     ++time_;
     db.exec("BEGIN");
@@ -78,10 +78,12 @@ TEST_P(WatchWays, FewManyAndMostChangesGiveTheRowsOfTheJoin) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Tables, WatchWays, ::testing::Values("", ", other = ferries", ", other = ships"), [](const auto& info) {
-      return std::string(info.index == 0 ? "One" : info.index == 1 ? "Two" : "WithItself");
-    });
+INSTANTIATE_TEST_SUITE_P(Tables, WatchVariants, ::testing::Values("", ", other = ferries", ", other = ships"),
+                         [](const auto& info) {
+                           return std::string(info.index == 0   ? "One"
+                                              : info.index == 1 ? "Two"
+                                                                : "WithItself");
+                         });
 
 TEST(WatchTransaction, ReadsWhatAnAdvanceWillShow) {
   Database db;

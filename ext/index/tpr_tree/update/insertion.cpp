@@ -99,7 +99,7 @@ void move_slots(Node& node, std::span<const std::uint32_t> slots, Node& to, std:
 }  // namespace
 
 template <int D>
-void hang_below(TreeState<D>& state, const Unread& from, NodeNumber parent) {
+void add_children(TreeState<D>& state, const Unread& from, NodeNumber parent) {
   Node& node = state.pages.modify(from.number);
   expect_below(node, from.parent, from.level);
   node.parent = parent;
@@ -116,7 +116,7 @@ NodeNumber split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_
   move_slots(node, choose_split<D>(elements, state.cost(parent.epoch)), sibling, state.stride(node.level));
 
   for (const NodeNumber child : sibling.keys)
-    hang_below(state, Unread{child, number, node.level - 1}, sibling_number);
+    add_children(state, Unread{child, number, node.level - 1}, sibling_number);
   const std::size_t slot = slot_of(parent, number);
   const Bounds<D> before = bounds_at<D>(parent, slot);
   auto entry_for = [&](const Node& half) {
@@ -190,13 +190,13 @@ void insert_branch(TreeState<D>& state, const Branch<D>& branch) {
   Node& node = state.pages.modify(number);
   expect_no_child(node, branch.number);
   add_entry(node, branch.number, branch.entry(node.epoch));
-  hang_below(state, Unread{branch.number, branch.parent, branch.level - 1}, number);
+  add_children(state, Unread{branch.number, branch.parent, branch.level - 1}, number);
   fit_upward(state, number, branch);
 }
 
 #define FORESEE_OF_AXES(D)                                                                    \
   template NodeNumber put_root_above<D>(TreeState<D>&, NodeNumber);                           \
-  template void hang_below<D>(TreeState<D>&, const Unread&, NodeNumber);                      \
+  template void add_children<D>(TreeState<D>&, const Unread&, NodeNumber);                    \
   template NodeNumber split_node<D>(TreeState<D>&, NodeNumber, NodeNumber);                   \
   template void insert_object<D>(TreeState<D>&, const NewObject<D>&, NodeNumber, NodeNumber); \
   template void fit_upward(TreeState<D>&, NodeNumber, const NewObject<D>&);                   \

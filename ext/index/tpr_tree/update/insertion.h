@@ -42,6 +42,6 @@ NodeNumber split_node(TreeState<D>& state, NodeNumber number, NodeNumber parent_
 
 /// Gives a node that hangs where `from` says another parent.
 template <int D>
-void hang_below(TreeState<D>& state, const Unread& from, NodeNumber parent);
+void add_children(TreeState<D>& state, const Unread& from, NodeNumber parent);
 
 }  // namespace foresee

@@ -126,7 +126,7 @@ class EvenOut {
       Entry<D> entry = entry_at<D>(gone, slot);
       entry.bounds = carried(entry.bounds, gone.epoch, stays.epoch);
       add_entry(stays, gone.keys[slot], entry);
-      hang_below(state_, unread_child(child, gone, slot), sibling);
+      add_children(state_, unread_child(child, gone, slot), sibling);
     }
     let_go(child);
     EvenOut(state_, sibling).run(gone.keys);  // what had no sibling has some now

@@ -43,7 +43,7 @@ void move_leaf(TreeState<D>& state, NodeNumber leaf, NodeNumber from, NodeNumber
   const Branch<D> branch{leaf, from, old.level, entry_at<D>(old, slot), old.epoch};
   remove_slot(old, slot, state.stride(old.level));
   add_entry(fresh, leaf, branch.entry(fresh.epoch));
-  hang_below(state, Unread{leaf, from, 0}, to);
+  add_children(state, Unread{leaf, from, 0}, to);
   Node& both = state.pages.modify(above);
   const auto set = [&](NodeNumber child, const Node& node, const Bounds<D>& known) {
     Entry<D> entry = summary(node, state.reader, both.epoch);

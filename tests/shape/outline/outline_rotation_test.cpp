@@ -1,5 +1,5 @@
 // The judge has 300 bits: no double is nearer to the exact coordinate than that which the turn gives.
-#include "shape/outline/turn.h"
+#include "shape/outline/outline_rotation.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "shape/outline/turn.h"
+#include "shape/outline/outline_rotation.h"
 
 #include <cmath>
 
