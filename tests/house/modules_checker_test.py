@@ -3,7 +3,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from rooms import misplaced_tests, strange_folders, violations
+from modules import misplaced_tests, strange_folders, violations
 
 
 def tree(files):

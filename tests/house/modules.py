@@ -1,6 +1,6 @@
 """Does every room keep to its place? Reads the #include lines under ext/ and says which break the order of docs/architecture.md.
 
-    python3 rooms.py ext tests        # prints one line a violation; status 1 if there is any
+    python3 modules.py ext tests        # prints one line a violation; status 1 if there is any
 
 The order: sqlite -> query -> index -> contact -> shape -> motion -> numbers -> base. A room may include rooms to its
 right and no others, with two doors of their own: storage may include shape, motion, base and the page and tree interface
@@ -32,12 +32,12 @@ INSIDE = {
     "sqlite": ["watch", "functions", "names", "table"],
 }
 # Folders of tests/ that are of no one room, and files that tests read.
-TESTS_OF_NO_ROOM = {"house", "fuzz", "portability", "storage/files", "sqlite/faults"}
+TESTS_OF_NO_MODULE = {"house", "fuzz", "portability", "storage/files", "sqlite/faults"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
-def inner_room(parts):
+def inner_module(parts):
     """The room inside a room that a path leads to, or None for what lies at the room's door."""
     return parts[1] if len(parts) > 2 else None
 
@@ -52,7 +52,7 @@ def complaint(source, target):
         return "include by room, as in \"motion/vec.h\", not by relative path"
     other = target.split("/", 1)[0] if "/" in target else None
     if other == room:
-        return complaint_inside(room, inner_room(source.parts), inner_room(target.split("/")))
+        return complaint_inside(room, inner_module(source.parts), inner_module(target.split("/")))
     if other not in MAY_INCLUDE:
         return None
     if room == "storage" and target in PAGE_INTERFACE:
@@ -125,7 +125,7 @@ def strange_folders(ext, tests):
     found = []
     for folder in sorted(path for path in Path(tests).rglob("*") if path.is_dir() and any(p.is_file() for p in path.iterdir())):
         name = folder.relative_to(tests).as_posix()
-        of_no_room = any(f"{name}/".startswith(f"{other}/") for other in TESTS_OF_NO_ROOM)
+        of_no_room = any(f"{name}/".startswith(f"{other}/") for other in TESTS_OF_NO_MODULE)
         if not of_no_room and folder.name != "__pycache__" and not (Path(ext) / name).is_dir():
             found.append(f"tests/{name}: there is no ext/{name}")
     return found
