@@ -3,10 +3,10 @@
 #include <array>
 #include <filesystem>
 
-#include "fault_steps.h"
-#include "faulty_files.h"
-#include "killed_writer.h"
-#include "memory_faults.h"
+#include "sqlite/faults/fault_steps.h"
+#include "sqlite/faults/faulty_files.h"
+#include "sqlite/faults/killed_writer.h"
+#include "sqlite/faults/memory_faults.h"
 #include "storage/database.h"
 #include "storage/rows/shadow_schema.h"
 

@@ -18,7 +18,7 @@ ClearanceVerdict certify_separation_increases(const Encounter<D>& encounter,
 
 /// The same of one of several pieces, or of one that turns, about which it is not known whether it is touched
 /// when the change is made: clear of it is also who is not met at all. Where that is not told from touching,
-/// whatever line may part the two must move away. `evaluations`: as for judge().
+/// whatever line may part the two must move away. `evaluations`: as for certify_clearance().
 template <int D>
 ClearanceVerdict certify_piece_separation_increases(const Encounter<D>& encounter,
                                                     const TrajectoryFamily<D>& family,

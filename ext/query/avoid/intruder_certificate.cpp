@@ -33,14 +33,14 @@ ClearanceVerdict IntruderCertificate<D>::certify(const TrajectoryFamily<D>& fami
   if (touches_first_) ++evaluations;
   if (stage_ == Stage::simple)
     return touches_first_ ? certify_separation_increases<D>(encounter_, family)
-                          : foresee::judge<D>(encounter_, family, evaluations);
+                          : certify_clearance<D>(encounter_, family, evaluations);
   if (has_parts())
-    return foresee::judge<D>(turning_ ? encounter_between(p, q) : encounter_, family, evaluations) ==
+    return certify_clearance<D>(turning_ ? encounter_between(p, q) : encounter_, family, evaluations) ==
                    ClearanceVerdict::clear
                ? ClearanceVerdict::clear
                : ClearanceVerdict::open;
   const Encounter<D> turned = turning_ ? encounter_between(p, q) : encounter_;
-  if (!touches_first_) return foresee::judge<D>(turned, family, evaluations);
+  if (!touches_first_) return certify_clearance<D>(turned, family, evaluations);
   const bool surely_first = outlines_->is_sole() && !outlines_->turns();
   return surely_first ? certify_separation_increases<D>(turned, family)
                       : certify_piece_separation_increases<D>(turned, family, evaluations);
