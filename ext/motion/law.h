@@ -19,4 +19,11 @@ constexpr int degree_of(Law law) {
   return law == Law::rest ? 0 : law == Law::uniform ? 1 : 2;
 }
 
+/// Motion on one axis as of a reference time. Real: double, or several objects at once (base/doubles.h). Without Eigen:
+/// kernels include this.
+template <class Real>
+struct AxisMotion {
+  Real x, v, a;
+};
+
 }  // namespace foresee

@@ -6,6 +6,8 @@
 
 #include <Eigen/Core>
 
+#include "motion/law.h"
+
 namespace foresee {
 
 // Vectors of one to three axes, in the scene's own unit of length.
@@ -27,14 +29,6 @@ struct Motion {
   double t;
   Vec<D> x, v, a;
   double until;
-};
-
-// Motion on one axis.
-
-/// As of a reference time. Real: double, or several objects at once (base/doubles.h).
-template <class Real>
-struct AxisMotion {
-  Real x, v, a;
 };
 
 }  // namespace foresee

@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "base/lane_math.h"
-#include "motion/motion.h"
+#include "motion/law.h"
 #include "numbers/double_double.h"
 
 namespace foresee {
