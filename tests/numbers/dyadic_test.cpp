@@ -123,12 +123,12 @@ TEST(Dyadic, RoundsToZeroUpToHalfTheLeastDouble) {
 
 /// Also beyond the 1024 bits that live inside an Integer.
 TEST(Integer, LengthAndZerosAreThoseOfTheBinaryDigits) {
-  EXPECT_EQ(length_of(Integer(0)), 0);
+  EXPECT_EQ(bit_length(Integer(0)), 0);
   for (int exponent = 0; exponent < 2500; exponent += 13) {
     const Integer power = Integer(1) << exponent;
-    EXPECT_EQ(length_of(power), exponent + 1);
-    EXPECT_EQ(length_of(-power), exponent + 1);
-    EXPECT_EQ(length_of(power - 1), exponent);
+    EXPECT_EQ(bit_length(power), exponent + 1);
+    EXPECT_EQ(bit_length(-power), exponent + 1);
+    EXPECT_EQ(bit_length(power - 1), exponent);
     EXPECT_EQ(zeros_of(power), exponent);
     EXPECT_EQ(zeros_of(-3 * power), exponent);
   }

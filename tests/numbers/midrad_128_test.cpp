@@ -70,7 +70,7 @@ TEST(Midrad128, CutsLongNumbersWithinAUnit) {
     EXPECT_TRUE(holds(ball, rational(number)));
     EXPECT_LE(width_of(ball), abs(rational(number)) * power_of_two(-126));
     cut += !ball.exact();
-    if (number.sign() == 0 || length_of(number.reduced().mantissa()) <= 128) {
+    if (number.sign() == 0 || bit_length(number.reduced().mantissa()) <= 128) {
       EXPECT_TRUE(ball.exact());
     }
   }
