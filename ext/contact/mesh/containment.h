@@ -4,7 +4,7 @@
 //   Containment within(setup, row_a, row_b, a, b, relative, steps);
 //   within.may_be() && within.at(Dyadic(12.5))              // 12.5 after now
 //
-// One corner stands for each part that hangs together (containment.h). Cost: that of a ray a part.
+// One corner stands for each part that hangs together (is_enclosed). Cost: that of a ray a part.
 #pragma once
 
 #include <optional>
@@ -15,16 +15,6 @@
 #include "numbers/dyadic.h"
 
 namespace foresee {
-
-// Does a ray along x cross the surface of a solid an odd number of times? Then it begins inside (J. O'Rourke,
-// "Computational Geometry in C", 2nd edition, section 7.5).
-//
-//   is_enclosed(solid, corner, steps)
-//
-// The ray begins at the corner moved by (0, e, e^2) for an infinitesimal e, so that it meets no edge and no
-// corner of the solid. Doubles with error bounds tell nearly always; where they do not, exact numbers. Cost:
-// some nanoseconds outside of the solid's box; within it about a microsecond, and the logarithm of the
-// triangles.
 
 // Where is one object seen from the other at some moment, and where are its corners? Roughly, and exactly
 // once that is asked for.
@@ -65,6 +55,16 @@ class SeenCorner {
   Components<Bounded> near_;
   std::optional<Components<Dyadic>> exact_;
 };
+
+// Does a ray along x cross the surface of a solid an odd number of times? Then it begins inside (J. O'Rourke,
+// "Computational Geometry in C", 2nd edition, section 7.5).
+//
+//   is_enclosed(solid, corner, steps)
+//
+// The ray begins at the corner moved by (0, e, e^2) for an infinitesimal e, so that it meets no edge and no
+// corner of the solid. Doubles with error bounds tell nearly always; where they do not, exact numbers. Cost:
+// some nanoseconds outside of the solid's box; within it about a microsecond, and the logarithm of the
+// triangles.
 
 /// Each node looked at is a step. Requires: the corner is not on the surface; there it may say anything.
 bool is_enclosed(const TriangleTree& solid, SeenCorner& corner, Steps& steps);
