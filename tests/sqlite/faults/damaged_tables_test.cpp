@@ -155,6 +155,37 @@ TEST(DamagedTables, OfALongValueInMetaNoMoreIsReadThanIsExpected) {
          });
 }
 
+/// Keys on which no answer depends do no harm; the others are an error that names the table.
+TEST(DamagedTables, AValueInMetaOfAnotherTypeOrRangeIsAnErrorOrDoesNoHarm) {
+  const std::string join = "SELECT a, b, t FROM predictive_join(20, 'ships') ORDER BY a, b",
+                    scan = "SELECT id, x, name FROM ships ORDER BY id";
+  Database sound;
+  build(sound);
+  const std::string joined = sound.rows(join), scanned = sound.rows(scan);
+  for (const std::string key :
+       {"format", "columns", "node_size", "horizon", "root", "stamp", "objects", "features"})
+    for (const std::string value : {"'abc'", "x'616263'", "-1", "0", "9e999", "1.5", "NULL", "missing"}) {
+      const std::string change =
+          value == "missing" ? "DELETE FROM ships_meta WHERE key = '" + key + "'"
+                             : "UPDATE ships_meta SET value = " + value + " WHERE key = '" + key + "'";
+      const bool harmless = key == "horizon" || key == "objects" ||
+                            (key == "features" && (value == "NULL" || value == "missing")) ||
+                            (key == "stamp" && (value == "-1" || value == "0"));
+      TemporaryFile file;
+      reopen(file, "PRAGMA synchronous = OFF;" + change, [&](Database& db) {
+        const std::string error = db.error_of(join);
+        EXPECT_EQ(error.empty(), harmless) << change << ": " << error;
+        EXPECT_TRUE(harmless || error.find("ships: ") != std::string::npos) << change << ": " << error;
+        if (harmless) {
+          EXPECT_EQ(db.rows(join), joined) << change;
+        }
+        const std::string rows = db.rows(scan);
+        EXPECT_TRUE(rows == scanned || (!harmless && rows.starts_with("error"))) << change << ": " << rows;
+        EXPECT_EQ(db.error_of("UPDATE ships SET x = x + 1 WHERE id = 7").empty(), harmless) << change;
+      });
+    }
+}
+
 TEST(DamagedTables, WhoReadsAllObjectsCountsThemAgainstTheMap) {
   const std::string words = "ships: the leaves hold 300 objects, the map 236";
   for (const char* statement :
