@@ -98,7 +98,9 @@ void require_moving_objects(sqlite3* db, const std::string& table, const std::op
   for (const VisibleTable& seen : tables) {
     if (!same_name(seen.name, table) || !in_schema(seen, schema)) continue;
     if (seen.holds_moving_objects) return;
-    throw Error(name + " is not a moving_objects table" + list_of(tables, schema.has_value()));
+    throw Error(name + " is not a moving_objects table" +
+                (seen.is_watch ? " but a watch: its pairs are SELECT * FROM " + seen.name : "") +
+                list_of(tables, schema.has_value()));
   }
   throw Error("no such table: " + name + (schema ? "" : with_schema_apart(tables, table)) +
               list_of(tables, schema.has_value()));

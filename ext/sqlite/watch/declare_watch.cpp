@@ -8,6 +8,8 @@
 #include <set>
 
 #include "base/error.h"
+#include "sqlite/names/open_table.h"
+#include "sqlite/names/visible_tables.h"
 #include "sqlite/sql_tokens.h"
 #include "sqlite/table/table_arguments.h"
 #include "storage/rows/statement.h"
@@ -115,6 +117,30 @@ void take_option(WatchDeclaration& declaration, std::set<std::string>& given, co
   option->take(declaration, argument);
 }
 
+/// A watch has no input `schema`: its tables are those of its own.
+void require_table(const std::vector<VisibleTable>& tables, const QualifiedName& watch,
+                   const std::string& name) {
+  const auto is_here = [&](const VisibleTable& table) { return same_name(table.schema, watch.schema); };
+  std::string here, elsewhere;
+  const VisibleTable* found = nullptr;
+  for (const VisibleTable& table : tables) {
+    const bool is_named = same_name(table.name, name);
+    if (is_here(table) && is_named) found = &table;
+    if (!table.holds_moving_objects) continue;
+    if (is_here(table)) here += (here.empty() ? "" : ", ") + quoted(table.name);
+    if (is_named && !is_here(table)) elsewhere = table.schema;
+  }
+  if (found && found->holds_moving_objects) return;
+  const std::string list = here.empty() ? "" : " (moving_objects tables here: " + here + ")";
+  if (found)
+    throw Error(quoted(name) + " is " + (found->is_watch ? "a watch" : "not a moving_objects table") +
+                "; name the table whose objects move" + list);
+  throw Error("no such table: " + quoted(name) + " in schema " + quoted(watch.schema) +
+              (elsewhere.empty() ? list
+                                 : "; a watch is in the schema of its table: write CREATE VIRTUAL TABLE " +
+                                       elsewhere + "." + watch.table));
+}
+
 }  // namespace
 
 WatchDeclaration parse_watch(std::string_view watch, const std::vector<std::string_view>& arguments) try {
@@ -143,6 +169,12 @@ WatchDeclaration parse_watch(std::string_view watch, const std::vector<std::stri
   return declaration;
 } catch (const Error& error) {
   throw Error(std::string(watch) + ": " + error.what());
+}
+
+void require_tables(sqlite3* db, const QualifiedName& watch, const WatchDeclaration& declaration) {
+  const std::vector<VisibleTable> tables = visible_tables(db);
+  require_table(tables, watch, declaration.tbl);
+  if (declaration.other) require_table(tables, watch, *declaration.other);
 }
 
 std::string declared_watch(std::string_view watch) {

@@ -35,6 +35,7 @@ std::unique_ptr<WatchTable> declare(sqlite3* db, void* aux, const char* const* a
 /// The question as it would be asked: shapes without a distance and different axes are refused here.
 void require_question(Connection& connection, const QualifiedName& name,
                       const WatchDeclaration& declaration) try {
+  require_tables(connection.db(), name, declaration);
   const WatchedTables tables = watched_tables(connection, name.schema, declaration);
   const JoinQuestion question = question_of(tables, declaration, {0, declaration.horizon});
   require_valid(question);

@@ -39,6 +39,22 @@ TEST_F(WatchErrors, StatementsThatCannotBeMeantSayWhatToWrite) {
   starts(create + "(ships, horizon = 1, horizon = 2)", "w: \"horizon = 2\": horizon is given twice");
   starts(create + "(ships, horizon = 1, colour = 2)", "w: \"colour = 2\": no such option; known are horizon");
   starts(create + "(ships, horizon = 1, within_z = 2)", "w: ");
+  db.exec("CREATE TABLE list(x)");
+  starts(create + "(boats, horizon = 5)",
+         "w: no such table: 'boats' in schema 'main' (moving_objects tables here: 'ships')");
+  starts("CREATE VIRTUAL TABLE temp.w USING predictive_watch(ships, horizon = 5)",
+         "w: no such table: 'ships' in schema 'temp'; a watch is in the schema of its table: write CREATE "
+         "VIRTUAL "
+         "TABLE main.w");
+  starts(create + "(ships, horizon = 5, other = alerts)",
+         "w: 'alerts' is a watch; name the table whose objects move (moving_objects tables here: 'ships')");
+  starts(create + "(list, horizon = 5)",
+         "w: 'list' is not a moving_objects table; name the table whose objects move");
+  starts("SELECT * FROM predictive_join(5, 'alerts')",
+         "predictive_join: 'alerts' is not a moving_objects table but a watch: its pairs are SELECT * FROM "
+         "alerts");
+  starts("SELECT * FROM predictive_changes(5)",
+         "predictive_changes: watch must be the name of a watch in quotes, not 5");
   const std::string known = "; known are horizon, within, within_z, other, clock, tolerance, keep, ahead";
   starts(create + "(ships, 300)", "w: \"300\": an option has a name; write horizon = 300" + known);
   starts(create + "(ships, -3)",
