@@ -89,7 +89,7 @@ class MetaValues {
     if (!has(key)) return "missing";
     const MetaValue& value = found(key);
     if (value.type == SQLITE_INTEGER) return std::to_string(value.integer);
-    if (value.type == SQLITE_FLOAT) return shown(value.number);
+    if (value.type == SQLITE_FLOAT) return foresee::shown(value.number);
     if (value.type == SQLITE_TEXT) return std::string("'").append(without_nul(value.text)).append("'");
     return value.type == SQLITE_BLOB ? "a blob" : "NULL";
   }

@@ -34,7 +34,7 @@ struct WatchState : WatchDeclaration {
   std::int64_t early = 0;            ///< reports beyond `ahead`
   std::optional<std::int64_t> stamp = {}, other_stamp = {};  ///< the contents that the rows are about
 
-  double now() const { return queried ? *queried : clock.value_or(0); }
+  double now() const { return asked ? *asked : clock.value_or(0); }
 };
 
 }  // namespace foresee
