@@ -125,7 +125,7 @@ TEST_F(TreeDamage, ARootThatIsNotTheRoot) {
   }
   for (const char* other : {"-1", "'text'", "NULL"}) {
     db.run(std::string("UPDATE ships_meta SET value = ") + other + " WHERE key = 'root'");
-    expect_found_and_mended("the root is no node");
+    expect_found_and_mended("the root is not a node");
   }
 }
 

@@ -9,7 +9,7 @@
 namespace foresee {
 namespace {
 
-/// How many of each a blob has, and so where everything stands.
+/// Counts of a blob, and the offsets that follow from them.
 struct Counts {
   std::uint32_t rings, parts, corners;
 
@@ -24,13 +24,13 @@ Counts counts_of(const std::byte* blob) {
           load_number<std::uint32_t>(at + 8)};
 }
 
-/// Rings as the blob has them, as far as they are rings at all.
+/// Reads the rings; returns what is wrong with their structure, or null. Validity is checked later.
 const char* read_rings(const std::byte* blob, const Counts& counts, Outline& outline) {
   std::uint32_t corner = 0, part = 0;
   for (std::uint32_t ring = 0; ring < counts.rings; ++ring) {
     const bool starts_part =
         part < counts.parts && load_number<std::uint32_t>(blob + counts.part_starts_at() + 4 * part) == ring;
-    if (ring == 0 && !starts_part) return "its first ring begins no part";
+    if (ring == 0 && !starts_part) return "its first ring does not start a part";
     part += starts_part;
     starts_part ? outline.begin_part() : outline.begin_hole();
     const auto end = load_number<std::uint32_t>(blob + form_header_size + std::size_t{4} * ring);
@@ -40,9 +40,10 @@ const char* read_rings(const std::byte* blob, const Counts& counts, Outline& out
       if (!std::isfinite(at.x) || !std::isfinite(at.y)) return "a corner is not finite";
       outline.add(at);
     }
-    if (outline.close_ring()) return "a ring ends where it begins";
+    if (outline.close_ring()) return "a ring ends where it starts";
   }
-  return part == counts.parts && corner == counts.corners ? nullptr : "its rings are not all of it";
+  return part == counts.parts && corner == counts.corners ? nullptr
+                                                          : "it has parts or corners without a ring";
 }
 
 }  // namespace
@@ -78,9 +79,9 @@ const char* decode_outline(std::span<const std::byte> blob, Outline& outline) {
     return "its counts are wrong";
   if (blob.size() != counts.size()) return "its size does not fit its counts";
   if (const char* fault = read_rings(blob.data(), counts, outline)) return fault;
-  // Nothing is normalised on the way in: what would be read back otherwise is not what was written.
-  if (outline.corners().size() != counts.corners) return "a corner comes twice";
-  return flaw_of(outline) ? "its rings cross, touch or lie wrongly" : nullptr;
+  // A blob that would be encoded differently is rejected, not normalized: foresee did not write it.
+  if (outline.corners().size() != counts.corners) return "a corner is repeated";
+  return flaw_of(outline) ? "its rings cross, touch or are nested wrongly" : nullptr;
 }
 
 }  // namespace foresee

@@ -77,16 +77,16 @@ TEST(InnerNode, HostileContentsWithAGoodChecksumAreFaults) {
   };
   const auto times = static_cast<std::size_t>(entry_size(2));  // of the second entry
   EXPECT_EQ(fault_after([](Node&) {}), "");
-  EXPECT_EQ(fault_after([](Node& n) { n.level = 0; }), "it is no inner node");
+  EXPECT_EQ(fault_after([](Node& n) { n.level = 0; }), "it is not an inner node");
   EXPECT_EQ(fault_after([](Node& n) { n.keys.clear(); }), "its count is wrong");
-  EXPECT_EQ(fault_after([](Node& n) { n.parent = -1; }), "its parent is no node");
+  EXPECT_EQ(fault_after([](Node& n) { n.parent = -1; }), "its parent is not a node");
   EXPECT_EQ(fault_after([](Node& n) { n.epoch = std::nan(""); }), "its epoch is not finite");
-  EXPECT_EQ(fault_after([](Node& n) { n.keys[1] = 0; }), "a child is no other node");
-  EXPECT_EQ(fault_after([](Node& n) { n.keys[1] = number; }), "a child is no other node");
+  EXPECT_EQ(fault_after([](Node& n) { n.keys[1] = 0; }), "a child is not another node");
+  EXPECT_EQ(fault_after([](Node& n) { n.keys[1] = number; }), "a child is not another node");
   EXPECT_EQ(fault_after([](Node& n) { n.keys[1] = n.keys[6]; }), "a child is named twice");
   EXPECT_EQ(fault_after([&](Node& n) { n.values[times] = 5; }), "reference times are out of order");
   EXPECT_EQ(fault_after([&](Node& n) { n.values[times + 1] = inf; }), "reference times are out of order");
-  EXPECT_EQ(fault_after([&](Node& n) { n.values[times + 2] = -2; }), "a child ends before it begins");
+  EXPECT_EQ(fault_after([&](Node& n) { n.values[times + 2] = -2; }), "a child ends before it starts");
   const std::string unordered = "bounds are out of order";
   EXPECT_EQ(fault_after([&](Node& n) { n.values[place(format, 0, lower, 1)] = 1e9; }), unordered);
   EXPECT_EQ(fault_after([&](Node& n) { n.values[place(format, 0, v_upper, 0)] = std::nan(""); }), unordered);

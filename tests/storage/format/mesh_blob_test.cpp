@@ -70,8 +70,9 @@ TEST(MeshBlob, HostileBytesAreTold) {
     EXPECT_EQ(mesh_fault(changed(bytes, at, std::uint8_t{1})), "its corners are not those of its triangles");
   for (const std::uint32_t count : {0u, 3u, 5u, 0x40000001u, 0xffffffffu})
     for (const std::size_t at : {4, 8}) EXPECT_NE(mesh_fault(changed(bytes, at, count)), "") << count;
-  EXPECT_EQ(mesh_fault(changed(bytes, triangles, 4u)), "a triangle has a corner that is none");
-  EXPECT_EQ(mesh_fault(changed(bytes, triangles, 0xffffffffu)), "a triangle has a corner that is none");
+  EXPECT_EQ(mesh_fault(changed(bytes, triangles, 4u)), "a triangle has a corner that does not exist");
+  EXPECT_EQ(mesh_fault(changed(bytes, triangles, 0xffffffffu)),
+            "a triangle has a corner that does not exist");
   EXPECT_EQ(mesh_fault(changed(bytes, corners, std::numeric_limits<double>::quiet_NaN())),
             "a corner is not finite");
   EXPECT_EQ(mesh_fault(changed(bytes, corners, -0.0)), "its corners are not those of its triangles");

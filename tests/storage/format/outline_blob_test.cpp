@@ -65,14 +65,14 @@ TEST(OutlineBlob, HostileBytesAreTold) {
     }
   EXPECT_EQ(fault_of(with(blob(), ends, 0u)), "its rings do not follow one another");
   EXPECT_EQ(fault_of(with(blob(), ends + 8, 99u)), "its rings do not follow one another");
-  EXPECT_EQ(fault_of(with(blob(), part_starts, 1u)), "its first ring begins no part");
-  EXPECT_EQ(fault_of(with(blob(), part_starts + 4, 7u)), "its rings are not all of it");
+  EXPECT_EQ(fault_of(with(blob(), part_starts, 1u)), "its first ring does not start a part");
+  EXPECT_EQ(fault_of(with(blob(), part_starts + 4, 7u)), "it has parts or corners without a ring");
   EXPECT_EQ(fault_of(with(blob(), corners, std::numeric_limits<double>::quiet_NaN())),
             "a corner is not finite");
-  EXPECT_EQ(fault_of(with(with(blob(), corners + 16, 0.0), corners + 24, 0.0)), "a corner comes twice");
+  EXPECT_EQ(fault_of(with(with(blob(), corners + 16, 0.0), corners + 24, 0.0)), "a corner is repeated");
   EXPECT_EQ(fault_of(with(with(blob(), corners + 48, 0.0), corners + 56, 0.0)),
-            "a ring ends where it begins");
-  EXPECT_EQ(fault_of(with(blob(), corners + 16, -5.0)), "its rings cross, touch or lie wrongly");
+            "a ring ends where it starts");
+  EXPECT_EQ(fault_of(with(blob(), corners + 16, -5.0)), "its rings cross, touch or are nested wrongly");
 }
 
 }  // namespace

@@ -75,7 +75,7 @@ TEST_F(Damage, WritersRefuseADamagedLeafAndChangeNothing) {
 TEST_F(Damage, BlobsOfAnotherTypeOrSizeAreDamaged) {
   for (const char* data : {"NULL", "5", "'text'", "x''", "x'00'", "zeroblob(4031)", "zeroblob(100000)"}) {
     db.run(std::string("UPDATE ships_node SET data = ") + data + " WHERE nodeno = 2");
-    expect_store_error(SQLITE_CORRUPT_VTAB, "node 2 is damaged: it has not the size of a node",
+    expect_store_error(SQLITE_CORRUPT_VTAB, "node 2 is damaged: it does not have the size of a node",
                        [&] { store->read(100); });
   }
 }
