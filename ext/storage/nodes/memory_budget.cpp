@@ -5,7 +5,7 @@
 namespace foresee {
 
 void MemoryBudget::write_out() {
-  // A trigger on a shadow table may open more tables meanwhile.
+  // By index: a trigger on a shadow table may open more tables meanwhile.
   for (std::size_t i = 0; i < holders_.size(); ++i) holders_[i]->write_out();
 }
 

@@ -26,7 +26,7 @@ const char* NodeCache::fault(NodeNumber number, std::span<const std::byte> blob)
 NodeNumber NodeCache::find_root() {
   if (head_.root == TreeHead::unknown) {
     const std::optional<std::int64_t> stored = shadow_rows_->read_root();
-    if (!stored || *stored < 0) damaged("the root is no node");
+    if (!stored || *stored < 0) damaged("the root is not a node");
     if (*stored == 0 && !shadow_rows_->map().is_empty()) damaged("there is no root, but the map has objects");
     head_.root = *stored;
   }
@@ -50,14 +50,14 @@ void NodeCache::evict_if_full() {
   share_.budget().evict();
 }
 
-// While there are few, room for as many as are ever kept: a large table that grows keeps somebody waiting.
+// Reserves the maximum number of slots early: to rehash a large table later would delay one statement.
 NodeCache::Slot& NodeCache::add_slot(NodeNumber number) {
   constexpr std::size_t few = 1024;
   if (slots_.size() == few) slots_.reserve(share_.budget().max_kept() / format_.node_size);
   return slots_[number];
 }
 
-/// Null if there is no such node.
+/// Null if no such node is stored.
 NodeCache::Slot* NodeCache::fetch_if_stored(NodeNumber number) {
   if (Slot* slot = in_memory(number)) {
     slot->used = use_;
@@ -209,13 +209,13 @@ void NodeCache::make_room() {
   note_memory();
   if (!share_.budget().too_many_nodes_wait(dirty_held_ * format_.node_size)) return;
   about_to_write_early();
-  write_nodes(Gone::wait);  // their rows may be written anew
+  write_nodes(Deletions::defer);  // a deleted number may be used again
   evict_if_full();
 }
 
 void NodeCache::about_to_write_early() {
   hand_change_to_undo_log();
-  wrote_in_change_ = in_change_;  // from here on only a rollback helps, or one to a savepoint
+  wrote_in_change_ = in_change_;  // from here on only a rollback can undo it, or one to a savepoint
   change_log_.clear();
   wrote_early_ = true;
 }
@@ -227,7 +227,7 @@ void NodeCache::free(NodeNumber number) {
   set_dirty(slot, true);
 }
 
-// Numbers begin again when the tree does.
+// An empty tree numbers its nodes from 1 again.
 void NodeCache::set_root(NodeNumber number) {
   head_.root = number;
   head_.root_dirty = true;
@@ -245,8 +245,8 @@ void NodeCache::place(std::span<const std::int64_t> ids, NodeNumber leaf) {
 void NodeCache::other_objects() const {
   throw StoreError(SQLITE_IOERR,
                    name_.table +
-                       ": the objects are not those that were read before: somebody writes into "
-                       "the table's file or into its temporary file; roll back");
+                       ": the objects changed while they were read twice: another program writes to "
+                       "the database or to the temporary file; roll back");
 }
 
 void NodeCache::erase_everything() {
@@ -258,7 +258,7 @@ void NodeCache::erase_everything() {
       try {
         fetch(number);
       } catch (const StoreError&) {
-        slots_[number];  // a damaged node, which no snapshot can read
+        slots_[number];  // damaged: no snapshot can read it
       }
     }
     free(number);

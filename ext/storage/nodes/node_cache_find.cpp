@@ -1,4 +1,4 @@
-// Where is this object? By what memory knows, else by the map.
+// NodeCache: look-up of the leaf and the record of an object, by hints in memory, else by the stored map.
 #include <algorithm>
 #include <array>
 
@@ -28,7 +28,7 @@ std::optional<NodeNumber> NodeCache::find_leaf(std::int64_t id) {
   return found;
 }
 
-/// From now on hints know the ids around, too.
+/// Reads the block of `id`; the hints learn all its ids.
 void NodeCache::read_block(std::int64_t id) {
   last_block_ = shadow_rows_->map().find(id);
   hints_.reserve(static_cast<std::size_t>(IdBlock::ids));
@@ -52,16 +52,16 @@ const double* NodeCache::record_at(const Place& place) {
   return place.slot->state.node->values.data() + place.record * static_cast<std::size_t>(format_.at.size);
 }
 
-// A leaf in memory is as it is now, and a hint is looked up there. But where the object has moved in this
-// transaction its old leaf may not know.
+// A leaf in memory is up to date, and the hint is checked there. If the object has moved in this transaction,
+// its old leaf may be out of date.
 const double* NodeCache::find_record_in_memory(std::int64_t id) {
   if (map_.find(id) != MapChanges::unknown) return nullptr;
   const Place place = find_by_hint(id);
   return place.leaf == 0 ? nullptr : record_at(place);
 }
 
-// Ids that count up lead all over memory, from hint to slot to node to record, and each step would wait for
-// the one before it. Many ids take a step at a time, so that the processor waits for all of them at once.
+// Consecutive ids are spread over memory: hint, slot, node and record are each a dependent cache miss. Many
+// ids advance one step at a time, so that their cache misses overlap.
 void NodeCache::fetch_ahead(std::int64_t first, std::int64_t many) {
   constexpr std::int64_t limit = 16;
   std::array<LeafHints::Hint, limit> hints;

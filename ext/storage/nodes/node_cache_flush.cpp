@@ -1,4 +1,4 @@
-// Out of memory: what leaves because there is no room, and what is written.
+// NodeCache: eviction of clean nodes, and writing of dirty nodes, map and root.
 #include <algorithm>
 
 #include "base/interrupt_steps.h"
@@ -37,7 +37,7 @@ void NodeCache::erase_slot(NodeNumber number) noexcept {
 // --- writing
 
 void NodeCache::write(Interrupt& interrupt) {
-  write_nodes(Gone::go);
+  write_nodes(Deletions::write);
   if (map_.waits()) {
     if (map_.stored_is_void()) shadow_rows_->map().erase_all();
     std::vector<IdHashMap::Entry> changes = map_.waiting();
@@ -59,9 +59,9 @@ void NodeCache::write_packed_map(Interrupt& interrupt) {
   about_to_write_early();
   map_.void_stored();
   shadow_rows_->map().erase_all();
-  packed_map_->for_each_part([&](std::span<const IdHashMap::Entry> part) {
+  packed_map_->for_each_chunk([&](std::span<const IdHashMap::Entry> chunk) {
     interrupt.check();
-    shadow_rows_->write_map(part);
+    shadow_rows_->write_map(chunk);
   });
   filter_.emplace(packed_map_->ids().size());
   for (const std::int64_t id : packed_map_->ids()) filter_->add(id);
@@ -70,13 +70,13 @@ void NodeCache::write_packed_map(Interrupt& interrupt) {
   last_block_.reset();
 }
 
-void NodeCache::write_nodes(Gone gone) {
+void NodeCache::write_nodes(Deletions deletions) {
   const std::vector<NodeNumber> numbers = waiting_numbers();
   wrote_in_change_ |= in_change_ && !numbers.empty();
   for (const NodeNumber number : numbers) {
     Slot& slot = slots_.at(number);
     const Node* node = slot.state.node.get();
-    if (!node && gone == Gone::wait) continue;
+    if (!node && deletions == Deletions::defer) continue;
     about_to_change(number, slot);
     if (node)
       shadow_rows_->write_node(number, node->is_leaf() ? encode_leaf(format_, number, *node)

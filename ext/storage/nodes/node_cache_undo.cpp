@@ -1,4 +1,4 @@
-// Going back: one change, a savepoint, a transaction; and reading what was.
+// NodeCache: undo of a change, a savepoint or a transaction, and reads of old states.
 #include <algorithm>
 #include <utility>
 
@@ -7,7 +7,7 @@
 
 namespace foresee {
 
-// Requires: slots to be restored exist, or rows say what they were.
+// Requires: slots to be restored exist, or their rows are valid.
 void NodeCache::back_to(NodeNumber number, const NodeState& state) noexcept {
   const auto found = slots_.find(number);
   if (found == slots_.end()) return;
@@ -41,8 +41,8 @@ void NodeCache::end_change() {
   in_change_ = false;
 }
 
-/// What was before the change, for those who go back to before it: once rows are written only a savepoint
-/// helps, and nodes that leave memory then cannot be had back from the change's own log.
+/// Keeps the old states for savepoints and snapshots. Once rows are written only a savepoint can undo the
+/// change, and nodes that leave memory cannot be restored from the change's own log.
 void NodeCache::hand_change_to_undo_log() {
   if (undo_.none()) return;
   for (const auto& [number, state] : change_log_) undo_.keep(number, state);
@@ -52,7 +52,7 @@ void NodeCache::cancel_change() noexcept {
   for (auto change = change_log_.rbegin(); change != change_log_.rend(); ++change)
     back_to(change->first, change->second);
   change_log_.clear();
-  take_back_record();
+  restore_record();
   map_.rewind(map_before_change_);
   filter_.reset();
   head_ = head_before_change_;
@@ -60,8 +60,8 @@ void NodeCache::cancel_change() noexcept {
   in_change_ = false;
 }
 
-/// After all else: if its leaf changed as a whole too, that was later.
-void NodeCache::take_back_record() noexcept {
+/// Call it last: if the leaf was also changed as a whole, that happened later.
+void NodeCache::restore_record() noexcept {
   const NodeNumber leaf = std::exchange(record_before_.leaf, 0);
   if (leaf == 0) return;
   const auto found = slots_.find(leaf);
@@ -81,7 +81,7 @@ UndoLog::Handle NodeCache::set_mark(bool is_snapshot) {
 
 std::shared_ptr<const Node> NodeCache::read_at(UndoLog::Handle mark, NodeNumber number) {
   if (mark->broken)
-    throw StoreError(SQLITE_ABORT, name_.table + ": a rollback ended this question; ask again");
+    throw StoreError(SQLITE_ABORT, name_.table + ": a rollback ended this query; run it again");
   const NodeState* before = undo_.find(mark, number);
   if (!before) return read(number);
   if (!before->node) damaged("node " + std::to_string(number) + " is missing");
@@ -149,7 +149,7 @@ void NodeCache::commit() noexcept {
   last_block_.reset();
 }
 
-// SQLite has taken the rows back.
+// SQLite has restored the rows already.
 void NodeCache::roll_back() noexcept {
   if (undo_.snapshots() > 0) try {
       for (const NodeNumber number : changed_)

@@ -23,7 +23,7 @@ void ObjectChanges::rewind(std::size_t position) noexcept {
   records_.resize(firsts_.empty() ? 0 : firsts_.back().end);
 }
 
-// With the room that a large transaction took.
+// Also releases the memory that a large transaction took.
 void ObjectChanges::clear() noexcept {
   if (!firsts_.empty()) *this = ObjectChanges();
 }

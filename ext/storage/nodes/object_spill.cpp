@@ -9,9 +9,9 @@
 namespace foresee {
 namespace {
 
-constexpr std::size_t largest_row = 256 << 10;  // bytes: more makes no write cheaper
+constexpr std::size_t largest_row = 256 << 10;  // bytes; larger rows are not cheaper to write
 
-/// Who may not ask, as an authorizer may say, gets a file.
+/// False, hence a file, if an authorizer forbids the PRAGMA.
 bool keeps_in_memory(sqlite3* db) try {
   constexpr std::int64_t memory = 2;
   Statement pragma(db, "PRAGMA temp_store");
@@ -34,7 +34,7 @@ ObjectSpill::ObjectSpill(sqlite3* db, const QualifiedName& name, std::size_t rec
                          std::size_t partitions, std::size_t max_held)
     : table_(name.table),
       record_size_(record_size),
-      objects_a_row_(std::max<std::size_t>(
+      objects_per_row_(std::max<std::size_t>(
           1, std::min(largest_row, max_held / partitions) / ((record_size + 1) * sizeof(double)))),
       partitions_(partitions),
       counts_(partitions) {
@@ -60,7 +60,7 @@ void ObjectSpill::in_file(Body body) {
   } catch (const StoreError& error) {
     throw StoreError(
         error.code,
-        table_ + ": a temporary file for loading it anew (where SQLITE_TMPDIR says): " + error.what());
+        table_ + ": the temporary file for a reload (in the directory of SQLITE_TMPDIR): " + error.what());
   }
 }
 
@@ -69,7 +69,7 @@ void ObjectSpill::add(std::size_t partition_number, std::int64_t id, const doubl
   partition.ids.push_back(id);
   partition.records.insert(partition.records.end(), record, record + record_size_);
   ++counts_[partition_number];
-  if (partition.ids.size() >= objects_a_row_) write(partition);
+  if (partition.ids.size() >= objects_per_row_) write(partition);
 }
 
 void ObjectSpill::write(Partition& partition) {
@@ -104,7 +104,8 @@ void ObjectSpill::read(std::size_t partition, std::vector<std::int64_t>& ids, st
     }
   });
   if (ids.size() != counts_[partition] || records.size() != ids.size() * record_size_)
-    throw StoreError(SQLITE_IOERR, table_ + ": a temporary file gave back other bytes than were written");
+    throw StoreError(SQLITE_IOERR,
+                     table_ + ": a temporary file returns other bytes than were written; load again");
 }
 
 }  // namespace foresee

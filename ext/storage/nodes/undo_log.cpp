@@ -19,7 +19,7 @@ void UndoLog::give_up(Handle mark) noexcept {
   if (mark != marks_.begin()) {
     const auto older = std::prev(mark);
     if (older->before.size() < mark->before.size()) {
-      // The fewer go to the more; of a node that both know the older state counts.
+      // The smaller set is merged into the larger one; for a node in both the older state is valid.
       for (auto& [number, state] : older->before)
         if (const auto both = mark->before.find(number); both != mark->before.end())
           std::swap(both->second, state);
@@ -28,7 +28,7 @@ void UndoLog::give_up(Handle mark) noexcept {
     try {
       older->before.merge(mark->before);
     } catch (const std::bad_alloc&) {
-      return;  // it stays as a mark that nobody goes back to
+      return;  // the mark stays, unused
     }
     marks_.erase(mark);
   }

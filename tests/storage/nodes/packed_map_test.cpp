@@ -24,7 +24,7 @@ void expect_placed(std::vector<std::int64_t> ids) {
   }
   EXPECT_TRUE(map.is_complete());
   std::map<std::int64_t, std::int64_t> found;
-  map.for_each_part([&](std::span<const IdHashMap::Entry> part) {
+  map.for_each_chunk([&](std::span<const IdHashMap::Entry> part) {
     for (const IdHashMap::Entry& entry : part) found[entry.id] = entry.value;
   });
   EXPECT_EQ(found, wanted);
