@@ -12,7 +12,7 @@ from bisect import bisect_right
 from dataclasses import dataclass, field
 
 CODE = re.compile(r"'[^'\s]+'|``[^`]+``|`[^`]*`|\"[^\"]*\"|“[^”]*”|\*\*?SQL\*\*?|\bhttps?://\S+|<!--.*?-->|\]\([^)]*\)|</?\w+[^>\n]*>")
-SQL = re.compile(r"\b(TIN|POLYGON|MULTIPOLYGON|POLYHEDRALSURFACE|SELECT|INSERT|UPDATE|DELETE FROM|CREATE|DROP|ALTER|PRAGMA|SAVEPOINT|ROLLBACK|RELEASE|WHERE|VALUES|BEGIN|COMMIT)\b"
+SQL = re.compile(r"\b(TIN|POLYGON|MULTIPOLYGON|POLYHEDRALSURFACE|SELECT|INSERT|UPDATE|DELETE FROM|CREATE|DROP|ALTER|PRAGMA|SAVEPOINT|ROLLBACK|RELEASE|WHERE|VALUES|BEGIN|COMMIT|PRIMARY KEY)\b"
                  r"|^\s*(REAL|INTEGER|TEXT|HIDDEN)\b")
 RAW, PLAIN, CHARACTER = re.compile(r'R"(\w*)\((.*?)\)\1"'), re.compile(r'"((?:[^"\\]|\\.)*)"'), re.compile(r"'(?:[^'\\]|\\.)+'")
 COMMENT = re.compile(r"^\s*//[/!]?<?(.*)$")

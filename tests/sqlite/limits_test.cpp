@@ -47,10 +47,9 @@ TEST(Limits, AuxiliaryColumnsThatTakeMoreVariablesThanAllowedAreAClearError) {
   db.exec(table);
   db.exec(fill);
   sqlite3_limit(db.handle(), SQLITE_LIMIT_VARIABLE_NUMBER, 2);
-  EXPECT_EQ(
-      db.error_of("INSERT INTO ships(id, t, x, y) VALUES(1000, 0, 0, 0)"),
-      "ships: to write its auxiliary columns takes 3 SQL variables, and this connection allows 2; raise "
-      "SQLITE_LIMIT_VARIABLE_NUMBER, or declare fewer columns");
+  EXPECT_EQ(db.error_of("INSERT INTO ships(id, t, x, y) VALUES(1000, 0, 0, 0)"),
+            "ships: its auxiliary columns need 3 SQL variables, but this connection allows 2; raise "
+            "SQLITE_LIMIT_VARIABLE_NUMBER, or declare fewer columns");
   EXPECT_NE(db.error_of("UPDATE ships SET name = 'x' WHERE id = 1").find("takes 5 SQL variables"),
             std::string::npos);
   db.exec("UPDATE ships SET x = 1000 WHERE id = 1");  // which leaves them alone

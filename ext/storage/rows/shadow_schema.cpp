@@ -114,7 +114,7 @@ NodeFormat read_node_format(const ShadowTables& tables, MetaRows& meta, const De
     refuse(SQLITE_ERROR, name,
            "stored in format '" + format + "'; this version of foresee reads format " + version +
                ". Copy the table with the version that wrote it (CREATE TABLE copy AS SELECT * FROM " +
-               name.table + "), drop it, make it anew and insert the copy");
+               name.table + "), drop it, create it again and insert the copy");
   require_known_features(meta, name);
   const std::string declared = describe_columns(declaration);
   if (const std::string columns = meta.read("columns", 2 * declared.size() + 1000); columns != declared)

@@ -69,8 +69,10 @@ sqlite3_stmt* Statement::prepare() {
 }
 
 Statement::Run::Run(Statement& statement) : owner_(statement), statement_(statement.prepare()) {
-  // A trigger that somebody put on a shadow table might lead back here.
-  if (owner_.running_) throw StoreError(SQLITE_LOCKED_VTAB, "the table is in use by its own shadow tables");
+  // A trigger on a shadow table may call back.
+  if (owner_.running_)
+    throw StoreError(SQLITE_LOCKED_VTAB,
+                     "a trigger on a shadow table uses the virtual table itself; DROP the trigger");
   owner_.running_ = true;
 }
 
@@ -128,8 +130,8 @@ void StatementInterrupt::finalize() noexcept {
   statement_ = nullptr;
 }
 
-// While the statement runs it is nobody's but this function's: SQLite may compile it anew and before that
-// disconnect tables, which finalizes what is kept.
+// While the statement runs this function alone owns it: SQLite may recompile it, and before that disconnect
+// tables, which calls finalize().
 void StatementInterrupt::poll() {
   sqlite3_stmt* statement = std::exchange(statement_, nullptr);
   int rc = SQLITE_OK;
@@ -141,7 +143,7 @@ void StatementInterrupt::poll() {
   }
   statement_ = statement;
   if (rc == SQLITE_OK) return;
-  next_ = {};  // an answer that nobody heeds is given again
+  next_ = {};  // if the caller ignores the error, the next check reports it again
   if (rc == SQLITE_INTERRUPT) throw Interrupted();
   if (rc == SQLITE_NOMEM) throw std::bad_alloc();
   throw StoreError(rc, sqlite3_errmsg(db_));

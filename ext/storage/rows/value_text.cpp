@@ -9,8 +9,8 @@
 namespace foresee {
 namespace {
 
-/// Its first bytes, not more than `limit` and no part of a character.
-std::string_view beginning(std::string_view text, std::size_t limit) {
+/// The first `limit` bytes at most, cut off between characters.
+std::string_view prefix(std::string_view text, std::size_t limit) {
   const auto is_inside_character = [&](std::size_t i) {
     return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
   };
@@ -18,7 +18,7 @@ std::string_view beginning(std::string_view text, std::size_t limit) {
   return text.substr(0, limit);
 }
 
-/// SQLite says null for NULL, and out of memory for anything.
+/// SQLite returns a null pointer for NULL, and for any value without memory.
 std::string_view text_or_no_memory(int type, const unsigned char* text, int size) {
   if (text != nullptr) return {reinterpret_cast<const char*>(text), static_cast<std::size_t>(size)};
   if (type != SQLITE_NULL) throw std::bad_alloc();
@@ -27,7 +27,7 @@ std::string_view text_or_no_memory(int type, const unsigned char* text, int size
 
 }  // namespace
 
-// Asked in this order: the type before it is converted, the size of what it was converted to.
+// The order matters: the type before the conversion, the size after it.
 std::string text_of(sqlite3_value* value) {
   const int type = sqlite3_value_type(value);
   const unsigned char* text = sqlite3_value_text(value);
@@ -37,7 +37,7 @@ std::string text_of(sqlite3_value* value) {
 std::string text_of(sqlite3_stmt* row, int column, std::size_t limit) {
   const int type = sqlite3_column_type(row, column);
   const unsigned char* text = sqlite3_column_text(row, column);
-  return std::string(beginning(text_or_no_memory(type, text, sqlite3_column_bytes(row, column)), limit));
+  return std::string(prefix(text_or_no_memory(type, text, sqlite3_column_bytes(row, column)), limit));
 }
 
 bool is_null_or_empty(sqlite3_value* value) {
@@ -64,7 +64,7 @@ std::string shown(sqlite3_value* value) {
     default: {
       const std::string text = without_nul(text_of(value));
       if (text.size() <= limit) return std::string("'").append(text).append("'");
-      return std::string("'").append(beginning(text, limit)).append("...'");
+      return std::string("'").append(prefix(text, limit)).append("...'");
     }
   }
 }

@@ -1,8 +1,8 @@
-// Text that comes out of SQLite, as long as it is: a NUL does not end it. And values as messages show them.
+// Text of SQLite values in full length, also with NUL characters, and values as messages show them.
 //
 //   text_of(argument) == "ships"            // false for 'ships' || char(0) || 'x'
 //
-// A text in UTF-16 becomes UTF-8 when it is asked for, which takes memory.
+// A text in UTF-16 is converted to UTF-8, which allocates memory.
 #pragma once
 
 #include <cstddef>
@@ -12,18 +12,18 @@
 
 namespace foresee {
 
-/// A value as text, "" for NULL. Throws std::bad_alloc out of memory.
+/// The value as text; "" for NULL. Throws std::bad_alloc without memory.
 std::string text_of(sqlite3_value* value);
-/// Of a text that is longer than `limit` bytes only the beginning, without a part of a character.
+/// The same of a column; a longer text is cut off after at most `limit` bytes, between characters.
 std::string text_of(sqlite3_stmt* row, int column, std::size_t limit = std::string::npos);
 
-/// Both mean that a value was left out.
+/// True for NULL and for an empty text, which both mean that a value was left out.
 bool is_null_or_empty(sqlite3_value* value);
 
-/// For a message, which a NUL would end: each one as \0.
+/// For messages, which a NUL would end: replaces each NUL by \0.
 std::string without_nul(std::string text);
 
-/// A value as a message shows it: 1.5, 'text' (its beginning, if it is long), a blob of 2 bytes, NULL.
+/// The value as a message shows it: 1.5, 'text' (cut off if it is long), a blob of 2 bytes, NULL.
 std::string shown(sqlite3_value* value);
 
 }  // namespace foresee

@@ -96,7 +96,7 @@ TEST(DamagedTables, NodeNumbersThatAreNoIntegersEndEveryStatement) {
         "ALTER TABLE ships_node RENAME TO n; CREATE TABLE ships_node(nodeno, data);"
         "INSERT INTO ships_node SELECT " +
         number + ", data FROM n");
-    expect_errors(db, "ships_node is damaged: the number of a row is no integer");
+    expect_errors(db, "ships_node is damaged: the number of a row is not an integer");
   }
 }
 

@@ -216,7 +216,7 @@ TYPED_TEST(FormStorage, DamageIsSaidAndChangesNothing) {
       {"UPDATE ships_shape SET data = x'00' WHERE number = 1", kind + " 1 is damaged: it is too short"},
       {"UPDATE ships_shape SET data = zeroblob(length(data)) WHERE number = 1",
        kind + " 1 is damaged: its checksum is wrong"},
-      {"UPDATE ships_shape SET data = 7 WHERE number = 1", kind + " 1 is damaged: it is no blob"},
+      {"UPDATE ships_shape SET data = 7 WHERE number = 1", kind + " 1 is damaged: it is not a blob"},
       {"UPDATE ships_shape SET hash = 3 WHERE number = 1", kind + " 1 is damaged: its hash"},
       TypeParam::damage(),
   };

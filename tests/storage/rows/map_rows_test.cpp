@@ -92,7 +92,7 @@ TEST_F(StoredMap, SaysWhatWasWrittenLast) {
 
 TEST_F(StoredMap, DamageIsTold) {
   for (const auto& [row, words] : std::initializer_list<std::pair<std::string, std::string>>{
-           {"5, x'010507'", "row 5: a block begins at a multiple of 64"},
+           {"5, x'010507'", "row 5: a block starts at a multiple of 64"},
            {"0, x'0105'", "row 0: its size fits no number of ids"},
            {"0, 'x'", "row 0: a leaf's number is a positive integer"},
            {"0, NULL", "row 0: a leaf's number is a positive integer"},

@@ -122,7 +122,7 @@ TEST(ShadowTables, RowsThatDoNotAscendAreRefused) {
   EXPECT_EQ(read("SELECT 1, 2 WHERE 0"), "");
   expect_store_error(SQLITE_CORRUPT_VTAB, "alerts: alerts_log is damaged: row 4 comes after row 4",
                      [&] { read("VALUES(4, 'a'), (4, 'b')"); });
-  expect_store_error(SQLITE_CORRUPT_VTAB, "the number of a row is no integer",
+  expect_store_error(SQLITE_CORRUPT_VTAB, "the number of a row is not an integer",
                      [&] { read("VALUES('x', 1)"); });
 }
 

@@ -26,15 +26,15 @@ TEST(Statement, ReadsVirtualTablesOnlyWhereItSaysSo) {
   EXPECT_TRUE(Statement::Run(all).step());
 }
 
-TEST(Statement, KnowsWhetherItWasCompiledAnew) {
+TEST(Statement, KnowsWhetherItWasRecompiled) {
   Database db;
   Statement select(db, "SELECT 1 FROM main.sqlite_master WHERE 0");
   select.prepare();
   EXPECT_FALSE(Statement::Run(select).step());
-  EXPECT_FALSE(select.was_compiled_anew());
+  EXPECT_FALSE(select.was_recompiled());
   db.run("CREATE TABLE t(x)");
   Statement::Run(select).step();
-  EXPECT_TRUE(select.was_compiled_anew());
+  EXPECT_TRUE(select.was_recompiled());
 }
 
 }  // namespace
