@@ -158,7 +158,7 @@ class NodeCache final : public Pages {
   void restore_record() noexcept;
   /// Marks the node as dirty or clean.
   void set_dirty(Slot& slot, bool dirty) noexcept;
-  void back_to(NodeNumber number, const NodeState& state) noexcept;
+  void restore_node(NodeNumber number, const NodeState& state) noexcept;
   /// Numbers of dirty nodes, ascending. Cost: after each change, a sort of the nodes changed in this
   /// transaction.
   const std::vector<NodeNumber>& waiting_numbers();

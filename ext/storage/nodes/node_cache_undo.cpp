@@ -8,7 +8,7 @@
 namespace foresee {
 
 // Requires: slots to be restored exist, or their rows are valid.
-void NodeCache::back_to(NodeNumber number, const NodeState& state) noexcept {
+void NodeCache::restore_node(NodeNumber number, const NodeState& state) noexcept {
   const auto found = slots_.find(number);
   if (found == slots_.end()) return;
   found->second.state.node = state.node;
@@ -50,7 +50,7 @@ void NodeCache::hand_change_to_undo_log() {
 
 void NodeCache::cancel_change() noexcept {
   for (auto change = change_log_.rbegin(); change != change_log_.rend(); ++change)
-    back_to(change->first, change->second);
+    restore_node(change->first, change->second);
   change_log_.clear();
   restore_record();
   map_.rewind(map_before_change_);
@@ -102,7 +102,7 @@ void NodeCache::restore(UndoLog::Handle mark, std::size_t map_position) {
     if (watched) about_to_change(number, slot->second);
     slot->second.changed = transaction_;
     changed_.push_back(number);
-    back_to(number, state);
+    restore_node(number, state);
   }
   head_ = mark->head;
   map_.rewind(map_position);
@@ -162,7 +162,7 @@ void NodeCache::roll_back() noexcept {
     undo_.break_snapshots();
     forget_all();
   }
-  for (const NodeNumber number : changed_) back_to(number, {});
+  for (const NodeNumber number : changed_) restore_node(number, {});
   head_ = {};
   filter_.reset();
   commit();

@@ -17,14 +17,14 @@
 
 namespace foresee {
 
-// Do the outlines or meshes that objects name exist, and are their boxes those of these? A part of the
-// integrity check (integrity_check.h).
+// Check of outlines or meshes as part of the integrity check: those that objects refer to exist, and the
+// boxes of the objects fit them.
 //
 //   FormCheck check(rows, format);
-//   check.read(say);                          // every stored form: a fault of each that is damaged
-//   check.object(42, record, say);            // what is wrong with one object
+//   check.read(say);                          // all stored forms; reports each damaged one
+//   check.object(42, record, say);            // reports what is wrong with one object
 //
-// Cost: all forms in memory; a form is turned once for all objects of one heading, as a rule.
+// Cost: all forms in memory; usually a form is rotated once for all objects of one heading.
 
 class FormCheck {
  public:
@@ -38,7 +38,7 @@ class FormCheck {
     });
   }
 
-  /// Requires: `record` is one that a leaf without fault has.
+  /// Requires: `record` is from a leaf without fault.
   template <class Say>
   void object(std::int64_t id, const double* record, Say say) {
     const std::string fault = object_fault(record);
@@ -64,7 +64,7 @@ std::string FormCheck::object_fault(const double* record) {
   const std::string named = name(number);
   const auto found = forms_.find(number);
   if (found == forms_.end()) return "has " + named + ", which is missing";
-  if (!found->second) return "";  // damaged, as was said
+  if (!found->second) return "";  // damaged: reported already
   Extents<3> around = Extents<3>::none();
   try {
     around = known_.of(number, *found->second, value_or(record, format_.at.heading, 0));
@@ -138,7 +138,7 @@ class IntegrityCheck {
     note(error);
   }
 
-  /// A leaf that is damaged has been said already.
+  /// Skips damaged leaves, which are reported already.
   void forms(ShapeRows& rows) try {
     FormCheck check(rows, format_);
     const auto say = [this](const std::string& fault) { this->say(fault); };
@@ -170,10 +170,10 @@ class IntegrityCheck {
     for (; next < objects_.size(); ++next) not_in("auxiliary columns", objects_[next]);
   }
 
-  // What sound nodes say about one another. A fault found before would only be found again, object by object.
+  // Relations between sound nodes. After an earlier fault they would only repeat it, once per object.
   void tree() {
     if (!faults_.empty()) return;
-    objects_ = {};  // the tree's own list comes in its place
+    objects_ = {};  // check_tree() needs memory for a list of its own
     try {
       const TreeReport report = check_tree(cache_, interrupt_);
       for (const std::string& problem : report.problems) say(problem);
@@ -190,7 +190,7 @@ class IntegrityCheck {
     if (!shadow_rows_.read_stamp()) say("the stamp is missing");
   }
 
-  // Version 0.1 kept no count. Where objects are missing or twice it may be as wrong as the rest.
+  // Version 0.1 stored no count. After other faults a wrong count is no news.
   void count() {
     const std::string said = shadow_rows_.meta().read("objects");
     if (faults_.empty() && !said.empty() && said != std::to_string(count_))
@@ -204,7 +204,7 @@ class IntegrityCheck {
   void not_in(const char* table, const Entry& entry) {
     say(object(entry.id) + " of node " + std::to_string(entry.leaf) + " is missing in the " + table);
   }
-  /// Damage is a fault that was found; any other error ends the check.
+  /// Damage is reported as a fault; any other error ends the check.
   void note(const StoreError& error) {
     if ((error.code & 0xff) != SQLITE_CORRUPT) throw error;
     faults_.push_back(error.what());
@@ -219,7 +219,7 @@ class IntegrityCheck {
   const QualifiedName& name_;
   Interrupt& interrupt_;
   Steps step_;
-  std::vector<Entry> objects_;  // where each object is, by id
+  std::vector<Entry> objects_;  // the leaf of each object, by id
   std::vector<std::string> faults_;
   std::size_t nodes_ = 0, count_ = 0;
 };

@@ -1,9 +1,9 @@
-// The tree anew: 'rebuild' and 'optimize', and loads that leave little as it was.
+// Store: reload of the whole tree, for 'rebuild', 'optimize' and loads that change most of the table.
 //
-// Where there are more objects than memory_budget.h lets be ordered together they wait in a temporary file
-// (object_spill.h), divided by where they are and how they move, and become leaves part by part. The old
-// nodes are read twice, first for the ids and a sample of the records, so that nothing is written before
-// everything was read and is sound. Memory beyond the parts: 12 bytes an object (packed_map.h).
+// If the objects exceed the memory for sorting (memory_budget.h), they wait in a temporary file
+// (object_spill.h), partitioned by position and motion, and become leaves one partition at a time. The old
+// nodes are read twice, first for the ids and a sample of the records. So nothing is written before
+// everything was read and is sound. Memory besides the partitions: 12 bytes per object (packed_map.h).
 #include <algorithm>
 #include <unordered_set>
 
@@ -34,7 +34,7 @@ void for_each_object(const Node& leaf, std::size_t record_size, Each each) {
 
 }  // namespace
 
-/// The steps of a load in parts: see() every object, divide(), add() every one again, write().
+/// Steps of a partitioned load: see() every object, divide(), add() every object again, write().
 class Store::PartitionedLoad {
  public:
   PartitionedLoad(Store& store, Interrupt& interrupt)
@@ -48,7 +48,7 @@ class Store::PartitionedLoad {
     sample_.add(record);
   }
 
-  /// Throws if an id was seen twice. `newest`: as TprTree::divide().
+  /// Throws if an id was seen twice. `newest`: as in TprTree::divide().
   void divide(std::span<const double> newest) {
     store_.require_unique(ids_, interrupt_);
     const std::size_t limit = std::max<std::size_t>(1, store_.memory_->max_ordered());
@@ -61,7 +61,7 @@ class Store::PartitionedLoad {
     spill_->add(division_->partition_of(record), id, record);
   }
 
-  /// In a change. The table holds what was added, and nothing else.
+  /// Replaces the contents by the added objects. Requires: in a change.
   void write() {
     spill_->finish();
     store_.cache_.drop_nodes(true);
@@ -83,7 +83,7 @@ class Store::PartitionedLoad {
 };
 
 void Store::rebuild(Interrupt& interrupt) {
-  changes_unknown_ = true;  // of a damaged table it may bring objects back
+  changes_unknown_ = true;  // in a damaged table it may recover objects
   pack(interrupt);
   const OwnStatements own(*this);
   if (!has_auxiliaries()) return;
@@ -105,7 +105,7 @@ void Store::require_unique(std::vector<std::int64_t>& ids, Interrupt& interrupt)
   if (twice != ids.end()) damaged("object " + std::to_string(*twice) + " is in two leaves");
 }
 
-/// Every object that a stored leaf holds, whether or not the tree leads there. Inner nodes may be anything.
+/// Reads every stored leaf, whether or not the tree refers to it. The contents of inner nodes are ignored.
 bool Store::read_stored_leaves(Interrupt& interrupt, const std::function<bool(const LeafView&)>& use) {
   unsigned nodes = 0;
   bool goes_on = true;
@@ -174,12 +174,12 @@ void Store::pack_partitioned(Interrupt& interrupt) {
   });
 }
 
-/// Within a change, as reload().
+/// As reload(), for many objects. Requires: in a change.
 void Store::load_partitioned(Interrupt& interrupt) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   PartitionedLoad load(*this, interrupt);
   std::size_t stored = 0, replaced = 0;
-  bool all_are_new = false;  // of those that wait: known once all were seen
+  bool all_are_new = false;  // pending objects; known after the first pass
   const auto for_each = [&](auto use) {
     stored = 0;
     const auto use_stored = [&](std::int64_t id, const double* record) {

@@ -1,4 +1,5 @@
-// Reading: what waits first, then the tables.
+// Store: reads, from pending objects and dirty nodes first, then from the shadow rows.
+#include <atomic>
 #include <limits>
 
 #include "storage/format/leaf_node.h"
@@ -11,7 +12,7 @@ namespace {
 
 constexpr std::int64_t no_number = std::numeric_limits<std::int64_t>::max();
 
-/// All of a leaf, behind what is there.
+/// Appends all objects of a leaf.
 void append(const LeafView& leaf, std::size_t record_size, std::vector<std::int64_t>& ids,
             std::vector<double>& records) {
   const std::size_t before = ids.size();
@@ -28,13 +29,41 @@ void append(const Node& leaf, std::size_t, std::vector<std::int64_t>& ids, std::
 
 }  // namespace
 
+// While this connection writes no other one can. At any other time another one may have written.
+void Store::revalidate_cache() {
+  if (writing_) return;
+  const auto stamp = shadow_rows().read_stamp();
+  if (!stamp) damaged("the stamp is missing");
+  if (cached_stamp_ == stamp) return;
+  cache_.forget_all();
+  if (forms_) forms_->forget_all();
+  cached_stamp_.reset();
+  count_.stored = shadow_rows().read_objects();
+  watches_known_ = false;
+  cached_stamp_ = stamp;
+}
+
+ContentVersion Store::read_version() {
+  static std::atomic<std::uint64_t> last_change{0};
+  if (differs_from_version_) version_changes_ = ++last_change;
+  differs_from_version_ = false;
+  revalidate_cache();
+  const auto stamp = writing_ ? shadow_rows().read_stamp() : cached_stamp_;
+  if (!stamp) damaged("the stamp is missing");
+  return {static_cast<std::uint64_t>(shown(*stamp)), version_changes_};
+}
+
+std::int64_t Store::shown(std::int64_t stored_stamp) const {
+  return same_contents_.stored == stored_stamp ? same_contents_.shown : stored_stamp;
+}
+
 std::optional<std::int64_t> Store::find_leaf(std::int64_t id) {
   return writing_ ? nodes().find_leaf(id) : shadow_rows().map().find_leaf(id);
 }
 
 bool Store::contains(std::int64_t id) {
   if (pending_->find(id)) return true;
-  // Ascending new ids, the common case, are larger than any known one.
+  // New ascending ids, the common case, are larger than any known id.
   if (largest_.known && (!largest_.id || *largest_.id < id)) return false;
   return find_leaf(id).has_value();
 }
@@ -58,16 +87,16 @@ std::span<const double> Store::find(std::int64_t id, StatementReadState& stateme
     if (const double* record = nodes().find_record_in_memory(id)) return found(record);
     if (!cache_.find_leaf(id)) return found(nullptr);
   }
-  // The first row after opening should not wait for one more statement to be compiled.
+  // The first row after opening should not wait until one more statement is compiled.
   if (!cached_stamp_ && first_found_.empty())
     return read_stored(id, first_found_) ? found(first_found_.data()) : found(nullptr);
-  // Before a node is read too: to who reads uncommitted rows (shared cache) it may be one of another stamp.
+  // Also before a node is read: with uncommitted reads (shared cache) it may belong to another stamp.
   revalidate_cache();
   statement_state.transaction = transaction_;
   return found(cache_.find_record(id));
 }
 
-/// Past the cache.
+/// Reads without the cache.
 bool Store::read_stored(std::int64_t id, std::vector<double>& record) {
   const std::optional<std::int64_t> number = shadow_rows().map().find_leaf(id);
   if (!number) return false;
@@ -184,7 +213,7 @@ double Store::read_newest_t() {
 }
 
 std::shared_ptr<const Form> Store::form(std::int64_t number) {
-  revalidate_cache();  // under another one the number may be another form's
+  revalidate_cache();  // under another stamp the number may refer to another form
   return forms_->form(number);
 }
 

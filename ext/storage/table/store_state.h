@@ -1,5 +1,5 @@
-// What does a store know of its table? The version of the contents, how many objects there are, what a
-// savepoint goes back to.
+// State of a store besides its objects: version of the contents, number of objects, and what a savepoint
+// restores.
 #pragma once
 
 #include <algorithm>
@@ -13,55 +13,56 @@
 
 namespace foresee {
 
-/// The state of a table's contents: equal versions of one table on one connection mean equal contents.
+/// Version of a table's contents: equal versions of one table on one connection mean equal contents.
 struct ContentVersion {
-  std::uint64_t stamp = 0;    ///< rewritten at random by every write transaction, stored
-  std::uint64_t changes = 0;  ///< moved by this connection's uncommitted changes and by rollbacks
+  std::uint64_t stamp = 0;    ///< stored; every write transaction replaces it by a random number
+  std::uint64_t changes = 0;  ///< advances with uncommitted changes of this connection and with rollbacks
 
   friend bool operator==(const ContentVersion&, const ContentVersion&) = default;
 };
 
-/// What one statement knows of a table that it reads: in which transaction of the connection it has compared
-/// memory with the stamp. Of use only while SQLite holds the statement's read transaction on the table's
-/// database, which keeps other connections' commits from it.
+/// Read state of one statement: the transaction of the connection in which it has last checked the stamp.
+/// Valid only while SQLite holds the statement's read transaction on the database, which excludes commits of
+/// other connections.
 struct StatementReadState {
   std::uint64_t transaction = 0;  ///< 0: not yet
 };
 
-// How many objects does a table have, as far as is known without reading?
+// Number of objects of a table, as far as it is known without reading.
 //
 //   ObjectCount count{.stored = 1000};
-//   ++count.added;                          // an insert, not written yet
+//   ++count.added;                          // an unwritten insert
 //   count.likely() == 1001
 //
-// For who plans: never a reason to read or to leave something out. Small enough that savepoints keep copies.
+// For the query planner: it never causes a read, and no result depends on it. Small enough for every
+// savepoint to keep a copy.
 
 struct ObjectCount {
-  /// What `_meta` says; none: nothing, since version 0.1 of foresee wrote the table, or nothing that can be.
+  /// The count in `_meta`; nothing if version 0.1 of foresee wrote the table, or if it is out of range.
   std::optional<std::int64_t> stored = std::nullopt;
-  /// By this transaction and not yet part of what is stored; negative where it took objects away.
+  /// Added by this transaction and not in `stored` yet; negative if objects were removed.
   std::int64_t added = 0;
-  /// In place of what is not stored: at first what R*Tree assumes without statistics, then as many as were
-  /// found when all were read last.
+  /// Used without `stored`: at first what R*Tree assumes without statistics, then the number found by the
+  /// last complete read.
   std::int64_t estimate = 1048576;
 
   std::int64_t likely() const noexcept {
     return std::max<std::int64_t>(0, stored.value_or(estimate) + added);
   }
-  /// All have been read, those that were added among them.
+  /// All objects were read, including the added ones.
   void note_all(std::size_t found) noexcept { estimate = static_cast<std::int64_t>(found) - added; }
-  /// What is to be stored; nothing if only counting tells.
+  /// The count to store; nothing if the objects must be counted.
   std::optional<std::int64_t> sum() const noexcept {
     return stored && *stored + added >= 0 ? std::optional(*stored + added) : std::nullopt;
   }
 };
 
-// What must a store remember to go back to a savepoint? Positions in its logs; nothing is copied.
+// State that a savepoint restores: positions in logs; no objects are copied.
 
 /// The largest id, known within a write transaction only.
 struct LargestId {
   bool known = false;
-  bool exact = false;  ///< else no id is larger
+  bool exact = false;  ///< else an upper bound
   std::optional<std::int64_t> id = {};
 };
 
@@ -77,7 +78,7 @@ struct StoreSavepoint {
   std::uint64_t undo_position;
   std::optional<std::int64_t> own_stamp;
   std::string table;
-  bool waits;  ///< something that only memory knows
+  bool waits;  ///< it has unwritten changes
 };
 
 /// Two stamps of the same contents.

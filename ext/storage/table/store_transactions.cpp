@@ -1,6 +1,5 @@
-// Making, opening, transactions, savepoints, renaming and dropping.
+// Store: creation, opening, transactions, savepoints, renaming and dropping.
 #include <algorithm>
-#include <atomic>
 #include <utility>
 
 #include "storage/table/open_stores.h"
@@ -21,7 +20,7 @@ std::shared_ptr<Store> Store::create(sqlite3* db, const std::string& schema, con
                                      const Declaration& declaration) {
   const QualifiedName name{schema, table};
   const NodeFormat format = create_shadow_tables(db, name, declaration);
-  // A table that a rollback to a savepoint has unmade: SQLite does not report that to it.
+  // A rollback to a savepoint has removed a table of this name, which SQLite does not report.
   if (const auto other = find_open_store(db, name); other && other->is_named(table)) other->close();
   auto rows = std::make_unique<ShadowRows>(shadow_tables(db, name, declaration), declaration);
   auto store =
@@ -39,7 +38,7 @@ std::shared_ptr<Store> Store::open(sqlite3* db, const std::string& schema, const
   const NodeFormat format = read_node_format(tables, rows->meta(), declaration);
   if (auto live = find_open_store(db, name);
       live && live->is_named(name.table) && same_columns(live->declaration(), declaration) &&
-      live->format().node_size == format.node_size && !live->is_taken_back())
+      live->format().node_size == format.node_size && !live->was_rolled_back())
     return live;
   auto store =
       std::make_shared<Store>(db, name, declaration, format, std::move(rows), false, memory_budget_of(db));
@@ -48,7 +47,7 @@ std::shared_ptr<Store> Store::open(sqlite3* db, const std::string& schema, const
   return store;
 }
 
-// SQLite makes a table inside a write transaction and does not call begin() for it.
+// SQLite creates a table inside a write transaction and does not call begin() for it.
 Store::Store(sqlite3* db, QualifiedName name, Declaration declaration, const NodeFormat& format,
              std::unique_ptr<ShadowRows> rows, bool is_new, std::shared_ptr<MemoryBudget> memory)
     : db_(db),
@@ -86,34 +85,6 @@ void Store::damaged(const std::string& what) const {
   throw StoreError(SQLITE_CORRUPT_VTAB, name_.table + ": " + what);
 }
 
-// While this connection writes nobody else can. At any other time somebody may have written since.
-void Store::revalidate_cache() {
-  if (writing_) return;
-  const auto stamp = shadow_rows().read_stamp();
-  if (!stamp) damaged("the stamp is missing");
-  if (cached_stamp_ == stamp) return;
-  cache_.forget_all();
-  if (forms_) forms_->forget_all();
-  cached_stamp_.reset();
-  count_.stored = shadow_rows().read_objects();
-  watches_known_ = false;
-  cached_stamp_ = stamp;
-}
-
-ContentVersion Store::read_version() {
-  static std::atomic<std::uint64_t> last_change{0};
-  if (differs_from_version_) version_changes_ = ++last_change;
-  differs_from_version_ = false;
-  revalidate_cache();
-  const auto stamp = writing_ ? shadow_rows().read_stamp() : cached_stamp_;
-  if (!stamp) damaged("the stamp is missing");
-  return {static_cast<std::uint64_t>(shown(*stamp)), version_changes_};
-}
-
-std::int64_t Store::shown(std::int64_t stored_stamp) const {
-  return same_contents_.stored == stored_stamp ? same_contents_.shown : stored_stamp;
-}
-
 std::shared_ptr<NodeSource> Store::take_snapshot() {
   revalidate_cache();
   merge_pending();
@@ -122,8 +93,8 @@ std::shared_ptr<NodeSource> Store::take_snapshot() {
 
 // --- transactions
 
-/// From here on nobody else can write, so that savepoints are marks of what is stored now. A damaged table
-/// reports it where it is read: DROP TABLE begins a transaction too.
+/// From here on no other connection can write, so savepoints are marks of the stored state. Damage is not
+/// reported here, but where it is read: DROP TABLE starts a transaction too.
 void Store::revalidate_at_begin() try { revalidate_cache(); } catch (const StoreError& error) {
   const int code = error.code & 0xff;
   if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;
@@ -139,12 +110,12 @@ void Store::begin() {
   in_transaction_ = true;
 }
 
-// Several watches may ask in one COMMIT. With a savepoint open memory says of what it has written that it
-// waits: but nothing has changed since.
+// Several watches may call this in one COMMIT. With a savepoint open the cache reports changes that are
+// already written: then nothing is left to do.
 void Store::sync() {
   if (gone_) return;
   shadow_rows();
-  if (synced_position_ == undo_position_ && !(waits() && is_taken_back())) return;
+  if (synced_position_ == undo_position_ && !(waits() && was_rolled_back())) return;
   flush();
   synced_position_ = undo_position_;
 }
@@ -162,9 +133,9 @@ void Store::end_transaction() noexcept {
   note_memory();
 }
 
-// A table that was made after a savepoint is not told when SQLite goes back to it; but then the stamp that
-// this transaction wrote is gone, or all the tables are.
-bool Store::is_taken_back() {
+// A table that was created after a savepoint gets no callback when SQLite rolls back to it. Then the stamp
+// that this transaction wrote is gone, or all its tables are.
+bool Store::was_rolled_back() {
   if (!own_stamp_) return false;
   try {
     return shadow_rows().read_stamp() != own_stamp_;
@@ -175,7 +146,7 @@ bool Store::is_taken_back() {
 }
 
 void Store::close() noexcept {
-  back_to_begin();
+  undo_transaction();
   cache_.forget_all();
   end_transaction();
   gone_ = true;
@@ -183,7 +154,7 @@ void Store::close() noexcept {
 
 void Store::commit() {
   if (gone_) return;
-  if (writing_ && !stamped_) cached_stamp_.reset();  // a rollback to a savepoint took the new stamp back
+  if (writing_ && !stamped_) cached_stamp_.reset();  // a rollback to a savepoint removed the new stamp
   cache_.commit();
   end_transaction();
 }
@@ -196,15 +167,15 @@ void Store::rollback() {
   if (gone_) return;
   if (is_new_) return close();
   set_table_name(table_at_begin_);
-  back_to_begin();
+  undo_transaction();
   watches_known_ = false;
   if (writing_) cached_stamp_ = stamp_before_;
   end_transaction();
   differs_from_version_ = false;
-  version_changes_ = 0;  // with the stamp that is stored again: the contents of that commit
+  version_changes_ = 0;  // with the restored stamp: the contents of that commit
 }
 
-void Store::back_to_begin() noexcept {
+void Store::undo_transaction() noexcept {
   cache_.roll_back();
   if (forms_) forms_->forget_texts();
   if (writing_) count_ = count_before_;
@@ -219,9 +190,9 @@ void Store::back_to_begin() noexcept {
 void Store::savepoint(int level) {
   if (own_statements_ > 0 || gone_) return;
   shadow_rows();
-  // Two virtual tables that share this store are both told.
+  // Two virtual tables that share this store both get the callback.
   if (!savepoints_.empty() && savepoints_.back().level >= level) return;
-  // Room first, by doubling: once the mark is set nothing may throw.
+  // Reserve first, by doubling: once the mark is set nothing may throw.
   if (savepoints_.size() == savepoints_.capacity())
     savepoints_.reserve(std::max<std::size_t>(8, 2 * savepoints_.size()));
   std::string table = name_.table;
@@ -237,7 +208,7 @@ void Store::give_up_savepoints(std::size_t from) noexcept {
   }
 }
 
-/// How many savepoints are older than this level.
+/// The number of savepoints older than this level.
 std::size_t Store::savepoints_before(int level) const noexcept {
   const auto first = std::lower_bound(savepoints_.begin(), savepoints_.end(), level,
                                       [](const StoreSavepoint& one, int other) { return one.level < other; });
@@ -256,16 +227,16 @@ void Store::rollback_to(int level) {
   const std::size_t first = savepoints_before(level);
   const bool is_marked = first < savepoints_.size() && savepoints_[first].level == level;
   if (is_marked || first > 0) {
-    if (first < savepoints_.size()) back_to(savepoints_[first]);
+    if (first < savepoints_.size()) restore(savepoints_[first]);
     give_up_savepoints(is_marked ? first + 1 : first);
     return;
   }
-  // No mark is as old. Either the mark could not be set, and its statement failed before it changed anything;
-  // or the table joined the transaction after that savepoint.
-  if (own_stamp_ && !is_taken_back()) return;
+  // No mark is that old. Either the mark could not be set, and its statement failed before it changed
+  // anything; or the table joined the transaction after that savepoint.
+  if (own_stamp_ && !was_rolled_back()) return;
   if (is_new_ && own_stamp_) return close();
   set_table_name(table_at_begin_);
-  back_to_begin();
+  undo_transaction();
   own_stamp_.reset();
   watches_known_ = false;
   note_change();
@@ -273,7 +244,7 @@ void Store::rollback_to(int level) {
   largest_ = {};
 }
 
-void Store::back_to(const StoreSavepoint& savepoint) {
+void Store::restore(const StoreSavepoint& savepoint) {
   if (savepoint.undo_position == undo_position_ && !torn_) return;
   torn_ = true;  // until it is done
   watches_known_ = false;
@@ -310,8 +281,8 @@ void Store::set_table_name(const std::string& table) {
   remember_open_store(db_, name_, shared_from_this());
 }
 
-// What only memory knew at a savepoint would be lost with this object, and SQLite may go back to there. The
-// newest mark is that of the DROP itself.
+// Unwritten changes from before a savepoint would be lost with this object, although SQLite may roll back to
+// there. The newest mark belongs to the DROP itself.
 void Store::drop() {
   for (std::size_t i = 0; i + 1 < savepoints_.size(); ++i)
     if (savepoints_[i].waits)

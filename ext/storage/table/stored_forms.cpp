@@ -7,9 +7,9 @@
 namespace foresee {
 namespace {
 
-// Beyond these memory begins anew: some 100 bytes a corner, with its pieces.
+// Beyond these limits a cache is emptied. A form takes about 100 bytes per corner, with its convex pieces.
 constexpr std::size_t max_corners_known = 1 << 20;
-constexpr std::size_t max_text_bytes = 1 << 22, longest_text = max_text_bytes / 4;
+constexpr std::size_t max_text_bytes = 1 << 22, max_text_length = max_text_bytes / 4;
 
 }  // namespace
 
@@ -39,7 +39,7 @@ std::shared_ptr<const Form> StoredForms::form(std::int64_t number) {
 }
 
 StoredForms::Known StoredForms::find_or_add(std::string_view text) {
-  const bool short_enough = text.size() <= longest_text;
+  const bool short_enough = text.size() <= max_text_length;
   const std::string key(short_enough ? text : std::string_view());
   if (const auto found = texts_.find(key); short_enough && found != texts_.end()) return found->second;
   auto form = read_form(shape_, text);
