@@ -22,10 +22,14 @@ from prose import CPP, prose_of, split_code_line, without_raw_pages
 # module, until they are ext/ and all of PAGES.
 ENFORCED = (
     "ext/hosts/",
+    "ext/storage/",
     "tests/house/",
+    "tests/storage/",
 )
 ENFORCED_NAMES = (
+    "ext/storage/",
     "tests/house/",
+    "tests/storage/",
 )
 PAGES = ("docs/architecture.md", "docs/recipes.md", "docs/exactness.md", "docs/storage_format.md", "CONTRIBUTING.md", "bench/README.md")
 GROUPS = ("ext", "tests", "bench")  # read with --list and no paths; tests and bench are not enforced yet
@@ -202,6 +206,9 @@ class Checker(unittest.TestCase):
         self.assertEqual(self.of("ext/a.h", f"// Short.\n// {long[:60]}\n// {long[60:]}.\n"), [(2, "It has words It …")])
         self.assertEqual(self.of("ext/a.h", "// It has words. It is short, e.g. so. " + "Is it? " * 30 + "\n", names=False)[0][1][:6], "// It ")
         self.assertEqual(self.of("a.md", "| " + "four words are here | " * 12 + "\n"), [])
+        some = "some words " * 10
+        self.assertEqual(self.of("ext/a.cpp", f'f({{"{some}",\n   "{some}"}});\n'), [])
+        self.assertEqual(self.of("ext/a.cpp", f'f("{some}"\n  "{some}");\n'), [(1, "some words some words …")])
 
     def test_a_long_line_is_found_outside_of_tables(self):
         words = "Word. " * 21

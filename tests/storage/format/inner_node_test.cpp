@@ -12,14 +12,14 @@ namespace {
 
 using namespace node_cases;
 
-/// The numbers of an entry that stand for one bound, as index/pages.h orders them.
+/// The doubles of an entry that are bounds, in the order of index/pages.h.
 std::size_t place(const NodeFormat& format, std::size_t entry, std::size_t bound, std::size_t axis) {
   const auto axes = static_cast<std::size_t>(format.layout.axes);
   return entry * static_cast<std::size_t>(entry_size(format.layout.axes)) + 3 + bound * axes + axis;
 }
 enum Bound : std::size_t { lower, upper, v_lower, v_upper, a_lower, a_upper };
 
-// Bounds only where the layout stores them, so that what comes back is what went in.
+// Sets only the bounds that the layout stores, so that a round trip is exact.
 Node full_node(const NodeFormat& format) {
   Node node{.level = 2, .parent = 17, .epoch = 1.6e9, .keys = {}, .values = {}};
   const auto stride = static_cast<std::size_t>(entry_size(format.layout.axes));
@@ -39,7 +39,7 @@ Node full_node(const NodeFormat& format) {
   return node;
 }
 
-TEST(InnerNode, ComesBackAsItWasForEveryLayout) {
+TEST(InnerNode, RoundTripsForEveryLayout) {
   for (int axes = 1; axes <= 3; ++axes)
     for (Law law : {Law::rest, Law::uniform, Law::accelerated, Law::forced}) {
       const NodeFormat format = format_of({.axes = axes, .law = law});

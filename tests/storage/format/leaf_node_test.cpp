@@ -30,7 +30,7 @@ std::string fault_of(const NodeFormat& format, std::vector<std::byte> blob) {
   return fault ? fault : "";
 }
 
-/// The fault of a leaf with a good checksum after `change` was made to its bytes.
+/// The fault of a leaf whose bytes were changed by `change` and whose checksum is correct.
 template <class Change>
 std::string fault_after(Change change) {
   const NodeFormat format = format_of(everything);

@@ -1,4 +1,4 @@
-// The bytes of a stored outline: what was put in comes out, and bytes that are no outline are told.
+// Stored outline: round trip through its bytes, and faults of other bytes.
 #include "storage/format/outline_blob.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ std::vector<std::byte> blob() {
   return encode_outline(read_outline(harbour));
 }
 
-/// The fault of a blob whose checksum is right.
+/// The fault of a blob with a correct checksum.
 std::string fault_of(std::vector<std::byte> bytes) {
   const std::uint32_t checksum = crc32c(bytes.data(), bytes.size() - 4);
   std::memcpy(bytes.data() + bytes.size() - 4, &checksum, 4);
@@ -34,7 +34,7 @@ std::vector<std::byte> with(std::vector<std::byte> bytes, std::size_t at, T valu
   return bytes;
 }
 
-TEST(OutlineBlob, ComesBackAsItWas) {
+TEST(OutlineBlob, RoundTrips) {
   Outline outline;
   EXPECT_EQ(decode_outline(blob(), outline), nullptr);
   EXPECT_EQ(outline, read_outline(harbour));
@@ -42,7 +42,7 @@ TEST(OutlineBlob, ComesBackAsItWas) {
   EXPECT_EQ(fault_of(blob()), "");
 }
 
-TEST(OutlineBlob, EveryChangedByteIsNoticed) {
+TEST(OutlineBlob, EveryChangedByteIsDetected) {
   for (std::size_t i = 0; i < blob().size(); ++i) {
     std::vector<std::byte> bytes = blob();
     bytes[i] ^= std::byte{0x10};
@@ -51,8 +51,8 @@ TEST(OutlineBlob, EveryChangedByteIsNoticed) {
   }
 }
 
-// As somebody would write them who knows the checksum.
-TEST(OutlineBlob, HostileBytesAreTold) {
+// Bytes of an attacker, with correct checksums.
+TEST(OutlineBlob, HostileBytesAreFaults) {
   constexpr std::size_t ends = 16, part_starts = ends + 12, corners = part_starts + 8;
   Outline outline;
   EXPECT_STREQ(decode_outline({}, outline), "it is too short");

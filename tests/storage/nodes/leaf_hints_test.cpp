@@ -1,4 +1,4 @@
-// Hints: what was learnt is found, what is not true is noticed by who looks into the leaf.
+// Leaf hints: what was learned is found, and a wrong hint is detected in the leaf.
 #include "storage/nodes/leaf_hints.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ std::vector<std::int64_t> count_from(std::int64_t first, std::size_t many) {
   return ids;
 }
 
-TEST(LeafHints, TellLeafAndSlotOfEveryIdThatCountsUp) {
+TEST(LeafHints, GiveLeafAndSlotOfConsecutiveIds) {
   LeafHints hints;
   EXPECT_TRUE(hints.empty());
   EXPECT_EQ(hints.find(7).leaf, 0);
@@ -43,7 +43,7 @@ TEST(LeafHints, AnObjectIsFoundWhereverItIsInItsLeaf) {
   EXPECT_EQ(elsewhere.slot_in({}, 999), 0u);
 }
 
-TEST(LeafHints, NobodyWaitsUntilALargeTableHasGrown) {
+TEST(LeafHints, ALargeTableGrowsInSmallSteps) {
   constexpr std::size_t wanted = 1 << 22;
   LeafHints hints;
   hints.reserve(1);

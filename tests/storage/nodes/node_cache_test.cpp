@@ -1,4 +1,4 @@
-// The cache by itself, with so little memory that it writes and forgets all the time.
+// Node cache alone, with so little memory that it writes and evicts all the time.
 #include "storage/nodes/node_cache.h"
 
 #include "storage/database.h"
@@ -38,7 +38,7 @@ class NodeCacheTest : public ::testing::Test, MemoryHolder {
   NeverInterrupt never;
 };
 
-TEST_F(NodeCacheTest, ACancelledCallThatHadWrittenLosesNothingThatASavepointSaw) {
+TEST_F(NodeCacheTest, ACancelledChangeThatHadWrittenKeepsTheStateOfASavepoint) {
   cache.begin_change();
   const NodeNumber number = add(1);
   cache.end_change();
@@ -89,7 +89,7 @@ TEST_F(NodeCacheTest, ACancelledRecordIsAsItWasAlsoIfItsLeafChangedLater) {
   db.run("ROLLBACK");
 }
 
-TEST_F(NodeCacheTest, NamesWhatWaitsInOrder) {
+TEST_F(NodeCacheTest, ListsDirtyNodesInOrder) {
   cache.begin_change();
   const NodeNumber first = add(1), second = add(2), third = add(3), none = third + 1;
   EXPECT_EQ(cache.next_waiting(0, none), first);

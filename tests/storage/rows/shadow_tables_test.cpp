@@ -1,4 +1,4 @@
-// The kit of shadow tables, for another kind of virtual table than moving_objects.
+// Shadow tables of another kind of virtual table than moving_objects.
 #include "storage/rows/shadow_tables.h"
 
 #include <array>
@@ -70,7 +70,7 @@ TEST(ShadowTables, AViewInPlaceOfOneIsRefused) {
   expect_store_error(SQLITE_CORRUPT_VTAB, "alerts: Alerts_Pair is a view, where foresee keeps a table",
                      [&] { tables.require_tables(); });
   db.run("DROP VIEW alerts_pair");
-  tables.require_tables();  // who reads it says that it is missing
+  tables.require_tables();  // a missing table is reported where it is read
 }
 
 TEST(ShadowTables, MetaKeepsValuesByKey) {

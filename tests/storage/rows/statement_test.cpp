@@ -17,7 +17,7 @@ TEST(Statement, FindsATableByItsQuotedNameWhateverIsInIt) {
   EXPECT_EQ(db.number("SELECT x FROM " + quoted_name(name)), 7);
 }
 
-TEST(Statement, ReadsVirtualTablesOnlyWhereItSaysSo) {
+TEST(Statement, ReadsVirtualTablesOnlyIfAllowed) {
   Database db;
   const std::string sql = "SELECT seq FROM pragma_database_list";
   Statement only_tables(db, sql);

@@ -9,7 +9,7 @@
 namespace foresee {
 namespace {
 
-/// What text_of() says of an SQL function's argument; `starved`: while SQLite gets no memory.
+/// The result of text_of() for an SQL function's argument; `starved`: while SQLite gets no memory.
 struct Reading {
   bool starved = false;
   std::string text;
@@ -61,10 +61,10 @@ TEST(Text, ShowsAValueAsAMessageNeedsIt) {
   EXPECT_EQ(shown_text("printf('%.*c', 41, 'x')"), "'" + std::string(40, 'x') + "...'");
 }
 
-TEST(Text, IsNotEmptyWhereMemoryIsOut) {
+TEST(Text, IsAnErrorWithoutMemory) {
   Database db;
   Reading reading{.starved = true, .text = ""};
-  // In UTF-16 as it is stored: reading it as UTF-8 takes memory.
+  // Stored in UTF-16: the conversion to UTF-8 allocates memory.
   sqlite3_create_function(db, "reading_of", 1, SQLITE_UTF16, &reading, read_argument, nullptr, nullptr);
   sqlite3_exec(db,
                "PRAGMA encoding = 'UTF-16'; CREATE TABLE texts AS SELECT hex(zeroblob(5000)) AS x;"

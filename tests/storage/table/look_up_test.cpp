@@ -1,4 +1,4 @@
-// Looking objects up by id as a statement does: what is in memory is believed only where it is true.
+// Look-up of objects by id, as a statement does it: memory is used only while it is valid.
 #include <filesystem>
 #include <map>
 #include <random>
@@ -15,7 +15,7 @@ std::optional<double> look(Store& store, std::int64_t id, StatementReadState& st
   return record.empty() ? std::nullopt : std::optional(record[1]);
 }
 
-/// … by a statement of its own.
+/// The same by a statement of its own.
 std::optional<double> look(Store& store, std::int64_t id) {
   StatementReadState statement_state;
   return look(store, id, statement_state);
@@ -32,7 +32,7 @@ class LookUp : public ::testing::Test {
     reopen();
   }
 
-  /// From now on the store knows as little as a new connection's.
+  /// Replaces the store by a new one, as of a new connection.
   void reopen() {
     store.reset();
     store = Store::open(db, "main", "ships", ships());
@@ -52,10 +52,10 @@ TEST_F(LookUp, FindsWhatReadFinds) {
     }
 }
 
-TEST_F(LookUp, ALeafInMemoryIsBelievedUnderTheSameStampOnly) {
+TEST_F(LookUp, ALeafInMemoryIsValidUnderTheSameStampOnly) {
   StatementReadState statement_state;
   for (std::int64_t id = 1; id <= objects; ++id) look(*store, id, statement_state);
-  db.run("DELETE FROM ships_node; DELETE FROM ships_map");  // so that only a look at the rows notices
+  db.run("DELETE FROM ships_node; DELETE FROM ships_map");  // so only a read of the rows detects it
   EXPECT_EQ(look(*store, 7, statement_state), 7);
   EXPECT_EQ(look(*store, 8), 8);
   db.run("UPDATE ships_meta SET value = value + 1 WHERE key = 'stamp'");
@@ -63,8 +63,8 @@ TEST_F(LookUp, ALeafInMemoryIsBelievedUnderTheSameStampOnly) {
   EXPECT_EQ(look(*store, 7), std::nullopt);
 }
 
-// PRAGMA integrity_check asks without beginning anything; what was read of the map before may be of old.
-TEST_F(LookUp, TheCheckAsksTheMapAnewWhereAnotherConnectionHasWritten) {
+// PRAGMA integrity_check reads without xBegin; what was read of the map before may be out of date.
+TEST_F(LookUp, TheCheckReadsTheMapAgainAfterAnotherConnectionHasWritten) {
   const std::string path = (std::filesystem::path(FORESEE_BINARY_DIR) / "look_up_check.db").string();
   std::filesystem::remove(path);
   {
@@ -84,9 +84,9 @@ TEST_F(LookUp, TheCheckAsksTheMapAnewWhereAnotherConnectionHasWritten) {
   std::filesystem::remove(path);
 }
 
-TEST_F(LookUp, AMissingStampIsToldByTheSecondLookUpOfATable) {
+TEST_F(LookUp, AMissingStampIsReportedByTheSecondLookUpOfATable) {
   db.run("DELETE FROM ships_meta WHERE key = 'stamp'");
-  EXPECT_EQ(look(*store, 7), 7) << "past memory";
+  EXPECT_EQ(look(*store, 7), 7) << "without the cache";
   expect_store_error(SQLITE_CORRUPT_VTAB, "ships: the stamp is missing", [&] { look(*store, 7); });
 }
 
@@ -107,7 +107,7 @@ TEST_F(LookUp, AStatementSeesTheChangesOfItsOwnConnectionAtOnce) {
     EXPECT_EQ(look(*store, 8, statement_state), 8);
   };
   expect_new();
-  store->take_snapshot();  // what is pending goes into the tree
+  store->take_snapshot();  // pending objects go into the tree
   expect_new();
   open_savepoint(db, *store, 0);
   store->update(5, 5, ship(51), {});
@@ -127,7 +127,7 @@ TEST_F(LookUp, AStatementSeesTheChangesOfItsOwnConnectionAtOnce) {
   expect_new();
 }
 
-TEST_F(LookUp, DamageIsToldTheSameWayPastMemoryAndThroughIt) {
+TEST_F(LookUp, DamageIsReportedAlikeWithAndWithoutTheCache) {
   write_map_as_version_0_1(db);
   const std::string node_of_9 = "nodeno = (SELECT leaf FROM ships_map WHERE id = 9)";
   const std::pair<std::string, const char*> damages[] = {
@@ -167,8 +167,8 @@ TEST_F(LookUp, MoreObjectsThanMemoryHoldsAreFoundAllTheSame) {
   }
 }
 
-/// A store and a model of it live through random changes; statements that began at any time look things up.
-TEST_F(LookUp, RandomLivesAgreeWithAMapAtEveryMoment) {
+/// A store and a model undergo the same random changes; statements that started at any time look objects up.
+TEST_F(LookUp, RandomChangesAgreeWithAMapAtAnyTime) {
   std::mt19937 random(8);
   const auto below = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
   std::map<std::int64_t, double> model, at_start, at_savepoint;

@@ -1,4 +1,4 @@
-// A table whose objects are seldom ordered together, beside a plain map of what it must hold.
+// Fixture: a table whose objects exceed the memory for sorting, and a plain map of its expected contents.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,15 @@ namespace foresee {
 
 using Model = std::map<std::int64_t, double>;
 
-class Parts : public ::testing::Test {
+class Partitioned : public ::testing::Test {
  protected:
-  static constexpr int objects = 4000;  // of 48 bytes a record: some 24 parts, and 12 times what may wait
+  static constexpr int objects =
+      4000;  // records of 48 bytes: about 24 partitions, and 12 times the limit of unwritten bytes
 
   static constexpr MemoryLimits little{
       .pending = 40'000, .memory = 40'000, .waiting = 16'000, .ordered = 8'000};
 
-  Parts() { open(little); }
+  Partitioned() { open(little); }
 
   void open(const MemoryLimits& limits) {
     db.run("BEGIN IMMEDIATE");
@@ -28,7 +29,7 @@ class Parts : public ::testing::Test {
     store = store_within(limits);
     commit(db, *store);
   }
-  /// One more that reads and writes the same rows.
+  /// Another store of the same rows.
   std::shared_ptr<Store> store_within(const MemoryLimits& limits) {
     auto rows = std::make_unique<ShadowRows>(shadow_tables(db, name(), ships()), ships());
     return std::make_shared<Store>(db, name(), ships(), format, std::move(rows), true,
@@ -50,7 +51,7 @@ class Parts : public ::testing::Test {
     store->update(id, id, scattered(model[id] = static_cast<double>(random() % 999)), {});
   }
   void erase(std::int64_t id) { store->erase(id), model.erase(id); }
-  /// Ids without an order, with blocks of the map that are full and others that are not.
+  /// Ids in no order; some blocks of the map are full, others are not.
   void load(int count = objects) {
     begin(db, *store);
     for (int i = 1; i <= count; ++i) insert((i * 7919LL) % 10'007 - 300);
