@@ -19,7 +19,7 @@ std::optional<std::int64_t> TableLookups::kept_number(const QueriedTable& name) 
     if (code != SQLITE_ERROR && code != SQLITE_AUTH) throw;
     return std::nullopt;  // the schema is gone, or may be read no longer
   }
-  if (kept.witness.was_compiled_anew()) return std::nullopt;
+  if (kept.witness.was_recompiled()) return std::nullopt;
   const std::int64_t number = kept.number;
   kept_.push_back(std::move(kept));
   return number;

@@ -19,9 +19,9 @@ void MapChanges::log_change_of_void(bool before) {
 }
 
 void MapChanges::void_stored() {
-  const std::vector<IdHashMap::Entry> waiting = leaves_.known();
-  log_.reserve(log_.size() + waiting.size() + 1);
-  log_.insert(log_.end(), waiting.begin(), waiting.end());
+  const std::vector<IdHashMap::Entry> unwritten = leaves_.known();
+  log_.reserve(log_.size() + unwritten.size() + 1);
+  log_.insert(log_.end(), unwritten.begin(), unwritten.end());
   leaves_.reset();
   log_change_of_void(stored_is_void_);
   stored_is_void_ = true;
@@ -32,9 +32,9 @@ void MapChanges::written(bool may_rewind) {
     clear();
     return;
   }
-  const std::vector<IdHashMap::Entry> waiting = leaves_.known();
-  log_.reserve(log_.size() + waiting.size() + 1);
-  log_.insert(log_.end(), waiting.begin(), waiting.end());
+  const std::vector<IdHashMap::Entry> unwritten = leaves_.known();
+  log_.reserve(log_.size() + unwritten.size() + 1);
+  log_.insert(log_.end(), unwritten.begin(), unwritten.end());
   if (stored_is_void_) log_change_of_void(true);
   stored_is_void_ = false;
   leaves_.reset();

@@ -32,11 +32,11 @@ class MapChanges {
   void void_stored();
 
   bool stored_is_void() const { return stored_is_void_; }
-  bool waits() const { return leaves_.size() != 0 || stored_is_void_; }
+  bool has_unwritten() const { return leaves_.size() != 0 || stored_is_void_; }
   /// Bytes in use beyond those left by the last write: what another write would release.
   std::size_t memory() const { return held() - held_after_writing_; }
   /// All unwritten changes, in no order.
-  std::vector<IdHashMap::Entry> waiting() const { return leaves_.known(); }
+  std::vector<IdHashMap::Entry> unwritten() const { return leaves_.known(); }
   /// All changes are in the stored map now. `may_rewind`: a rewind() to before may follow.
   void written(bool may_rewind);
 
@@ -44,7 +44,7 @@ class MapChanges {
   void rewind(std::size_t position) noexcept;
   void forget_log() noexcept {
     log_.clear();
-    started_empty_ = !waits();
+    started_empty_ = !has_unwritten();
     held_after_writing_ = std::min(held_after_writing_, held());
   }
   /// After a commit, or after a rollback of everything.

@@ -19,7 +19,7 @@ namespace foresee {
 
 struct MemoryLimits {
   std::size_t pending = 128 << 20;  ///< bytes of objects that are not in the tree yet
-  std::size_t memory = 128 << 20;   ///< approximate bytes of clean nodes, or of unwritten changes
+  std::size_t memory = 128 << 20;   ///< approximate bytes of nodes in memory, or of unwritten changes
   /// Bytes of unwritten nodes while one change adds many. Unwritten nodes can be rolled back, so an
   /// interrupted query loses nothing. The limit covers as many new objects as may be pending, but not a large
   /// old tree besides.

@@ -54,18 +54,20 @@ class NodeCache final : public Pages {
   const double* find_record(std::int64_t id);
   /// The same without reading rows; null: not known in memory.
   const double* find_record_in_memory(std::int64_t id);
-  /// Prefetches the memory that find_record_in_memory() reads for `many` ids from `first` on. Requires: first
-  /// + many does not overflow.
+  /// Prefetches the memory that find_record_in_memory() reads for `many` ids from `first` on. Requires: none
+  /// of these ids overflows.
   void fetch_ahead(std::int64_t first, std::int64_t many);
   void place(std::span<const std::int64_t> ids, NodeNumber leaf) override;
   void forget(std::int64_t id) override { map_.set(id, MapChanges::erased); }
 
   // --- stored and dirty state
-  /// Empties the cache. Requires: nothing waits to be written.
+  /// Empties the cache. Requires: nothing has_unwritten to be written.
   void forget_all() noexcept;
-  /// Drops clean nodes and the root, so that they are read again. Requires: nothing waits to be written.
+  /// Drops clean nodes and the root, so that they are read again. Requires: nothing has_unwritten to be written.
   void forget_clean();
-  bool waits() const { return dirty_ > 0 || map_.waits() || head_.root_dirty || wrote_early_; }
+  bool has_unwritten() const {
+    return dirty_ > 0 || map_.has_unwritten() || head_.root_dirty || wrote_early_;
+  }
   /// Reports the memory in use to the share.
   void note_memory() noexcept {
     const std::size_t gone = dirty_ - dirty_held_, held = slots_.size() - std::min(gone, slots_.size());
@@ -76,9 +78,9 @@ class NodeCache final : public Pages {
   /// Writes all dirty state: nodes by number, then the map by id, then the root.
   void write(Interrupt& interrupt);
   /// The state of a dirty node: the node, or null if it is deleted. Nothing: the node is clean.
-  std::optional<std::shared_ptr<const Node>> waiting(NodeNumber number) const;
+  std::optional<std::shared_ptr<const Node>> dirty_node(NodeNumber number) const;
   /// The first dirty node between `after` and `before` (both excluded); 0: none.
-  NodeNumber next_waiting(NodeNumber after, NodeNumber before);
+  NodeNumber next_dirty(NodeNumber after, NodeNumber before);
   /// Frees every node, whether or not the tree refers to it, and voids the map.
   void erase_everything();
   /// Until write_packed_map() or cancel_change(), place() records leaves in this map of all future objects.
@@ -148,26 +150,26 @@ class NodeCache final : public Pages {
   Slot& add_slot(NodeNumber number);
   void erase_slot(NodeNumber number) noexcept;
   /// The slot of a node that is replaced as a whole: its old state is read only if a snapshot may need it.
-  Slot& overwritten(NodeNumber number);
+  Slot& slot_to_replace(NodeNumber number);
   /// Records that this transaction changes the node, so that a rollback drops it. Only the first call per
   /// transaction costs anything.
   void note_changed(NodeNumber number, Slot& slot);
   /// Call it before a node changes and before it is written. Keeps the old state for the change in progress,
   /// else for the newest mark; nothing is copied, both share the node. If it throws, nothing is lost.
-  void about_to_change(NodeNumber number, Slot& slot);
+  void keep_before_change(NodeNumber number, Slot& slot);
   void restore_record() noexcept;
   /// Marks the node as dirty or clean.
   void set_dirty(Slot& slot, bool dirty) noexcept;
   void restore_node(NodeNumber number, const NodeState& state) noexcept;
   /// Numbers of dirty nodes, ascending. Cost: after each change, a sort of the nodes changed in this
   /// transaction.
-  const std::vector<NodeNumber>& waiting_numbers();
+  const std::vector<NodeNumber>& dirty_numbers();
   /// Whether rows of deleted nodes are deleted too.
   enum class Deletions : std::uint8_t { write, defer };
   /// Writes dirty nodes, by number.
   void write_nodes(Deletions deletions);
   /// Prepares to write rows during a change.
-  void about_to_write_early();
+  void prepare_early_write();
   void hand_change_to_undo_log();
   /// Call it before a node enters memory: evicts nodes if the connection holds too many.
   void evict_if_full();
@@ -194,10 +196,10 @@ class NodeCache final : public Pages {
   UndoLog undo_;
   std::uint64_t newest_keeper_ = 1;  ///< number of the newest mark or change, from 1
   std::uint64_t transaction_ = 1;
-  std::vector<NodeNumber> changed_;  ///< in this transaction, with repetitions
-  bool dropped_changed_ = false;     ///< some of them were written and then dropped
-  std::vector<NodeNumber> waiting_;  ///< dirty nodes, ascending, unless stale
-  bool waiting_is_stale_ = false;
+  std::vector<NodeNumber> changed_;        ///< in this transaction, with repetitions
+  bool dropped_changed_ = false;           ///< some of them were written and then dropped
+  std::vector<NodeNumber> dirty_numbers_;  ///< dirty nodes, ascending, unless stale
+  bool dirty_numbers_are_stale_ = false;
 
   bool in_change_ = false, wrote_in_change_ = false;
   bool wrote_early_ = false;  ///< some nodes were written during a change, the rest is still dirty

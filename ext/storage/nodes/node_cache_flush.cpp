@@ -38,9 +38,9 @@ void NodeCache::erase_slot(NodeNumber number) noexcept {
 
 void NodeCache::write(Interrupt& interrupt) {
   write_nodes(Deletions::write);
-  if (map_.waits()) {
+  if (map_.has_unwritten()) {
     if (map_.stored_is_void()) shadow_rows_->map().erase_all();
-    std::vector<IdHashMap::Entry> changes = map_.waiting();
+    std::vector<IdHashMap::Entry> changes = map_.unwritten();
     Steps step(interrupt);
     std::sort(changes.begin(), changes.end(),
               [&](const IdHashMap::Entry& a, const IdHashMap::Entry& b) { return step(), a.id < b.id; });
@@ -56,7 +56,7 @@ void NodeCache::write(Interrupt& interrupt) {
 
 void NodeCache::write_packed_map(Interrupt& interrupt) {
   if (!packed_map_->is_complete()) other_objects();
-  about_to_write_early();
+  prepare_early_write();
   map_.void_stored();
   shadow_rows_->map().erase_all();
   packed_map_->for_each_chunk([&](std::span<const IdHashMap::Entry> chunk) {
@@ -71,13 +71,13 @@ void NodeCache::write_packed_map(Interrupt& interrupt) {
 }
 
 void NodeCache::write_nodes(Deletions deletions) {
-  const std::vector<NodeNumber> numbers = waiting_numbers();
+  const std::vector<NodeNumber> numbers = dirty_numbers();
   wrote_in_change_ |= in_change_ && !numbers.empty();
   for (const NodeNumber number : numbers) {
     Slot& slot = slots_.at(number);
     const Node* node = slot.state.node.get();
     if (!node && deletions == Deletions::defer) continue;
-    about_to_change(number, slot);
+    keep_before_change(number, slot);
     if (node)
       shadow_rows_->write_node(number, node->is_leaf() ? encode_leaf(format_, number, *node)
                                                        : encode_inner(format_, number, *node));

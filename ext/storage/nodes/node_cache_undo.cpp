@@ -99,7 +99,7 @@ void NodeCache::restore(UndoLog::Handle mark, std::size_t map_position) {
     if (!as_stored) slots_[number];
     const auto slot = slots_.find(number);
     if (slot == slots_.end()) continue;
-    if (watched) about_to_change(number, slot->second);
+    if (watched) keep_before_change(number, slot->second);
     slot->second.changed = transaction_;
     changed_.push_back(number);
     restore_node(number, state);
@@ -119,8 +119,8 @@ void NodeCache::forget_all() noexcept {
   last_block_.reset();
   filter_.reset();
   changed_.clear();
-  waiting_.clear();
-  waiting_is_stale_ = wrote_early_ = false;
+  dirty_numbers_.clear();
+  dirty_numbers_are_stale_ = wrote_early_ = false;
   dirty_ = dirty_held_ = 0;
   note_memory();
 }

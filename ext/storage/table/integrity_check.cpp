@@ -190,7 +190,7 @@ class IntegrityCheck {
     if (!shadow_rows_.read_stamp()) say("the stamp is missing");
   }
 
-  // Version 0.1 stored no count. After other faults a wrong count is no news.
+  // Version 0.1 stored no count. After other faults the count may be wrong too, so it is not checked.
   void count() {
     const std::string said = shadow_rows_.meta().read("objects");
     if (faults_.empty() && !said.empty() && said != std::to_string(count_))

@@ -3,7 +3,7 @@
 //   store.insert(42, record, auxiliaries);                // record: record_offsets(layout).size doubles
 //   store.read_all(ids, rows, interrupt);                 // all objects, for a query
 //
-// A write goes through memory; a read sees everything that waits there:
+// A write goes through memory; a read sees everything that has_unwritten there:
 //
 //   write  ─► PendingObjects ─► tree over NodeCache (nodes, MapChanges) ─► shadow rows, once per transaction
 //   read   ─► pending objects, else the cache, else the shadow rows
@@ -191,7 +191,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   /// Reads every leaf once, by ascending number, without pending objects: from memory if it is dirty, else
   /// from its row, checked. SQLITE_CORRUPT_VTAB for a damaged leaf.
   void read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
-                   const std::function<void(const Node&)>& waiting);
+                   const std::function<void(const Node&)>& dirty);
   /// Calls `use` with a sound leaf; false for a sound inner node; else throws SQLITE_CORRUPT_VTAB.
   bool read_stored_leaf(std::int64_t number, std::span<const std::byte> blob,
                         const std::function<void(const LeafView&)>& use) const;
@@ -208,7 +208,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
   void write_new_stamp();
   /// The stamp that read_version() returns: a flush, which changes no object, does not change it.
   std::int64_t shown(std::int64_t stored_stamp) const;
-  void about_to_change(std::int64_t id);
+  void log_before_change(std::int64_t id);
   [[noreturn]] void throw_missing(std::int64_t id) const;
   void remove(std::int64_t id);
   void add(std::int64_t id, std::span<const double> record);
@@ -239,7 +239,7 @@ class Store final : private MemoryHolder, public FormSource, public std::enable_
 
   // transactions (store_transactions.cpp)
   /// True if something is unwritten.
-  bool waits() const { return cache_.waits() || pending_->count() > 0 || count_.added != 0; }
+  bool has_unwritten() const { return cache_.has_unwritten() || pending_->count() > 0 || count_.added != 0; }
   void restore(const StoreSavepoint& savepoint);
   void undo_transaction() noexcept;
   void set_table_name(const std::string& table);

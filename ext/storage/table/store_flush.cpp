@@ -85,7 +85,7 @@ void Store::append_pending(std::vector<std::int64_t>& ids, std::vector<double>& 
 // If it fails half-way the rest stays unwritten; writing the same again is harmless. The new stamp comes
 // last: a connection that reads uncommitted rows (shared cache) has seen the first stamp with other rows.
 void Store::flush() {
-  if (!waits()) return;
+  if (!has_unwritten()) return;
   if (was_rolled_back()) {
     undo_transaction();
     stamped_ = false;

@@ -179,7 +179,7 @@ void Store::load_partitioned(Interrupt& interrupt) {
   const auto size = static_cast<std::size_t>(format_.at.size);
   PartitionedLoad load(*this, interrupt);
   std::size_t stored = 0, replaced = 0;
-  bool all_are_new = false;  // pending objects; known after the first pass
+  bool all_are_new = false;  // no pending object replaces a stored one; known after one pass
   const auto for_each = [&](auto use) {
     stored = 0;
     const auto use_stored = [&](std::int64_t id, const double* record) {

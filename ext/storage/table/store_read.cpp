@@ -70,9 +70,9 @@ bool Store::contains(std::int64_t id) {
 
 std::optional<std::vector<double>> Store::read(std::int64_t id) {
   const auto size = static_cast<std::size_t>(format_.at.size);
-  const double* waiting = pending_->find(id);
-  if (!waiting && writing_) waiting = nodes().find_record(id);
-  if (waiting) return std::vector<double>(waiting, waiting + size);
+  const double* found = pending_->find(id);
+  if (!found && writing_) found = nodes().find_record(id);
+  if (found) return std::vector<double>(found, found + size);
   std::vector<double> record;
   if (writing_ || !read_stored(id, record)) return std::nullopt;
   return record;
@@ -124,28 +124,28 @@ bool Store::read_stored_leaf(std::int64_t number, std::span<const std::byte> blo
 }
 
 void Store::read_leaves(Interrupt& interrupt, const std::function<void(const LeafView&)>& stored,
-                        const std::function<void(const Node&)>& waiting) {
+                        const std::function<void(const Node&)>& dirty) {
   std::int64_t done = 0;
-  const auto waiting_up_to = [&](std::int64_t end) {
-    for (std::int64_t next; (next = cache_.next_waiting(done, end)) != 0; done = next)
-      if (const auto node = *cache_.waiting(next); node && node->is_leaf()) waiting(*node);
+  const auto dirty_up_to = [&](std::int64_t end) {
+    for (std::int64_t next; (next = cache_.next_dirty(done, end)) != 0; done = next)
+      if (const auto node = *cache_.dirty_node(next); node && node->is_leaf()) dirty(*node);
     done = std::max(done, end - 1);
   };
   unsigned leaves = 0;
   shadow_rows().read_all_nodes([&](std::int64_t number, std::span<const std::byte> blob) {
     if (++leaves % 16 == 0) interrupt.check();
-    waiting_up_to(number);
-    if (!cache_.waiting(number)) read_stored_leaf(number, blob, stored);
+    dirty_up_to(number);
+    if (!cache_.dirty_node(number)) read_stored_leaf(number, blob, stored);
   });
-  waiting_up_to(no_number);
+  dirty_up_to(no_number);
 }
 
 void Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, Interrupt& interrupt) {
   merge_pending();
   ids.clear();
   rows.clear();
-  const bool waits = cache_.waits();
-  const auto expected = waits ? 0 : static_cast<std::size_t>(this->shadow_rows().map().count_ids());
+  const bool has_unwritten = cache_.has_unwritten();
+  const auto expected = has_unwritten ? 0 : static_cast<std::size_t>(this->shadow_rows().map().count_ids());
   const auto row_size = static_cast<std::size_t>(row_offsets(format_.layout).size);
   const auto record_size = static_cast<std::size_t>(format_.at.size);
   const bool rows_are_records = format_.layout.law != Law::forced;
@@ -170,7 +170,7 @@ void Store::read_all(std::vector<std::int64_t>& ids, std::vector<double>& rows, 
 
 void Store::expect_objects(std::size_t found) {
   count_.note_all(found);
-  if (cache_.waits()) return;
+  if (cache_.has_unwritten()) return;
   const auto mapped = static_cast<std::size_t>(shadow_rows().map().count_ids());
   if (found != mapped)
     damaged("the leaves hold " + std::to_string(found) + " objects, the map " + std::to_string(mapped));
@@ -187,13 +187,13 @@ std::int64_t Store::next_leaf(std::int64_t after, std::vector<std::int64_t>& ids
     bool is_leaf = false;
     shadow_rows().read_node_after(after, [&](std::int64_t stored, std::span<const std::byte> blob) {
       number = stored;
-      if (cache_.next_waiting(after, stored) == 0 && !cache_.waiting(stored))
+      if (cache_.next_dirty(after, stored) == 0 && !cache_.dirty_node(stored))
         is_leaf =
             read_stored_leaf(stored, blob, [&](const LeafView& leaf) { append(leaf, size, ids, records); });
     });
-    if (const std::int64_t waiting = cache_.next_waiting(after, number)) number = waiting;
+    if (const std::int64_t dirty = cache_.next_dirty(after, number)) number = dirty;
     if (number == no_number) return 0;
-    if (const auto node = cache_.waiting(number); node && *node && (*node)->is_leaf()) {
+    if (const auto node = cache_.dirty_node(number); node && *node && (*node)->is_leaf()) {
       append(**node, size, ids, records);
       is_leaf = true;
     }

@@ -78,7 +78,7 @@ struct StoreSavepoint {
   std::uint64_t undo_position;
   std::optional<std::int64_t> own_stamp;
   std::string table;
-  bool waits;  ///< it has unwritten changes
+  bool has_unwritten;  ///< it has unwritten changes
 };
 
 /// Two stamps of the same contents.

@@ -115,7 +115,7 @@ void Store::begin() {
 void Store::sync() {
   if (gone_) return;
   shadow_rows();
-  if (synced_position_ == undo_position_ && !(waits() && was_rolled_back())) return;
+  if (synced_position_ == undo_position_ && !(has_unwritten() && was_rolled_back())) return;
   flush();
   synced_position_ = undo_position_;
 }
@@ -198,7 +198,7 @@ void Store::savepoint(int level) {
   std::string table = name_.table;
   savepoints_.push_back({level, cache_.set_mark(false), cache_.map_position(), pending_, pending_->position(),
                          object_changes_.position(), largest_, count_, undo_position_, own_stamp_,
-                         std::move(table), waits() || object_changes_.count() > 0});
+                         std::move(table), has_unwritten() || object_changes_.count() > 0});
 }
 
 void Store::give_up_savepoints(std::size_t from) noexcept {
@@ -285,7 +285,7 @@ void Store::set_table_name(const std::string& table) {
 // there. The newest mark belongs to the DROP itself.
 void Store::drop() {
   for (std::size_t i = 0; i + 1 < savepoints_.size(); ++i)
-    if (savepoints_[i].waits)
+    if (savepoints_[i].has_unwritten)
       throw StoreError(SQLITE_LOCKED,
                        name_.table +
                            " has changes from before an open savepoint: RELEASE it, or COMMIT, "

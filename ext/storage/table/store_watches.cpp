@@ -43,7 +43,7 @@ void Store::remove_watch(const std::string& name) {
 }
 
 std::optional<std::int64_t> Store::settled_stamp() {
-  if (waits()) return std::nullopt;
+  if (has_unwritten()) return std::nullopt;
   return shadow_rows().read_stamp();
 }
 

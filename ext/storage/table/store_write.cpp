@@ -39,7 +39,7 @@ void Store::write_new_stamp() {
 
 const LargestId& Store::read_largest() {
   // Unknown: no object was added in this transaction.
-  if (!largest_.known) largest_ = {true, !cache_.waits(), shadow_rows().map().read_largest_id()};
+  if (!largest_.known) largest_ = {true, !cache_.has_unwritten(), shadow_rows().map().read_largest_id()};
   return largest_;
 }
 
@@ -74,7 +74,7 @@ void Store::keep_changes(bool wanted) {
   if (wanted || !in_transaction_) keeps_changes_ = wanted;
 }
 
-void Store::about_to_change(std::int64_t id) {
+void Store::log_before_change(std::int64_t id) {
   if (!keeps_changes_ || object_changes_.knows(id)) return;
   const std::optional<std::vector<double>> before = read(id);
   object_changes_.add(id, before ? std::span<const double>(*before) : std::span<const double>());
@@ -126,8 +126,8 @@ void Store::update(std::int64_t id, std::int64_t new_id, std::span<const double>
   start_change(record);
   AtomicChange atomic_change(*this);
   with_sound_tree([&] {
-    about_to_change(id);
-    about_to_change(new_id);
+    log_before_change(id);
+    log_before_change(new_id);
     if (new_id != id) {
       if (contains(new_id)) remove(new_id);
       remove(id);
@@ -147,7 +147,7 @@ void Store::erase(std::int64_t id) {
   start_change({});
   AtomicChange atomic_change(*this);
   with_sound_tree([&] {
-    about_to_change(id);
+    log_before_change(id);
     remove(id);
   });
   if (has_auxiliaries()) shadow_rows().erase_auxiliaries(id);

@@ -99,7 +99,7 @@ class MetaValues {
   std::map<std::string, MetaValue, std::less<>> values_;
 };
 
-// Format 2 has rows that are not due, which readers of format 1 would never read again. Those readers do not
+// Format 2 has rows that are not due, which readers of format 1 would never examine. Those readers do not
 // check `format`, but report a file without "early" as damaged: so format 2 has it under another name.
 constexpr std::int64_t newest_format = 2;
 
@@ -121,8 +121,8 @@ void read_declaration(const MetaValues& values, WatchDeclaration& declared) {
   if (declared.ahead && declared.manual) values.refuse("ahead");
 }
 
-/// Checks `now` against the last extension of the result. known_to is the largest double below clock +
-/// (horizon + further); since then the clock has advanced, within known_to. Rounding is monotone, so the
+/// Checks `now` against `known_to`: a search sets it to the largest double below clock + (horizon + further).
+/// Since then the clock has advanced, at most until clock + horizon reaches it. Rounding is monotone, so the
 /// check is exact.
 template <class HasPairs>
 void require_clock_in_range(const MetaValues& values, const WatchState& state, HasPairs has_pairs) {
