@@ -8,9 +8,9 @@
 //   leaf (level 0):    ids[leaf_capacity] from byte 16, ascending; then records[leaf_capacity]
 //   inner (level > 0): epoch at byte 16; entries[inner_capacity] from byte 24
 //
-// Little-endian; every number of 8 bytes is aligned to 8. The checksum is the CRC-32C of all bytes before it,
-// followed by the node number: so a node that is stored under another number is detected too.
-// docs/storage_format.md has the details.
+// Little-endian; every number of 8 bytes is aligned to 8. The checksum is the CRC-32C of the bytes before it
+// and the node number, so a node that is stored under another number is detected too. docs/storage_format.md
+// has the details.
 #pragma once
 
 #include <bit>
@@ -43,7 +43,7 @@ struct NodeFormat {
   /// Requires: `node_size_for` returned this node_size for some page size.
   NodeFormat(const Layout& layout, std::size_t node_size);
 
-  /// Size in bytes of a table's node blobs. A blob fits into one page, unless it then held fewer than
+  /// Size in bytes of a table's node blobs. A blob fits into one page, unless it would then hold fewer than
   /// `min_capacity` entries.
   static std::size_t node_size_for(const Layout& layout, std::size_t page_size);
 

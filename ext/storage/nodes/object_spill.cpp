@@ -60,7 +60,7 @@ void ObjectSpill::in_file(Body body) {
   } catch (const StoreError& error) {
     throw StoreError(
         error.code,
-        table_ + ": the temporary file for a reload (in the directory of SQLITE_TMPDIR): " + error.what());
+        table_ + ": a temporary file for a reload (in the directory of SQLITE_TMPDIR): " + error.what());
   }
 }
 

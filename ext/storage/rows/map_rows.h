@@ -1,7 +1,7 @@
 // Stored id map: the leaf of every object, in <name>_map(id INTEGER PRIMARY KEY, leaf).
 //
 //   MapRows map(tables);
-//   map.write(changes);                        // ids ascending; leaf 0: the id goes
+//   map.write(changes);                        // ids ascending; leaf 0 deletes the id
 //   map.find(42).leaf_of(42) == 7
 //
 // A row is a block: a blob with the leaves of 64 consecutive ids (format/id_block.h), stored under the first

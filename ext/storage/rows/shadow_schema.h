@@ -42,7 +42,7 @@ NodeFormat create_shadow_tables(sqlite3* db, const QualifiedName& name, const De
 NodeFormat read_node_format(const ShadowTables& tables, MetaRows& meta, const Declaration& declaration);
 
 /// The stored number of objects; nothing if it is missing or out of range. It may be wrong in a damaged file:
-/// only the query planner uses it.
+/// only the query planner uses it, and the commit that updates it.
 std::optional<std::int64_t> read_object_count(MetaRows& meta);
 
 /// Throws StoreError if an existing table was written with a feature that this version of foresee does not
