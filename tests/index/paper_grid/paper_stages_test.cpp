@@ -35,11 +35,11 @@ struct TwoBoxes {
   }
   bool times_may_overlap(double h) const {
     const auto t = of(h);
-    return times_may_overlap<2>(t[0], t[1]);
+    return foresee::times_may_overlap<2>(t[0], t[1]);
   }
   bool regions_may_meet(double h) const {
     const auto t = of(h);
-    return regions_may_meet<2>(t[0], t[1]);
+    return foresee::regions_may_meet<2>(t[0], t[1]);
   }
   PaperStages& staged(double h) {
     stages = make_paper_stages<2>(bodies(), bodies(), false, {0, h}, Vec<2>::Zero(), never);

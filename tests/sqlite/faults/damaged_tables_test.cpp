@@ -4,7 +4,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "database.h"
+#include "sqlite/database.h"
 
 namespace foresee::testing {
 namespace {

@@ -2,7 +2,7 @@
 // or the right rows; never a crash, a hang or a wrong row.
 #include <vector>
 
-#include "database.h"
+#include "sqlite/database.h"
 #include "sanitized.h"
 #include "scenes.h"
 

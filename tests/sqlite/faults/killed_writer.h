@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "database.h"
+#include "sqlite/database.h"
 #include "scenes.h"
 
 namespace foresee::testing {

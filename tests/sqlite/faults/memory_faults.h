@@ -9,7 +9,7 @@
 
 #include <cstddef>
 
-#include "database.h"
+#include "sqlite/database.h"
 
 namespace foresee::testing {
 
