@@ -11,7 +11,7 @@
 #include <cstdio>
 #include <random>
 
-#include "contact/mesh_contact.h"
+#include "contact/contact_factories.h"
 #include "fcl_rival.h"
 #include "motion/swept_box.h"
 #include "pair_costs.h"

@@ -8,7 +8,7 @@
 // come within 50 m, without a rival. The pairs are candidates: their swept boxes meet. pair_costs.h says what
 // is printed. The textbook's "all corners" asks each also where outlines touch at the beginning, as whoever
 // wants to know the end must.
-#include "contact/outline_contact.h"
+#include "contact/contact_factories.h"
 #include "outline_steps.h"
 #include "pair_costs.h"
 #include "plain_outline.h"

@@ -32,7 +32,7 @@ class Stages {
 
   void count(std::size_t i, StageShares& shares) {
     const PairLifetime lifetime = pair_lifetime_of(setup_, a(i), b(i));
-    Advancement<3, 2> advancement(set_, setup_, a(i), b(i), lifetime, {0, for_ever}, certain_scratch_);
+    Advancement<3, 2> advancement(set_, setup_, a(i), b(i), lifetime, {0, unbounded}, certain_scratch_);
     const Chord<3> chord(advancement.certain().relative(), lifetime.dt_end);
     const Interval<double> near =
         chord.between(set_.hull().data(), static_cast<int>(set_.hull().size()), certain_scratch_.lengths,

@@ -4,19 +4,20 @@
 
 #include "contact/certain/certain_slope.h"
 #include "contact/certain/crossing.h"
-#include "contact/exact/exact_approach.h"
+#include "contact/exact/exact_contact.h"
 
 namespace foresee {
 namespace {
 
-/// What DoubleDouble loses, as a share of a bound on what double loses; it counts at least 4 u of every term.
+/// The error of DoubleDouble as a share of the error bound of double, which counts at least 4 u of every
+/// term.
 constexpr double fine = 0x1p-45;
 constexpr double fine_roundoff = 0x1p-97;
 
-/// A squared distance and the moment to report for it.
+/// A squared distance and its time, as reported.
 struct Nearness {
   DoubleDouble square;
-  double error = 0;  ///< bound on what square can be off
+  double error = 0;  ///< bound on the error of square
   Instant instant{};
 
   bool certainly_below(const Nearness& other) const {
@@ -24,7 +25,7 @@ struct Nearness {
   }
 };
 
-/// The square root if all numbers within the error have the same one, rounded.
+/// The rounded square root, if it is the same for all numbers within the error.
 std::optional<double> rounded_square_root(const Nearness& n) {
   const double square = n.square.high;
   if (!(0x1p-900 < square && square < 0x1p900 && n.error < 0x1p-10 * square)) return {};
@@ -36,7 +37,7 @@ std::optional<double> rounded_square_root(const Nearness& n) {
   return low;
 }
 
-/// The answer as far as double and DoubleDouble can vouch for it.
+/// The closest approach in double and DoubleDouble, if error bounds certify it.
 template <int D>
 class CertainApproach {
  public:
@@ -52,7 +53,7 @@ class CertainApproach {
   }
 
   std::optional<ClosestApproach> answer() {
-    std::optional<Nearness> nearest = still_ ? at_start() : least();
+    std::optional<Nearness> nearest = still_ ? at_start() : minimum();
     if (!nearest) return {};
     const std::optional<double> distance = rounded_square_root(*nearest);
     if (!distance) return {};
@@ -60,7 +61,7 @@ class CertainApproach {
   }
 
  private:
-  /// Exactly: no relative motion.
+  /// Whether there is exactly no relative motion.
   bool keeps_its_place(const double* row_a, const double* row_b) const {
     const bool same_time = value_or(row_a, setup_.a.at.t, 0) == value_or(row_b, setup_.b.at.t, 0);
     for (int j = 0; j < D; ++j) {
@@ -70,8 +71,8 @@ class CertainApproach {
     return true;
   }
 
-  /// In order of time there are a minimum, or two, or none in doubt.
-  std::optional<Nearness> least() {
+  /// The smaller of one or two local minima; no value if it is undecided.
+  std::optional<Nearness> minimum() {
     const double low = lifetime_.start_exact ? begin_.high : begin_.high * (1 - 2 * unit_roundoff);
     const double high = lifetime_.end_exact ? end_.high : end_.high * (1 + 2 * unit_roundoff);
     const Slope at_low = slope_at(low), at_high = slope_at(high);
@@ -85,7 +86,7 @@ class CertainApproach {
     return best;
   }
 
-  /// False if the later of the two is unknown, or neither is certainly nearer.
+  /// Keeps the nearer one in `best`. False if `later` is unknown, or neither is certainly nearer.
   static bool keep_nearer(std::optional<Nearness>& best, const std::optional<Nearness>& later) {
     if (!later) return false;
     if (best && best->certainly_below(*later)) return true;
@@ -100,7 +101,7 @@ class CertainApproach {
     return slope_of(view);
   }
 
-  /// All rising roots of the slope, in order; false if they cannot be told apart.
+  /// Isolates all minima, the rising roots of the slope, in order; false if that fails.
   bool find_valleys(double low, const Slope& at_low, double high, const Slope& at_high, int& budget) {
     const double length = high - low;
     switch (slope_sign_between(at_low, at_high, length)) {
@@ -120,7 +121,7 @@ class CertainApproach {
            find_valleys(middle, at_middle, high, at_high, budget);
   }
 
-  /// Near the root: Newton's steps, kept between the ends by bisection. Nothing rests on how near.
+  /// An approximate root: Newton's steps, kept in the interval by bisection. Its error affects no guarantee.
   double rough_root(const FallingInterval& valley) const {
     double low = valley.begin, high = valley.end, tau = low + 0.5 * (high - low);
     for (int i = 0; i < 60; ++i) {
@@ -142,10 +143,10 @@ class CertainApproach {
     return tau;
   }
 
-  /// The minimum in a valley, or the end of the moments asked about if it lies beyond.
+  /// The minimum in a valley, or at the end of the lifetime if the valley's minimum is beyond it.
   ///
-  /// With g the slope and s its growth at tau, the root is tau - g / s, the least square |x|^2 - g^2 / s, up
-  /// to the share by which s changes on the way.
+  /// With g the slope and s its derivative at tau, the root is tau - g / s and the minimum of the square is
+  /// |x|^2 - g^2 / s, up to the relative change of s between tau and the root.
   std::optional<Nearness> bottom(const FallingInterval& valley) const {
     const double tau = rough_root(valley);
     const Spot spot = spot_at({tau, 0});
@@ -170,7 +171,7 @@ class CertainApproach {
     return nearness;
   }
 
-  /// Where a moment known within `radius` lies: -1 before the begin, 1 after the end, 0 between, 2 in doubt.
+  /// The place of a time with error `radius`: -1 before the start, 1 after the end, 0 between, 2 undecided.
   int side_of(const DoubleDouble& tau, double radius) const {
     const double after_start = (tau - begin_).high, before_end = (end_ - tau).high;
     const double doubt = 2 * radius;
@@ -187,7 +188,7 @@ class CertainApproach {
     return Nearness{spot.square, spot.square_error, {lifetime_.dt_end, lifetime_.t_end}};
   }
 
-  /// Squared distance and slope at a moment in DoubleDouble, the slope's growth in double.
+  /// Squared distance and slope at a time in DoubleDouble; the derivative of the slope in double.
   struct Spot {
     DoubleDouble square, slope;
     double square_error = 0, slope_error = 0;

@@ -1,6 +1,7 @@
+// Contact of one contact set for all pairs: explicit instantiations, compiled alone because they take long.
 #include "contact/set_contact.h"
 
-#include "contact/typed_contact.h"
+#include "contact/contact_factories.h"
 
 namespace foresee {
 
@@ -9,18 +10,10 @@ std::unique_ptr<Contact> make_set_contact(const Setup& setup, ContactSet set, in
   return make_typed<SetContact>(setup.a.layout.axes, highest, setup, std::move(set));
 }
 
-// Contact over one axis: a file of its own, as it takes long to compile.
-
 template class SetContact<1, 1>;
 template class SetContact<1, 2>;
-
-// Contact over two axes: a file of its own, as it takes long to compile.
-
 template class SetContact<2, 1>;
 template class SetContact<2, 2>;
-
-// Contact over three axes: a file of its own, as it takes long to compile.
-
 template class SetContact<3, 1>;
 template class SetContact<3, 2>;
 

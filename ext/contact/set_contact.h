@@ -1,6 +1,8 @@
-// Contact of pairs by their contact set, each stage asked in turn: some pairs at once, which lets most go;
-// then one after another, doubles with error bounds, DoubleDouble for the times, exact numbers for what those
-// leave open.
+// Contact of pairs by one contact set for all of them (contact_set.h), in stages of increasing cost.
+//
+// First the lanes (set_lanes.h) discard most pairs, several at a time. The others are decided one by one:
+// doubles with error bounds, DoubleDouble for the times, and exact numbers for pairs that these leave
+// undecided.
 #pragma once
 
 #include "base/float_environment.h"
@@ -11,7 +13,8 @@
 
 namespace foresee {
 
-/// D: the axes. Degree: 1 or 2, the highest power of time in the relative motion and in the set's sizes.
+/// D: the number of axes. Degree: 1 or 2, the highest power of time in the relative motion and in the sizes
+/// of the set.
 template <int D, int Degree>
 class SetContact : public Contact {
  public:
@@ -59,8 +62,8 @@ class SetContact : public Contact {
   }
 
  protected:
-  /// Asks for the rows of a later pair: neighbours in space are seldom neighbours in memory, and waiting for
-  /// memory would be a quarter of a decision.
+  /// Prefetches the rows of a later pair: neighbours in space are seldom neighbours in memory, and memory
+  /// latency would be a quarter of the cost of a decision.
   void fetch_ahead(std::span<const Pair> pairs, std::size_t i) const {
     constexpr std::size_t ahead = 16, doubles_per_line = 8;
     if (i + ahead >= pairs.size()) return;
@@ -72,7 +75,7 @@ class SetContact : public Contact {
     __builtin_prefetch(row_b + doubles_per_line);
   }
 
-  /// Whether the pair touches, exactly. `near`: only then can it, if at all.
+  /// Whether the pair touches, exactly. `near`: it can touch at no other times.
   [[gnu::noinline]] bool touches(const double* row_a, const double* row_b,
                                  const Interval<double>& near = any_time) {
     const PairLifetime lifetime = pair_lifetime_of(setup_, row_a, row_b);
@@ -82,7 +85,7 @@ class SetContact : public Contact {
     return exactly<bool>(row_a, row_b, exact_touches);
   }
 
-  /// Whether and when the pair touches: the exact moments, each rounded once. `near`: as for touches().
+  /// Whether and when the pair touches: the exact times, each rounded once. `near`: as for touches().
   [[gnu::noinline]] bool first_contact(const double* row_a, const double* row_b, const Interval<double>& near,
                                        TimesWanted wanted, ContactTimes& found) {
     const PairLifetime lifetime = pair_lifetime_of(setup_, row_a, row_b);
@@ -104,7 +107,7 @@ class SetContact : public Contact {
     return end_of_contact(advancement, from, lifetime, row_a, row_b);
   }
 
-  /// The end of the contact that certainly is at `from`, or unknown.
+  /// The same, with an Advancement of the pair.
   Instant end_of_contact(Advancement<D, Degree>& advancement, double from, const PairLifetime& lifetime,
                          const double* row_a, const double* row_b) {
     Bracket last;
@@ -116,7 +119,7 @@ class SetContact : public Contact {
                : earlier(crossing<CrossingDirection::leaving>(advancement, last, row_a, row_b), end);
   }
 
-  static constexpr Interval<double> any_time{0, for_ever};
+  static constexpr Interval<double> any_time{0, unbounded};
   const Setup setup_;
 
  private:
@@ -127,8 +130,8 @@ class SetContact : public Contact {
 
   Interval<double> near(int l) const { return {set_lanes_.begin[l], set_lanes_.end[l]}; }
 
-  /// Visits the pairs that are not certainly apart, in order, each with its lane: near(l) is when it could
-  /// touch, and where that is wanted lanes_.touches[l] whether it certainly does.
+  /// Visits the pairs that are not certainly apart, in order, each with its lane l. near(l) is when the pair
+  /// can touch. If touches_wanted, set_lanes_.touches[l] says whether it certainly touches.
   template <class Visit>
   void in_set_lanes(std::span<const Pair> pairs, bool touches_wanted, Visit&& visit) {
     constexpr std::size_t width = SetLanes::width;
@@ -146,8 +149,7 @@ class SetContact : public Contact {
     }
   }
 
-  /// What double and DoubleDouble can vouch for: whether the two touch and, where known, since and until
-  /// when.
+  /// The answer of double and DoubleDouble: whether the two touch and, where known, from when until when.
   Verdict filtered_contact(const double* row_a, const double* row_b, const PairLifetime& lifetime,
                            const Interval<double>& near, TimesWanted wanted, Instant& begin, Instant& end) {
     auto advancement = this->advancement(row_a, row_b, lifetime, near);
@@ -162,7 +164,7 @@ class SetContact : public Contact {
     return meets;
   }
 
-  /// The moment in the bracket at which the set begins or ceases to be met, rounded once, or unknown.
+  /// The time in the bracket at which the pair enters or leaves the set, rounded once, or unknown.
   template <CrossingDirection direction>
   Instant crossing(Advancement<D, Degree>& advancement, const Bracket& bracket, const double* row_a,
                    const double* row_b) {
@@ -172,7 +174,7 @@ class SetContact : public Contact {
         .instant();
   }
 
-  /// The exact stages' answer: they always have one.
+  /// The answer of the exact stage, which always has one.
   template <class Answer>
   [[gnu::noinline]] Answer exactly(const double* row_a, const double* row_b,
                                    Answer (*decide)(PiecePolynomials&, const ExactLifetime&)) const {

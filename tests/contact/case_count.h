@@ -1,5 +1,5 @@
-// How many cases a test looks at: as many as it asks for; FORESEE_LONG=1 makes them 50 times as many, and
-// under sanitizers, which make the judges twenty times slower, they are a twentieth.
+// The number of cases that a test draws: the number it requests, 50 times as many with FORESEE_LONG=1, and a
+// twentieth under sanitizers, which make the oracles twenty times slower.
 #pragma once
 
 #include <cstdlib>

@@ -85,7 +85,7 @@ std::span<const Family> hostile_families() {
 oracle::Rule rule_of(const Object& a, const Object& b, const ContactQuestion& question) {
   const auto is_box = [](const Object& o) { return o.layout.shape == Shape::box; };
   const auto is_round = [](const Object& o) { return o.layout.shape != Shape::box; };
-  // Of those of some kind: sizes at their t, and growth from then on.
+  // For shapes of the kind: sizes at their t, and growth from then on.
   auto both = [&](auto of_kind, auto size, int axis) {
     oracle::Coefficients sum(2);
     for (const Object* o : {&a, &b}) {

@@ -7,17 +7,17 @@
 namespace foresee::oracle {
 namespace {
 
-/// Contact in a stretch of time: the polynomial of a region, <= 0; or the answer is known.
+/// Contact in an interval of time: the polynomial of a region, <= 0; or a known answer.
 constexpr int always = -1, never = -2;
 
-/// The signs of the borders at a moment, two for each axis: of x + half, of x - half.
+/// The signs of the borders at a time, two per axis: of x + half, of x - half.
 using Signs = std::vector<int>;
 
 class Regions {
  public:
   explicit Regions(const Rule& rule) : rule_(rule), is_round_(rule.axes.size()) {
     for (int j : rule.round) is_round_[j] = true;
-    // Around a point there is only one region.
+    // Around a point there is one region only.
     around_a_point_ =
         std::all_of(rule.round.begin(), rule.round.end(), [&](int j) { return is_zero(rule.half[j]); });
     for (std::size_t j = 0; j < rule.axes.size(); ++j)
@@ -30,7 +30,7 @@ class Regions {
 
   const std::vector<Sturm>& borders() const { return borders_; }
 
-  /// Which region's polynomial tells: a digit for every round axis, 0 inside, 1 below, 2 above.
+  /// The region whose polynomial decides: a digit for every round axis, 0 inside, 1 below, 2 above.
   int region(const Signs& signs) const {
     for (std::size_t j = 0; j < is_round_.size(); ++j)
       if (!is_round_[j] && (signs[2 * j] < 0 || signs[2 * j + 1] > 0)) return never;
@@ -78,29 +78,29 @@ class Regions {
   std::map<int, Sturm> excesses_;
 };
 
-/// A moment at which some borders are crossed.
+/// A time at which some borders are crossed.
 struct Crossing {
   TimePoint time;
   std::vector<int> zero_here;  ///< which borders vanish
 };
 
-/// An end of the first contact: an end of what was asked, or a moment.
+/// An end of the first contact: an end of the queried interval, or a root.
 struct Found {
   enum { nothing, at_start, at_end, at_time } where = nothing;
   std::optional<TimePoint> time = {};
 };
 
-/// Walks through time and keeps the first contact.
+/// Visits the intervals in order of time and keeps the first contact.
 class Walk {
  public:
-  Walk(const Rule& rule, const ExactInterval& queried) : queried_(queried), regions_(rule) {
+  Walk(const Rule& rule, const QueriedInterval& queried) : queried_(queried), regions_(rule) {
     std::size_t border = 0;
     for (const Sturm& sturm : regions_.borders()) {
       for (TimePoint& time : times_between(sturm, queried.begin, queried.end))
         add(time, static_cast<int>(border));
       ++border;
     }
-    // Later narrowing keeps moments apart that were told apart before.
+    // Later bisection keeps separate times separate.
     std::sort(crossings_.begin(), crossings_.end(),
               [](const Crossing& a, const Crossing& b) { return a.time.low < b.time.low; });
     go();
@@ -138,7 +138,7 @@ class Walk {
     if (!over_) point({Found::at_end}, holds_at(queried_.end));
   }
 
-  /// From one crossing (or the begin) to the next (or the end), both left out.
+  /// From one crossing (or the start) to the next (or the end), both exclusive.
   void stretch(Crossing* from, Crossing* to) {
     stretch_sample_ = sample_before(to ? &to->time : nullptr);
     const int region = regions_.region(signs_at(stretch_sample_));
@@ -149,14 +149,14 @@ class Walk {
     for (TimePoint& root : roots) {
       gap(sign_at(excess.polynomial(), sample_before(&root)) <= 0);
       if (over_) return;
-      if (root.compare(queried_.end) == 0) return;  // seen as the end
+      if (root.compare(queried_.end) == 0) return;  // counts as the end
       point({Found::at_time, root}, true);
       pass(root);
     }
     gap(sign_at(excess.polynomial(), sample_before(to ? &to->time : nullptr)) <= 0);
   }
 
-  /// Narrows the crossings until every root is within or not.
+  /// Bisects the crossings until every root is certainly inside or outside.
   std::vector<TimePoint> roots_within(const Sturm& p, Crossing* from, Crossing* to) {
     const Exact low = from ? from->time.low : reached_, high = to ? to->time.high : queried_.end;
     std::vector<TimePoint> roots;
@@ -168,7 +168,7 @@ class Walk {
     return roots;
   }
 
-  /// A number after all that has been passed and before the moment (or the end).
+  /// A number after all that has been visited and before the next crossing (or the end).
   Exact sample_before(TimePoint* time) {
     if (!time) return middle(reached_, queried_.end);
     while (!(time->low > reached_)) time->halve();
@@ -201,7 +201,7 @@ class Walk {
     last = where;
   }
 
-  const ExactInterval& queried_;
+  const QueriedInterval& queried_;
   Regions regions_;
   std::vector<Crossing> crossings_;
   Exact reached_, stretch_sample_;
@@ -223,10 +223,10 @@ Coefficients relative_axis(const testing_by_hand::Object& a, const testing_by_ha
   return pb;
 }
 
-ExactInterval queried_interval(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
-                               const Horizon& horizon) {
+QueriedInterval queried_interval(const testing_by_hand::Object& a, const testing_by_hand::Object& b,
+                                 const Horizon& horizon) {
   const Exact now(horizon.now);
-  ExactInterval queried{0.0, horizon.h};
+  QueriedInterval queried{0.0, horizon.h};
   for (const auto* o : {&a, &b}) {
     queried.begin = std::max(queried.begin, Exact(o->layout.has_t ? o->t : 0) - now);
     if (o->layout.has_until && o->until != std::numeric_limits<double>::infinity())
@@ -237,7 +237,7 @@ ExactInterval queried_interval(const testing_by_hand::Object& a, const testing_b
 
 std::string judge(const Rule& rule, const testing_by_hand::Object& a, const testing_by_hand::Object& b,
                   const Horizon& horizon, const std::optional<ContactTimes>& answer) {
-  const ExactInterval queried = queried_interval(a, b, horizon);
+  const QueriedInterval queried = queried_interval(a, b, horizon);
   if (queried.begin > queried.end) return answer ? "a contact of objects that never exist together" : "";
   const Walk walk(rule, queried);
   if (walk.first.where == Found::nothing) return answer ? "an invented contact" : "";

@@ -1,4 +1,4 @@
-// Two objects by hand, and the answer of the contact room about them.
+// Two objects with given numbers, and the answers of contact about them.
 #pragma once
 
 #include <optional>
@@ -46,10 +46,10 @@ inline Object object(int axes, Shape shape) {
   return o;
 }
 
-/// Of the only pair. Throws if not all ways of asking agree.
+/// The answer for the only pair. Throws if decide() and first_contacts() do not agree.
 inline std::optional<ContactTimes> answer_of(Contact& contact) {
   const auto require = [](bool agrees, const char* what) {
-    if (!agrees) throw std::logic_error(std::string("two ways of asking contact do not agree: ") + what);
+    if (!agrees) throw std::logic_error(std::string("two functions of Contact do not agree: ") + what);
   };
   const Pair pair{0, 0};
   std::vector<Pair> hits, decided;
@@ -60,9 +60,9 @@ inline std::optional<ContactTimes> answer_of(Contact& contact) {
   require(hits == decided, "with times, and whether");
   decided.clear();
   contact.first_contacts({&pair, 1}, TimesWanted::starts, decided, starts);
-  require(hits == decided, "with both times, and with begins");
+  require(hits == decided, "with both times, and with starts");
   if (hits.empty()) return std::nullopt;
-  require(times[0].t == starts[0].t && times[0].dt == starts[0].dt, "begins");
+  require(times[0].t == starts[0].t && times[0].dt == starts[0].dt, "starts");
   return times[0];
 }
 

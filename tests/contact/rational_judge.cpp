@@ -7,11 +7,11 @@
 namespace foresee::oracle {
 namespace {
 
-bool starts_before(const SlopeSign& s, const SlopeSign& t) {
+bool starts_before(const RationalInterval& s, const RationalInterval& t) {
   return s.begin < t.begin;
 }
 
-/// A little more than half an ulp before or after, where another double would be the nearest.
+/// A little more than half an ulp before or after, where another double is the nearest.
 Rational beside(double time, int side) {
   const double next = std::nextafter(time, side * HUGE_VAL);
   return Rational(time) + (Rational(next) - Rational(time)) * Rational(513, 1024);
@@ -19,7 +19,8 @@ Rational beside(double time, int side) {
 
 using Touch = std::function<bool(const Rational&)>;
 
-/// Two contacts may be less than an ulp apart: the first ends at a double beside which the second holds.
+/// Two contacts may be less than an ulp apart: then the second holds beside the double at which the first
+/// ends.
 bool ends_within_half_an_ulp(const Touch& touch, double end) {
   const Rational half_an_ulp = beside(end, 1) - Rational(end);
   for (int i = -64; i < 64; ++i)
@@ -29,20 +30,21 @@ bool ends_within_half_an_ulp(const Touch& touch, double end) {
 
 }  // namespace
 
-std::optional<SlopeSign> first_of(std::vector<SlopeSign> contacts) {
+std::optional<RationalInterval> first_of(std::vector<RationalInterval> contacts) {
   if (contacts.empty()) return {};
   std::sort(contacts.begin(), contacts.end(), starts_before);
-  SlopeSign first = contacts[0];
-  for (const SlopeSign& s : contacts)
+  RationalInterval first = contacts[0];
+  for (const RationalInterval& s : contacts)
     if (s.begin <= first.end && first.end < s.end) first.end = s.end;
   return first;
 }
 
-std::vector<SlopeSign> gaps_between(std::vector<SlopeSign> contacts, const SlopeSign& queried) {
+std::vector<RationalInterval> gaps_between(std::vector<RationalInterval> contacts,
+                                           const RationalInterval& queried) {
   std::sort(contacts.begin(), contacts.end(), starts_before);
-  std::vector<SlopeSign> gaps;
+  std::vector<RationalInterval> gaps;
   Rational reached = queried.begin;
-  for (const SlopeSign& s : contacts) {
+  for (const RationalInterval& s : contacts) {
     if (reached < s.begin) gaps.push_back({reached, s.begin});
     reached = std::max(reached, s.end);
   }
@@ -59,9 +61,9 @@ bool is_rounded(double value, const Rational& exact) {
   return even ? low <= exact && exact <= high : low < exact && exact < high;
 }
 
-SlopeSign Encounter::queried() const {
+RationalInterval Encounter::queried() const {
   const Rational now(question.horizon.now);
-  SlopeSign queried{0, Rational(question.horizon.h)};
+  RationalInterval queried{0, Rational(question.horizon.h)};
   for (const auto* o : {&a, &b}) {
     queried.begin = std::max<Rational>(queried.begin, Rational(o->t) - now);
     if (std::isfinite(o->until)) queried.end = std::min<Rational>(queried.end, Rational(o->until) - now);
@@ -91,7 +93,7 @@ Rational Encounter::radius(const Rational& time) const {
   return radius;
 }
 
-std::string compared(const std::optional<SlopeSign>& exact, const std::optional<ContactTimes>& answer,
+std::string compared(const std::optional<RationalInterval>& exact, const std::optional<ContactTimes>& answer,
                      double now) {
   if (exact.has_value() != answer.has_value()) return exact ? "missed" : "invented";
   if (!exact) return {};
@@ -107,14 +109,14 @@ std::string judged_by_times(const std::function<bool(const Rational&)>& touch, d
   const double begin = answer ? answer->dt : 2 * h, end = answer ? answer->dt_end : 2 * h;
   for (int i = 0; i <= 16; ++i) {
     const double time = h * i / 16;
-    if (time < begin && touch(time)) return answer ? "begins earlier" : "missed";
+    if (time < begin && touch(time)) return answer ? "starts earlier" : "missed";
     if (begin < time && time < end && !touch(time)) return "ends earlier";
   }
   if (!answer) return {};
-  // Between neighbours there is no moment of which rounding leaves no doubt.
+  // Between neighbouring doubles rounding decides no time.
   const bool has_inside = std::nextafter(begin, end) < end;
-  if (begin > 0 && touch(beside(begin, -1))) return "begins earlier by an ulp";
-  if (has_inside && !touch(beside(begin, 1))) return "begins later";
+  if (begin > 0 && touch(beside(begin, -1))) return "starts earlier by an ulp";
+  if (has_inside && !touch(beside(begin, 1))) return "starts later";
   if (end < h && touch(beside(end, 1)) && !ends_within_half_an_ulp(touch, end)) return "ends later";
   if (has_inside && !touch(beside(end, -1))) return "ends earlier by an ulp";
   return {};

@@ -1,5 +1,5 @@
-// Real ships (AIS), where the data set is at hand: ../shared/data beside the repository, or
-// $FORESEE_SHARED_DATA.
+// Contact of real ships (AIS) against the oracle, if the data set is present: ../shared/data beside the
+// repository, or $FORESEE_SHARED_DATA.
 #include <gtest/gtest.h>
 
 #include <cmath>

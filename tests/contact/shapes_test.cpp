@@ -1,5 +1,5 @@
 // Every row of the table of distances (docs/semantics.md#contact), by cases whose answer is known without
-// computing.
+// computation.
 #include <gtest/gtest.h>
 
 #include <cfenv>
@@ -41,7 +41,7 @@ TEST(BallBall, TouchesWhenGapReachesZero) {
 }
 
 TEST(BallBall, GrazesForAnInstant) {
-  // Passes at the height of 5 = 3 + 2, and a hair above it.
+  // Passes at the height of 5 = 3 + 2, and slightly above it.
   expect_span(contact(at(Shape::ball, {-4, 5}, {1, 0}, 3), at(Shape::ball, {0, 0}, {0, 0}, 2), queried(100)),
               4, 4);
   EXPECT_FALSE(contact(at(Shape::ball, {-4, std::nextafter(5.0, 9)}, {1, 0}, 3),
@@ -54,7 +54,7 @@ TEST(BallBall, AcceleratedGrazeAtTheTurningPoint) {
   expect_span(contact(thrown, at(Shape::ball, {0, 0, 17}, {0, 0, 0}, 0.5), queried(100)), 4, 4);
 }
 
-/// No contact gets lost where squares of the coefficients of their distance are no numbers.
+/// No contact is lost if squares of the coefficients of the distance overflow.
 TEST(BallBall, MeetAtAnyScale) {
   const auto pair = [](double length, double time) {
     const double v = length / time, a = v / time;
@@ -195,7 +195,7 @@ TEST(ClosestApproach, OfStraightCourses) {
 }
 
 TEST(ClosestApproach, IsNotBlurredByAFarHorizon) {
-  // The two meet after a second; where they are at the end of 1e308 seconds must not count.
+  // The two meet after a second; their positions after 1e308 seconds must not matter.
   const Object a = at(Shape::point, {0, 0}, {1, 0}), b = at(Shape::point, {1, 0}, {0, 0});
   const ClosestApproach approach = closest(a, b, {.horizon = {0, 1e308}});
   EXPECT_EQ(approach.dt, 1);
@@ -224,7 +224,7 @@ TEST(ClosestApproach, OfAcceleratedCoursesAgainstDenseStepping) {
   Object a = at(Shape::point, {1, 2, 3}, {-2, 1, 0.5}), b = at(Shape::point, {-5, 9, 4}, {1, -2, 0.25});
   a.a[0] = 0.7, a.a[1] = -0.3, b.a[1] = 0.45, b.a[2] = -0.2;
   const ClosestApproach approach = closest(a, b, {.horizon = {0, 20}});
-  long double least = 1e9L, time = 0;
+  long double smallest = 1e9L, time = 0;
   for (int i = 0; i <= 2000000; ++i) {
     const long double s = i * 1e-5L;
     long double square = 0;
@@ -233,10 +233,10 @@ TEST(ClosestApproach, OfAcceleratedCoursesAgainstDenseStepping) {
           (b.x[j] - a.x[j]) + s * (b.v[j] - a.v[j]) + s * s / 2 * ((long double)b.a[j] - a.a[j]);
       square += gap * gap;
     }
-    if (square < least) least = square, time = s;
+    if (square < smallest) smallest = square, time = s;
   }
   EXPECT_NEAR(approach.dt, static_cast<double>(time), 1e-5);
-  EXPECT_NEAR(approach.d, static_cast<double>(std::sqrt(least)), 1e-9);
+  EXPECT_NEAR(approach.d, static_cast<double>(std::sqrt(smallest)), 1e-9);
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
-// Every stage of contact alone, on the families of hard_pairs.h: where it is certain it agrees with the exact
-// one.
+// Every stage of contact alone, on the families of hard_pairs.h: a certain answer is that of the exact stage.
 //
-// Chord, certified double and pairs side by side against the exact stage; its 128 bits against integers; and
-// the begin and end that doubles vouch for against those of the exact stage, bit for bit.
+// Compared with the exact stage are the chord, certified doubles and the lanes; and, bit for bit, start and
+// end from doubles. The 128-bit numbers of the exact stage are compared with integers.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -20,7 +19,7 @@ namespace {
 
 using namespace testing_by_hand;
 
-/// How often each stage was certain.
+/// The number of certain answers of each stage.
 struct Certain {
   int chord = 0, lanes_miss = 0, lanes_touch = 0, advancement = 0, in_128_bits = 0, times = 0;
 };
@@ -57,7 +56,7 @@ class StagesOfPair {
  private:
   void check_doubles(bool touches) {
     CertainScratch scratch(set_);
-    Advancement<D, Degree> advancement(set_, setup_, row_a_.data(), row_b_.data(), lifetime_, {0, for_ever},
+    Advancement<D, Degree> advancement(set_, setup_, row_a_.data(), row_b_.data(), lifetime_, {0, unbounded},
                                        scratch);
     const Chord<D> chord(advancement.certain().relative(), lifetime_.dt_end);
     const auto hull = set_.hull();
@@ -196,7 +195,7 @@ TEST(Stages, CylinderAndBox) {
   check_kind<3>(cylinder_box_set, Shapes::cylinder_and_box, 900);
 }
 
-/// Whatever is done to numbers of 128 bits, the exact result lies within their error.
+/// The exact result of any operation on 128-bit numbers is within their error.
 TEST(Midrad128, EnclosesWhatIsExact) {
   std::mt19937_64 random(7);
   const auto number = [&random] {
@@ -225,7 +224,7 @@ TEST(Midrad128, EnclosesWhatIsExact) {
   }
 }
 
-TEST(Midrad128, FewDigitsStayExact) {
+TEST(Midrad128, FewDigitsRemainExact) {
   const Midrad128 tenth(0.1);
   EXPECT_EQ((tenth * tenth - tenth * tenth).sign(), 0);
   EXPECT_TRUE((Midrad128(3) * Midrad128(0x1p-900) * Midrad128(5e300)).exact());

@@ -10,7 +10,7 @@ void trim(Integers& p) {
   while (!p.empty() && p.back() == 0) p.pop_back();
 }
 
-/// Where numbers grow long; below that, looking for common divisors costs more than it saves.
+/// From this length on, common divisors are removed; below it the search costs more than it saves.
 void divide_content(Integers& p) {
   if (p.empty() || msb(abs(p.back())) < 1500) return;
   Whole content = 0;
@@ -78,11 +78,11 @@ Exact operator+(const Exact& a, const Exact& b) {
 }
 
 Integers integers_of(const Coefficients& p) {
-  int least = std::numeric_limits<int>::max();
+  int lowest = std::numeric_limits<int>::max();
   for (const Exact& c : p)
-    if (c.sign() != 0) least = std::min(least, c.e);
+    if (c.sign() != 0) lowest = std::min(lowest, c.e);
   Integers result;
-  for (const Exact& c : p) result.push_back(c.sign() == 0 ? Whole(0) : Whole(c.n << (c.e - least)));
+  for (const Exact& c : p) result.push_back(c.sign() == 0 ? Whole(0) : Whole(c.n << (c.e - lowest)));
   trim(result);
   return result;
 }
@@ -172,7 +172,7 @@ int TimePoint::sign_of(const Sturm& p) {
 
 bool same_time(TimePoint& a, TimePoint& b) {
   auto apart = [&] { return std::min(a.high, b.high) <= std::max(a.low, b.low); };
-  // Most are far apart, which is soon seen; only then is a common root worth looking for.
+  // Most are far apart, which few steps show; only then is a common root searched.
   for (int round = 0; round < 30; ++round, a.halve(), b.halve())
     if (apart()) return false;
   const Sturm common(common_divisor(a.sturm_->square_free(), b.sturm_->square_free()));

@@ -1,17 +1,16 @@
 // The loops of BoxKernel: a kernel (base/simd.h).
-
+//
+// The end of a contact that box_lanes_kernel.h has found comes by the same method with the direction
+// reversed. The earliest time at which a face is left is approximated, and certified by signs shortly before
+// and after it. Until shortly before, the gap of every face is inside at the three Bernstein coefficients of
+// the interval; shortly after, the gap of that face is outside. Error bounds are those of box_lanes_kernel.h.
 #include "contact/boxes/box_lanes_kernel.h"
 
 namespace foresee {
-
-// When does a contact end that box_lanes_kernel.h has found? The same way, out instead of in: a guess, the
-// earliest moment at which a face is left, made certain by signs shortly before and after it. Until then
-// every face's gap must be inside at the three Bernstein coefficients of the stretch; after it, outside on
-// that one. Error bounds are those of box_lanes_kernel.h.
-
 namespace {
 
-/// What is left between a centre and a face, half - side x(t), as seen from `from`: gap + slope s + bend s^2.
+/// The gap between a centre and a face, half - side x(t), in the time s after `from`: gap + slope s + bend
+/// s^2.
 struct FaceGap {
   double gap, slope, bend;
 };
@@ -33,7 +32,7 @@ void settle_ends_here(const BoxLanes<D, Degree>& __restrict lanes, EndLanes& __r
       return FaceGap{lanes.half[j][l] - side * place, -side * (lanes.v[j][l] + 2 * turn), -side * bend};
     };
 
-    // Faces are numbered: 2 j in front on axis j, 2 j + 1 behind.
+    // Faces are numbered: 2 j is the upper one on axis j, 2 j + 1 the lower one.
     double time = never, chosen = 0, chosen_axis = 0, chosen_side = 1, all = 0;
 #pragma GCC unroll 6
     for (int number = 0; number < 2 * D; ++number) {

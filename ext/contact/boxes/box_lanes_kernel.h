@@ -1,12 +1,12 @@
-// The loops of BoxKernel that settle pairs, for box_lanes.kernel.cpp. Everything here is local to the file
-// that includes it.
+// The loops of BoxKernel that settle pairs of boxes, for box_lanes.kernel.cpp. Everything here is local to
+// the file that includes it.
 //
 // Error bounds
 // ------------
-// With M = |x| + H + s (|v| + s |a|), everything computed here from the motion at a moment up to s, or from
-// moments up to s, has at most 20 roundings of terms whose magnitudes M counts; with what the motion itself
-// is off by, ex + s ev, the total stays within ex + s ev + 32u M, u = 2^-53. Underflow takes less than 2^-900
-// as times are below 2^40.
+// Let M = |x| + H + s (|v| + s |a|) and u = 2^-53. Each value computed here from the motion at times up to s
+// has at most 20 roundings, of terms whose magnitudes M counts. The error of the motion itself adds ex + s
+// ev. The total error is at most ex + s ev + 32u M. Underflow adds less than 2^-900, because times are below
+// 2^40.
 #pragma once
 
 #include "base/lane_math.h"
@@ -17,10 +17,12 @@
 namespace foresee {
 namespace {
 
-constexpr double huge = 0x1p1000, never = __builtin_inf(), underflow = 0x1p-900;
-constexpr double near = 0x1p-34;  // how far from the guess signs are looked at, relatively
+using foresee::greater, foresee::lesser;  // next to the overloads of base/doubles.h, which would hide them
 
-/// When does c + w t + k t^2, above 0 now, come to 0? About then; for ever if it does not.
+constexpr double huge = 0x1p1000, never = __builtin_inf(), underflow = 0x1p-900;
+constexpr double near = 0x1p-34;  // relative distance from the approximate root at which signs are certified
+
+/// An approximation of the first root of c + w t + k t^2, where c > 0; `never` if it has no root.
 template <int Degree>
 double first_root(double c, double w, double k) {
   if constexpr (Degree < 2) {
@@ -34,7 +36,7 @@ double first_root(double c, double w, double k) {
   }
 }
 
-/// x + v s + a s^2; of degree 1 without the last.
+/// x + v s + a s^2; without the last term for degree 1.
 template <int Degree>
 double place_at(double x, double v, double a, double s) {
   if constexpr (Degree < 2)
@@ -43,13 +45,14 @@ double place_at(double x, double v, double a, double s) {
     return x + s * (v + s * a);
 }
 
-/// What c + w s + k s^2 is at its lowest point; -inf if it bends downwards. Where that is above 0, w^2 / 4k
-/// is below c: its roundings are among those of magnitudes. Nothing overflows but towards -inf.
+/// The minimum of c + w s + k s^2; -inf if k <= 0. If the minimum is above 0, then w^2 / 4k is below c, and
+/// its roundings are counted in M. An overflow gives -inf.
 inline double bottom(double c, double w, double k) {
   return k > 0 ? c - w * (0.25 * (w / k)) : -never;
 }
 
-/// What it does not fall below from 0 to `length`, where it is `last`. A line is lowest at an end.
+/// A lower bound of c + w s + k s^2 on [0, length], where `last` is the value at `length`. A line is lowest
+/// at an end.
 template <int Degree>
 double floor_of(double c, double w, double k, double length, double last) {
   if constexpr (Degree < 2)
@@ -58,7 +61,7 @@ double floor_of(double c, double w, double k, double length, double last) {
     return lesser(lesser(c, greater(c + 0.5 * length * w, bottom(c, w, k))), last);
 }
 
-/// Bound on the error of a place, from what the motion itself is off by and the magnitudes behind it.
+/// Bound on the error of a position, from the error of the motion and the magnitudes M.
 inline double error_bound(double of_motion, double size) {
   return of_motion + 0x1p-48 * size + underflow;
 }
@@ -78,7 +81,7 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
       return place_at<Degree>(lanes.x[j][l], lanes.v[j][l], lanes.a[j][l], s);
     };
 
-    // The guess: the latest axis to be entered, and its quadratic.
+    // The approximation: the axis that is entered last, and its quadratic.
     double time = 0, axis = 0, from_side = 1, gap = 0, slope = 0, bend = 0, size = 0, lost = 0,
            lost_slope = 0;
     double inside_now = never, all = 0;
@@ -121,8 +124,8 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
       apart_after = greater(apart_after, apart);
     }
 
-    // Nothing is certain where numbers or error bounds are so large that something may overflow, or NaN:
-    // lesser() passes on a second argument that is NaN.
+    // Nothing is certain if numbers or error bounds are so large that they may overflow, or NaN: lesser()
+    // passes on a second argument that is NaN.
     const double fits = huge - all, end_inside = end * (1 - 0x1p-50);
     const double meets = lesser(end_inside < after ? -1 : inside_after, fits);
     lanes.touches_now[l] = lesser(inside_now, fits);
@@ -134,7 +137,7 @@ void settle_here(BoxLanes<D, Degree>& lanes) {
   }
 }
 
-/// D columns from `place` on, into the lanes of each of `out`; none if there is no place.
+/// Reads D columns from `place` on into the lanes of `out`; reads nothing if `place` is below 0.
 template <int D>
 void take_columns(const double* const* rows, int place, double (&out)[D][lanes_width]) {
   if (place < 0) return;
@@ -164,7 +167,7 @@ bool settle_rows_here(RowLanes<D>& rows, bool motions_wanted, BoxLanes<D, Degree
       const Register x = load(rows.b.x[j] + l) - load(rows.a.x[j] + l);
       const Register half = load(rows.a.half[j] + l) + load(rows.b.half[j] + l) + rows.within;
       store(lanes.x[j] + l, x), store(lanes.half[j] + l, half);
-      // As settle_here() finds that they touch now. False if half extents may overflow, or for NaN.
+      // The test of settle_here() for touches_now. False if half extents may overflow, or for NaN.
       const Register size = x < 0.0 ? -x : x, room = half - size - 0x1p-48 * (size + half) - underflow;
       touching = half < huge ? touching : -1.0 + Register{};
       touching = room > 0.0 ? touching : -1.0 + Register{};
@@ -184,7 +187,7 @@ bool settle_rows_here(RowLanes<D>& rows, bool motions_wanted, BoxLanes<D, Degree
   return false;
 }
 
-/// Of a column for each axis, what each lane has on its own one.
+/// Selects for each lane, from a column per axis, the value on the axis of that lane.
 template <int D>
 inline void on_axis(const double (&axis)[lanes_width], const double (&columns)[D][lanes_width],
                     double (&out)[lanes_width]) {
@@ -239,7 +242,8 @@ void find_crossings(MeetingLanes& lanes, double now) {
         error_bound(lanes.ex[l] + tau * lanes.ev[l], absolute(lanes.x[l]) + lanes.half[l] + tau * speed);
     const DoubleDouble place = x + t * chord;
     const DoubleDouble value = DoubleDouble{side * place.high, side * place.low} - half;
-    // DoubleDouble loses at most 2^-97 of what the bound for doubles counts in 2^-53.
+    // The error of DoubleDouble is at most 2^-97 of the magnitudes that the bound for doubles counts in
+    // 2^-53.
     const Crossed crossed{value, error * 0x1p-44 + underflow, side * (lanes.v[l] + 2 * half_turn),
                           lanes.ev[l] + 0x1p-49 * speed + underflow, bend + underflow};
     const Instant meeting = root_of<direction>(crossed, now, tau, lanes.room[l]);

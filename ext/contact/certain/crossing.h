@@ -1,10 +1,11 @@
-// The instant of a crossing that an Advancement has bracketed, rounded once.
+// The time of a crossing that an Advancement has bracketed, rounded once: one Newton step in DoubleDouble and
+// Ziv's rounding test.
 //
-// Within the bracket a primitive is on one side all the time, or its polynomial is monotone there and has at
-// most one root. That root is found by one Newton step from the bracket's begin, with the value of the
-// polynomial in DoubleDouble; it comes with an error radius, and is accepted if all numbers within that
-// radius round to the same double (Ziv's test). Roots of different primitives are rounded apart and then
-// compared: rounding keeps order. What this cannot tell is NaN.
+// Within the bracket a primitive either keeps its sign, or its polynomial is monotone and has at most one
+// root. One Newton step from the start of the bracket finds that root, with the value of the polynomial in
+// DoubleDouble and a bound on the error. The root is accepted if all numbers within that error round to the
+// same double (Ziv's test). Roots of different primitives are rounded separately and then compared, because
+// rounding is monotone. NaN stands for a time that this does not decide.
 #pragma once
 
 #include "contact/certain/advancement.h"
@@ -27,9 +28,9 @@ inline Instant earlier(const Instant& a, const Instant& b) {
   return {std::min(a.dt, b.dt), std::min(a.t, b.t)};
 }
 
-/// Space for crossings, used for one after another.
+/// Scratch space for crossings, reused for one after another.
 struct CrossingScratch {
-  std::vector<Instant> known;  ///< the crossing of each primitive that was asked for
+  std::vector<Instant> known;  ///< the crossing of each primitive that was computed
   std::vector<char> tested;
 
   explicit CrossingScratch(const ContactSet& set)
@@ -39,7 +40,7 @@ struct CrossingScratch {
 template <CrossingDirection direction, int D, int Degree>
 class Crossing {
  public:
-  /// Requires: an Advancement has found the bracket, for this pair and this way.
+  /// Requires: an Advancement has found the bracket, for this pair and this direction.
   Crossing(CertainSet<D, Degree>& certain, const RelativeMotion<DoubleDouble, D>& relative,
            const PairLengths<DoubleDouble>& lengths, const Bracket& bracket, double now,
            CrossingScratch& scratch)
@@ -53,7 +54,7 @@ class Crossing {
     std::fill(scratch.tested.begin(), scratch.tested.end(), false);
   }
 
-  /// When the set begins or ceases to be met, or unknown.
+  /// When the pair enters or leaves the set, or unknown.
   Instant instant() {
     Instant whole = outside;
     for (const ContactSet::Piece& piece : certain_.set().pieces()) whole = any(whole, of(piece));
@@ -75,15 +76,15 @@ class Crossing {
   }
   static bool is_outside(const Instant& instant) { return instant.dt == outside.dt; }
 
-  /// When a piece does. Outside of one primitive is outside, whatever cannot be told about the others.
+  /// When it enters or leaves a piece. Outside one primitive is outside, even if others are undecided.
   Instant of(const ContactSet::Piece& piece) {
-    Instant met = inside;
+    Instant crossing = inside;
     for (const int i : certain_.set().members(piece.all)) {
       const Instant one = of(i);
       if (is_outside(one)) return outside;
-      met = all(met, one);
+      crossing = all(crossing, one);
     }
-    return met;
+    return crossing;
   }
 
   /// When primitive number i is crossed; computed once.
@@ -101,7 +102,7 @@ class Crossing {
                                     [this, &primitive](const auto& p) { return this->of(primitive, p); });
   }
 
-  /// When its polynomial changes sign: `inside` or `outside` where it certainly has one sign in all the
+  /// When its polynomial changes sign: `inside` or `outside` if it certainly keeps that sign in the whole
   /// bracket, else its root, rounded once, or unknown.
   template <std::size_t N>
   Instant of(const Primitive& primitive, const std::array<Bounded, N>& p) const {
@@ -112,7 +113,8 @@ class Crossing {
     if (p[0].value < -certain || positive_during(p, -1, lost, width_) > width_) return inside;
     if (p[0].value > certain || positive_during(p, 1, lost, width_) > width_) return outside;
     const DoubleDouble value = polynomial_of<0>(primitive, place_, lengths_, base_)[0];
-    // DoubleDouble loses at most 2^-97 of what the double bound counts in 2^-53.
+    // The error of DoubleDouble is at most 2^-97 of the magnitudes that the bound for doubles counts in
+    // 2^-53.
     const double underflow = certain_.relative().underflow;
     const double slope = p[1].value;
     return root_of<direction>(
@@ -120,7 +122,7 @@ class Crossing {
         now_, base_, width_);
   }
 
-  /// Bound on |p''| / 2 as far as the root may be.
+  /// Bound on |p''| / 2 up to the root.
   template <std::size_t N>
   double bend(const std::array<Bounded, N>& p, double step) const {
     if constexpr (N == 2) return 0;

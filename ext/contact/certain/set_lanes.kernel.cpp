@@ -1,4 +1,4 @@
-// Pairs against their contact set, a register of them at once: a kernel (base/simd.h).
+// The loops of SetKernel over a register of pairs at a time: a kernel (base/simd.h).
 #include "contact/certain/set_lanes.h"
 
 #include "base/doubles.h"
@@ -9,7 +9,7 @@ namespace {
 
 using BoundedDoubles = BoundedOf<Doubles>;
 
-/// The rows of one side.
+/// The rows of one table.
 struct Rows {
   const double* const* row;
 
@@ -31,7 +31,7 @@ struct LengthLanes {
   double* place(int i) const { return at + 2 * register_width * i; }
 };
 
-/// TwoRows of contact_set.h, side by side.
+/// TwoRows of contact_set.h, for a register of pairs.
 struct LengthRows {
   const Rows &a, &b;
 
@@ -49,24 +49,24 @@ struct LengthRows {
   }
 };
 
-/// When both exist, from now on: rounded outward, and inward.
+/// When both objects exist, from now on: rounded outward, and inward.
 struct Lives {
   Interval<Doubles> queried, inner;
 
   Lives(const LanesQuestion& q, const Rows& a, const Rows& b) {
     constexpr double u = unit_roundoff;
     const Doubles start = greater(greater(a(q.a.t), b(q.b.t)), Doubles(q.now)) - q.now;
-    const Doubles stop = lesser(a(q.a.until, for_ever), b(q.b.until, for_ever)) - q.now;
+    const Doubles stop = lesser(a(q.a.until, unbounded), b(q.b.until, unbounded)) - q.now;
     queried = {start * (1 - 2 * u), lesser(stop * (1 + 2 * u), Doubles(q.h))};
     inner = {start * (1 + 2 * u), lesser(stop * (1 - 2 * u), Doubles(q.h))};
   }
 };
 
-/// A register of pairs, looked at. What is NaN proves nothing.
+/// The evaluation of a register of pairs. A NaN proves nothing.
 template <int D, int Degree>
 class PairRegister {
  public:
-  /// Computes lives, motions and lengths of these pairs. The question must outlive it.
+  /// Computes lifetimes, motions and lengths of these pairs. `q` must outlive it.
   PairRegister(const LanesQuestion& q, const Rows& a, const Rows& b)
       : q_(q),
         lives_(q, a, b),
@@ -76,14 +76,14 @@ class PairRegister {
     take_lengths(a, b);
   }
 
-  /// Only then can they touch.
+  /// The pairs can touch only within it.
   Interval<Doubles> interval() const {
     const Chord<D, Doubles> chord(relative_, lives_.queried.end);
     const Interval<Doubles> near = chord.between(q_.set.hull, q_.set.hull_count, lengths_, lives_.queried);
     return {select(usual_, near.begin, lives_.queried.begin), select(usual_, near.end, lives_.queried.end)};
   }
 
-  /// At a moment they certainly touch.
+  /// Whether they certainly touch at `time`.
   DoublesMask touches(const Doubles& time) const {
     Coefficients<BoundedDoubles, 0> x[D];
     for (int j = 0; j < D; ++j) {
@@ -100,7 +100,7 @@ class PairRegister {
   }
 
  private:
-  /// The relative motion, each number with a bound on its error, and where those bounds hold.
+  /// The relative motion, each number with a bound on its error, and the lanes in which those bounds hold.
   void take_motion(const Rows& a, const Rows& b) {
     const Doubles s_a = q_.now - a(q_.a.t), s_b = q_.now - b(q_.b.t);
     usual_ = 1 + greater(abs(s_a), abs(s_b)) + q_.h <= usual_age;
@@ -128,7 +128,7 @@ class PairRegister {
     }
   }
 
-  /// Certainly in all primitives of the piece.
+  /// Whether all primitives of the piece are certainly negative.
   DoublesMask in_piece(const ContactSet::Piece& piece) const {
     DoublesMask in_all = Doubles(0.0) <= Doubles(0.0);
     for (auto i = piece.all.begin; i < piece.all.end; ++i)
@@ -139,9 +139,9 @@ class PairRegister {
   const LanesQuestion& q_;
   const Lives lives_;
   CertainMotion<D, Doubles> relative_;
-  DoublesMask usual_;  ///< no time is so long that underflow would lose more than usual
+  DoublesMask usual_;  ///< no age is so large that underflow exceeds usual_underflow
   const LengthLanes lengths_;
-  double* const values_;  ///< of each primitive, at most
+  double* const values_;  ///< an upper bound of each primitive
 };
 
 /// SetKernel::classify, register by register.

@@ -1,8 +1,7 @@
-#include "contact/exact/exact_approach.h"
-
 #include <algorithm>
 #include <cmath>
 
+#include "contact/exact/exact_contact.h"
 #include "numbers/interval_newton.h"
 #include "numbers/time_intervals.h"
 
@@ -12,7 +11,7 @@ namespace {
 /// The double nearest to the square root, ties to even.
 double rounded_square_root(const Dyadic& square) {
   if (square.sign() <= 0) return 0;
-  // 128 bits or one less, so that the exponent is even; what is cut off only has to be known to exist.
+  // 128 bits or one less, so that the exponent is even. Of the bits cut off only their presence matters.
   const int bits = bit_length(square.mantissa());
   int shift = 128 - bits;
   if ((square.exponent() - shift) % 2 != 0) --shift;
@@ -24,7 +23,7 @@ double rounded_square_root(const Dyadic& square) {
   return rounded(Dyadic((root << 1) + (more ? 1 : 0), (square.exponent() - shift) / 2 - 1));
 }
 
-/// A polynomial given by its exact coefficients, as a lazy one.
+/// A LazyPolynomial of given exact coefficients.
 class KnownPolynomial final : public PolynomialSource {
  public:
   explicit KnownPolynomial(const SquaredDistance& c) : exact_(c), polynomial_(rough(c), *this, 0) {}
@@ -65,8 +64,7 @@ class ExactApproach {
     void add(AlgebraicRoot& time) { (first ? second : first) = &time; }
   };
 
-  /// Where the squared distance has fallen before and rises after, in order of time: one or two, as its slope
-  /// is a cubic.
+  /// The local minima of the squared distance in order of time: one or two, because its slope is a cubic.
   Minima minima() {
     Minima minima;
     if (slope().degree() < 0 || !(lifetime_.begin < lifetime_.end)) return {&begin_};
@@ -84,7 +82,7 @@ class ExactApproach {
 
   LazyPolynomial& slope() { return known_.polynomial().slope(); }
 
-  /// The slope's sign just after a moment: that of its first derivative that is not zero there.
+  /// The sign of the slope just after a time: that of its first derivative that is not zero there.
   int slope_after(AlgebraicRoot& time) {
     LazyPolynomial* polynomial = &slope();
     int sign = polynomial->sign_at(time);
@@ -119,14 +117,14 @@ class ExactApproach {
     for (int bits = first_length;; bits *= 2) {
       const Polynomial& p = known_.exact();
       const Midrad square = value_at(known_.polynomial().enclosure(bits), p.degree, time.enclosure(bits));
-      const double least = rounded_square_root(square.low()), most = rounded_square_root(square.high());
-      if (least == most) return least;
-      if (std::nextafter(least, most) != most) continue;
-      // Infinity stands for 2^1024, as rounding has it.
-      const Dyadic above = std::isfinite(most) ? Dyadic(most) : Dyadic::power_of_two(1024);
-      const Dyadic tie = half_of(Dyadic(least) + above);
+      const double lower = rounded_square_root(square.low()), upper = rounded_square_root(square.high());
+      if (lower == upper) return lower;
+      if (std::nextafter(lower, upper) != upper) continue;
+      // Rounding treats infinity as 2^1024.
+      const Dyadic above = std::isfinite(upper) ? Dyadic(upper) : Dyadic::power_of_two(1024);
+      const Dyadic tie = half_of(Dyadic(lower) + above);
       const int side = sign_beyond(tie * tie, time);
-      return side < 0 ? least : side > 0 ? most : rounded(tie);
+      return side < 0 ? lower : side > 0 ? upper : rounded(tie);
     }
   }
 

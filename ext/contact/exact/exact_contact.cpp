@@ -57,13 +57,13 @@ class ExactPair {
   }
 
  private:
-  /// When a piece holds, or once more.
+  /// One interval in which a piece holds.
   struct Held {
     TimeInterval interval;
     std::uint32_t piece;
   };
 
-  /// In order of their begins, and of those that begin together the longest first.
+  /// All intervals of all pieces, sorted by start; of those with the same start the longest is first.
   std::vector<Held> all_held() {
     std::vector<Held> all;
     std::uint32_t number = 0;
@@ -78,8 +78,8 @@ class ExactPair {
     return all;
   }
 
-  /// The fewest with the same moments: of those that begin while the ones before last, the one that lasts
-  /// longest is next.
+  /// The smallest subset with the same union. The next one is, of the intervals that start before the last
+  /// one ends, the one with the latest end.
   std::vector<Held> chain_of(const std::vector<Held>& all) {
     std::vector<Held> chain;
     for (std::size_t i = 0; i < all.size();) {
@@ -109,7 +109,8 @@ class ExactPair {
     return {rounded(time, Dyadic()), rounded(time, lifetime_.now)};
   }
 
-  /// Of those that do not hang together with the first, which begin later than those end.
+  /// The earliest interval that is not joined to the first one; all such intervals start after the joined
+  /// ones end.
   static std::vector<TimeInterval>::iterator first_after(std::vector<TimeInterval>& intervals,
                                                          std::size_t joined) {
     return std::min_element(
@@ -117,7 +118,7 @@ class ExactPair {
         [](const TimeInterval& a, const TimeInterval& b) { return compare(*a.first, *b.first) < 0; });
   }
 
-  /// Do they touch from the end of the joined intervals until the next of the others begins?
+  /// Whether the pair touches from the end of the joined intervals until the start of the next one.
   bool goes_on_after(std::vector<TimeInterval>& intervals, std::size_t joined,
                      const TouchesBetween& between) {
     AlgebraicRoot* last = intervals[0].last;
@@ -136,7 +137,7 @@ class ExactPair {
     }
   }
 
-  /// When do all conditions of the piece hold?
+  /// The intervals in which all conditions of the piece hold.
   TimeIntervals held(const ContactSet::Piece& piece) {
     polynomials_.step();
     const ContactSet& set = polynomials_.set();
@@ -158,13 +159,13 @@ class ExactPair {
     return common(met, inside_while(near, polynomial));
   }
 
-  /// Its roots are costly to find: worth asking first when they can be.
+  /// Whether the roots are costly, so that a filter by `around` pays.
   static bool is_bent(const LazyPolynomial& polynomial) {
     return polynomial.rough()[3].sign() != 0 || polynomial.rough()[4].sign() != 0;
   }
 
-  /// A costly polynomial, which belongs to one piece alone: looked at only around the moments that the rest
-  /// of the piece leaves.
+  /// The intervals of a costly polynomial, which belongs to one piece alone: computed only around the
+  /// intervals that the rest of the piece leaves.
   TimeIntervals inside_while(const TimeIntervals& rest, LazyPolynomial& polynomial) {
     const AlgebraicRoot &first = *rest.front().first, &last = *rest.back().last;
     AlgebraicRoot *from = &begin_, *to = &end_;
@@ -173,7 +174,7 @@ class ExactPair {
     return foresee::sublevel_intervals(polynomial, {*from, *to});
   }
 
-  /// The moment as an end, unless it is beyond what is asked.
+  /// The time as an end of an interval; `limit` if it is outside the lifetime.
   AlgebraicRoot* known_time(const Dyadic& time, AlgebraicRoot& limit) {
     if (time < lifetime_.begin || lifetime_.end < time) return &limit;
     made_times_.push_back(time);
@@ -189,8 +190,8 @@ class ExactPair {
     return *known;
   }
 
-  /// Two intervals that certainly overlap are one contact whichever begins before: no need to compare
-  /// exactly.
+  /// Two intervals that certainly overlap are one contact, whichever starts first: their starts need no exact
+  /// comparison.
   static bool starts_before(const TimeInterval& a, const TimeInterval& b) {
     const int rough = (a.first->at - b.first->at).sign();
     if (rough != unknown_sign) return rough < 0;
@@ -198,8 +199,8 @@ class ExactPair {
     return compare(*a.first, *b.first) < 0;
   }
 
-  /// Brings the intervals that hang together with the first to the front, and counts them. In rough order of
-  /// their begins each is asked once, or nearly.
+  /// Moves the intervals that are connected with the first to the front, and returns their number. In
+  /// approximate order of their starts nearly all are tested once.
   std::size_t joined_to_first(std::vector<TimeInterval>& intervals) {
     std::sort(intervals.begin() + 1, intervals.end(), [](const TimeInterval& a, const TimeInterval& b) {
       return a.first->at.rounded() < b.first->at.rounded();
@@ -223,7 +224,7 @@ class ExactPair {
                        [&](AlgebraicRoot* last) { return compared(*interval.first, *last) <= 0; });
   }
 
-  /// Of the ends reached, `latest` has those that 128 bits do not tell to be earlier than another.
+  /// `latest` has the ends reached that 128 bits do not prove to be earlier than another one.
   static void reach(AlgebraicRoot* end, std::vector<AlgebraicRoot*>& latest) {
     for (const AlgebraicRoot* known : latest)
       if (known == end || (end->at - known->at).sign() == -1) return;
@@ -231,8 +232,8 @@ class ExactPair {
     latest.push_back(end);
   }
 
-  /// Begin and end of intervals that hang together. As rounding keeps order, ends that 128 bits do not tell
-  /// apart are rounded one by one and then compared.
+  /// Start and end of connected intervals. Rounding is monotone: ends that 128 bits do not tell apart are
+  /// rounded one by one and then compared.
   ContactTimes times_of(const TimeInterval* intervals, std::size_t count) const {
     AlgebraicRoot *first = intervals[0].first, *last = intervals[0].last;
     Instant begin = instant(*first), end = instant(*last);

@@ -42,8 +42,8 @@ bool PairPolynomials::same_bound(const Primitive& a, const Primitive& b) const {
          same_length(a.size.value, b.size.value) && same_length(a.size.rate, b.size.rate);
 }
 
-/// Two that differ do so by the radius, and to add what is not 0 always shows in a number's bits or in its
-/// error.
+/// Lengths of bounds differ by the radius alone. Adding a number other than 0 always changes the bits of a
+/// Midrad128 or of its error.
 bool PairPolynomials::same_length(int a, int b) const {
   const PairLengths<Midrad128> lengths{set_, row_a_, row_b_};
   return a == b || identical(length_at<Midrad128>(lengths, a), length_at<Midrad128>(lengths, b));

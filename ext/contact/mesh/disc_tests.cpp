@@ -43,7 +43,7 @@ Interval<double> DiscTests::cut(const BoundingDisc& a, const BoundingDisc& b, In
     const double swing = std::abs(dot(n, swing_)), at = dot(n, place_), speed = dot(n, speed_);
     const double most = reach * (1 + 0x1p-20) + swing + slack_, middle = dot(n, gap) - at;
     if (!(std::abs(speed) * end_ > slack_)) {
-      if (std::abs(middle) > most + 4 * slack_) near.end = -for_ever;
+      if (std::abs(middle) > most + 4 * slack_) near.end = -unbounded;
       return;
     }
     const double steep = 1 / speed, one = (middle - most) * steep, other_one = (middle + most) * steep;

@@ -10,7 +10,7 @@
 #pragma once
 
 #include "contact/certain/certain_motion.h"
-#include "contact/certain/positive_duration.h"
+#include "contact/certain/root_bracketing.h"
 #include "contact/mesh/round_parts.h"
 #include "contact/mesh/space_condition.h"
 #include "contact/pieces/motion_expansion.h"

@@ -8,8 +8,8 @@
 
 #include "contact/outline/convex_sum.h"
 #include "contact/pieces/moving_size.h"
-#include "contact/set/combined_sizes.h"
-#include "contact/set/window_faces.h"
+#include "contact/set/minkowski_sum.h"
+#include "contact/set/relative_motion.h"
 
 namespace foresee {
 

@@ -1,7 +1,7 @@
 #include "contact/outline/critical_pieces.h"
 
 #include "contact/outline/condition.h"
-#include "contact/set/rounded_box.h"
+#include "contact/set/minkowski_sum.h"
 
 namespace foresee {
 namespace {

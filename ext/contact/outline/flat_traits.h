@@ -9,7 +9,7 @@
 #include "contact/outline/critical_pieces.h"
 #include "contact/outline/object_pieces.h"
 #include "contact/outline/outline_filter.h"
-#include "contact/outline_contact.h"
+#include "contact/contact_factories.h"
 #include "contact/pieces/motion_expansion.h"
 #include "contact/pieces/pair_context.h"
 #include "contact/pieces/pair_tests.h"

@@ -1,4 +1,4 @@
-#include "contact/outline_contact.h"
+#include "contact/contact_factories.h"
 
 #include <algorithm>
 

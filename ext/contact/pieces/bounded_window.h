@@ -12,7 +12,6 @@
 #include <limits>
 
 #include "contact/set/relative_motion.h"
-#include "contact/set/window_faces.h"
 #include "motion/box.h"
 #include "shape/shapes.h"
 

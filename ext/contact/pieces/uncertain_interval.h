@@ -138,7 +138,7 @@ SublevelIntervals sublevel_by_leaps(PolynomialAt&& polynomial_at, double lost,
   while (found.count < 2) {
     Bracket in, out;
     in.before = leap(lasts(1), tau, last);
-    if (in.before == for_ever) break;
+    if (in.before == unbounded) break;
     UncertainInterval& interval = found.list[static_cast<std::size_t>(found.count++)];
     interval = {{in.before, UncertainInterval::inf}, {-UncertainInterval::inf, UncertainInterval::inf}};
     if (!witness(is_certain(-1), in, in.before, last)) break;
@@ -146,7 +146,7 @@ SublevelIntervals sublevel_by_leaps(PolynomialAt&& polynomial_at, double lost,
         in.after > queried.begin.low ? Enclosure{in.before, in.after} : UncertainInterval::always().begin;
     out.before = leap(lasts(-1), in.after, last);
     interval.end.low = std::min(out.before, UncertainInterval::inf);
-    if (out.before == for_ever || !witness(is_certain(1), out, out.before, last)) break;
+    if (out.before == unbounded || !witness(is_certain(1), out, out.before, last)) break;
     interval.end.high = tau = out.after;
   }
   return found;

@@ -1,13 +1,14 @@
-// What contact sets are made of: half spaces, strips and balls, each a polynomial in time that is at most 0
+// Primitives of contact sets: half spaces, strips and balls, each a polynomial in time that is at most 0
 // inside.
 //
-// A primitive is written once, in with_polynomial(), for every number type and for every degree of the
-// motion: doubles with error bounds (Bounded), DoubleDouble, numbers of 128 bits (Midrad128) and exact ones
-// (Dyadic) all run the same lines, and degree 0 is the value at one moment. To add a primitive is to add its
-// kind and its polynomial there.
+// A primitive is written once, in with_polynomial(), for every number type and every degree of the motion.
+// Doubles with error bounds (Bounded), DoubleDouble, numbers of 128 bits (Midrad128) and exact numbers
+// (Dyadic) run the same lines; degree 0 is the value at one time. A new primitive is a new Kind and its
+// polynomial there.
 //
-// A primitive holds no numbers of a pair. It names lengths of its contact set (contact_set.h), which each
-// stage computes in its own number type. A size may change with time: value + rate tau, tau from `now`.
+// A primitive contains no number of any pair. It names lengths of its contact set (contact_set.h), which each
+// stage computes in its own number type. A size may change with time: value + rate tau, where tau is the time
+// from `now`.
 #pragma once
 
 #include <algorithm>
@@ -19,17 +20,17 @@
 
 namespace foresee {
 
-/// In place of a length's number: 0. All its bits are set.
+/// The number of a length that is always 0. All its bits are set.
 constexpr int no_length = -1;
 
-/// Numbers of lengths.
+/// A size value + rate tau, as numbers of lengths.
 struct Size {
   int value = no_length, rate = no_length;
 
   bool moves() const { return rate != no_length; }
 };
 
-/// What a primitive says about one axis.
+/// The terms of a primitive on one axis.
 struct AxisPart {
   int axis = 0;
   int sign = 1;  ///< 1 or -1
@@ -40,8 +41,8 @@ struct AxisPart {
 struct Primitive {
   enum class Kind : std::uint8_t {
     bound,       ///< sign x <= size on the one axis of parts[0]
-    half_space,  ///< the sum of sign normal (x - at) over the parts is <= size: beside a line through `at`
-    strip,       ///< the square of that sum is <= size^2 times the sum of normal^2: as near to the line
+    half_space,  ///< the sum of sign normal (x - at) over the parts is <= size: one side of a line at `at`
+    strip,       ///< the square of that sum is <= size^2 times the sum of normal^2: within size of the line
     ball         ///< the sum of (x - sign at)^2 over the parts is <= size^2; `at` is the centre
   };
   Kind kind;
@@ -50,15 +51,15 @@ struct Primitive {
   Size size = {};
 };
 
-/// A length, or 0. `lengths`: what has them by number, as an array does.
+/// A length, or 0. `lengths` gives them by number, for example an array.
 template <class T, class Lengths>
 T length_at(const Lengths& lengths, int number) {
   if (number == no_length) return T{};
   return lengths[number];
 }
 
-/// A size by powers of the time after tau, a double or as many as T has. Requires: K is at least its degree,
-/// or 0 for its value alone.
+/// The coefficients of a size, expanded at tau, which is a double or a register of them. Requires: K is at
+/// least the degree of the size, or 0 for its value alone.
 template <int K, class T, class Lengths, class TimePoint>
 [[gnu::noinline]] Coefficients<T, K> moving_size(const Size& size, const Lengths& lengths,
                                                  const TimePoint& tau) {
@@ -69,7 +70,7 @@ template <int K, class T, class Lengths, class TimePoint>
   return p;
 }
 
-/// p minus sign times the size.
+/// Subtracts sign times the size from p.
 template <int K, class T, class Lengths, class TimePoint>
 [[gnu::always_inline]] inline void subtract_size(Coefficients<T, K>& p, const Size& size, int sign,
                                                  const Lengths& lengths, const TimePoint& tau) {
@@ -94,7 +95,7 @@ template <int K, class T, class Lengths, class TimePoint>
   return p;
 }
 
-/// Adds the square of a polynomial to the powers above the value.
+/// Adds the square of q to the coefficients of p, except for p[0].
 template <int K, class T>
 [[gnu::always_inline]] inline void add_square_above(Coefficients<T, 2 * K>& p, const Coefficients<T, K>& q) {
   if constexpr (K == 1) {
@@ -109,7 +110,7 @@ template <int K, class T>
   }
 }
 
-/// How far beyond the line through `at`, in lengths of the normal.
+/// The signed distance from the line through `at`, times the length of the normal.
 template <int K, class T, class Lengths, class TimePoint>
 Coefficients<T, K> line_polynomial(const Primitive& line, const Coefficients<T, K>* x, const Lengths& lengths,
                                    const TimePoint& tau) {
@@ -154,7 +155,7 @@ Coefficients<T, 2 * K> strip_polynomial(const Primitive& strip, const Coefficien
   return p;
 }
 
-/// The square of the distance from the centre, over so many axes, minus that of the radius.
+/// The squared distance from the centre over Count axes, minus the squared radius.
 template <int Count, int K, class T, class Lengths, class TimePoint, class Wanted>
 [[gnu::always_inline]] inline Coefficients<T, 2 * K> ball_over(const Primitive& ball,
                                                                const Coefficients<T, K>* x,
@@ -182,7 +183,7 @@ template <int Count, int K, class T, class Lengths, class TimePoint, class Wante
   return p;
 }
 
-/// The same, over its axes.
+/// The same, over the axes of the ball.
 template <int K, class T, class Lengths, class TimePoint, class Wanted>
 Coefficients<T, 2 * K> ball_polynomial(const Primitive& ball, const Coefficients<T, K>* x,
                                        const Lengths& lengths, const TimePoint& tau, Wanted&& wanted) {
@@ -191,10 +192,10 @@ Coefficients<T, 2 * K> ball_polynomial(const Primitive& ball, const Coefficients
   return ball_over<3, K>(ball, x, lengths, tau, wanted);
 }
 
-/// Gives `take` the primitive by powers of the time after tau: at most 0 inside. `x`: the relative motion on
-/// each axis, likewise as it is seen from tau. Strips and balls have powers up to 2 K, others up to K. Of a
-/// ball `wanted` is asked with the value at tau whether more than that value matters; if not, the rest may be
-/// anything.
+/// Calls `take` with the polynomial of the primitive, expanded at tau: at most 0 inside. `x`: the relative
+/// motion on each axis, also expanded at tau. The degree of strips and balls is 2 K, that of others K.
+/// `wanted` is called with the value of a ball at tau. If it returns false, then the other coefficients are
+/// unspecified.
 template <int K, class T, class Lengths, class TimePoint, class Wanted, class Take>
 [[gnu::always_inline]] inline auto with_polynomial(const Primitive& primitive, const Coefficients<T, K>* x,
                                                    const Lengths& lengths, const TimePoint& tau,
@@ -211,14 +212,14 @@ template <int K, class T, class Lengths, class TimePoint, class Wanted, class Ta
   }
 }
 
-/// All of it, filled up with zeros to powers up to 2 K.
+/// The polynomial of the primitive, padded with zeros to degree 2 K.
 template <int K, class T, class Lengths, class TimePoint>
 Coefficients<T, 2 * K> polynomial_of(const Primitive& primitive, const Coefficients<T, K>* x,
                                      const Lengths& lengths, const TimePoint& tau) {
   const auto wanted = [](const T&) { return true; };
-  return with_polynomial<K>(primitive, x, lengths, tau, wanted, [](const auto& some) {
+  return with_polynomial<K>(primitive, x, lengths, tau, wanted, [](const auto& found) {
     Coefficients<T, 2 * K> all{};
-    std::copy(some.begin(), some.end(), all.begin());
+    std::copy(found.begin(), found.end(), all.begin());
     return all;
   });
 }

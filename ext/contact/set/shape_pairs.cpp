@@ -1,26 +1,18 @@
 #include "contact/set/shape_pairs.h"
 
-#include "contact/set/combined_sizes.h"
-#include "contact/set/rounded_box.h"
+#include "contact/set/minkowski_sum.h"
 
 namespace foresee {
 
-void add_ball(ContactSet& set, int axes, const Size& radius, const Faces* along_z) {
-  Conditions piece;
-  if (along_z) {
-    piece.all = between(set, {along_z, 1});
-    set.enclose(*along_z);
-  }
-  std::vector<AxisPart> centre;
-  for (int axis = 0; axis < axes; ++axis) {
-    centre.push_back({.axis = axis});
-    const Faces around{.axis = axis, .below = radius, .above = radius};
-    set.enclose(around);
-    for (const int bound : between(set, {&around, 1})) piece.around.push_back(bound);
-  }
-  piece.ball = set.ball(centre, radius);
-  piece.all.push_back(piece.ball);
-  set.add_piece(piece);
+ContactSet box_box_set(const Setup& setup) {
+  ContactSet set;
+  // In one dimension a ball is an interval.
+  const Size more =
+      setup.a.layout.axes == 1 ? radius_of_both(set, setup, setup.within) : Size{set.given(setup.within)};
+  std::vector<Faces> faces = faces_of_boxes(set, setup);
+  for (Faces& f : faces) f = grown_faces(set, f, more);
+  add_box(set, faces);
+  return set;
 }
 
 ContactSet ball_ball_set(const Setup& setup) {
@@ -35,14 +27,12 @@ ContactSet box_ball_set(const Setup& setup) {
   return set;
 }
 
-ContactSet box_box_set(const Setup& setup) {
+ContactSet cylinder_cylinder_set(const Setup& setup) {
   ContactSet set;
-  // In one dimension a ball is an interval.
-  const Size more =
-      setup.a.layout.axes == 1 ? radius_of_both(set, setup, setup.within) : Size{set.given(setup.within)};
-  std::vector<Faces> faces = faces_of_boxes(set, setup);
-  for (Faces& f : faces) f = grown_faces(set, f, more);
-  add_box(set, faces);
+  const Size radius = radius_of_both(set, setup, setup.within),
+             height = height_of_both(set, setup, setup.within_z);
+  const Faces along_z{.axis = 2, .below = height, .above = height};
+  add_ball(set, 2, radius, &along_z);
   return set;
 }
 
@@ -57,21 +47,6 @@ ContactSet cylinder_box_set(const Setup& setup) {
   return set;
 }
 
-ContactSet cylinder_cylinder_set(const Setup& setup) {
-  ContactSet set;
-  const Size radius = radius_of_both(set, setup, setup.within),
-             height = height_of_both(set, setup, setup.within_z);
-  const Faces along_z{.axis = 2, .below = height, .above = height};
-  add_ball(set, 2, radius, &along_z);
-  return set;
-}
-
-ContactSet window_ball_set(const Setup& setup) {
-  ContactSet set;
-  add_rounded_box(set, faces_of_window(set, setup), radius_of_both(set, setup, 0));
-  return set;
-}
-
 ContactSet window_box_set(const Setup& setup) {
   ContactSet set;
   const std::vector<Faces> boxes = faces_of_boxes(set, setup);
@@ -81,6 +56,12 @@ ContactSet window_box_set(const Setup& setup) {
   for (Faces& f : faces)
     f = grown_faces(set, f, set.sum(boxes[static_cast<std::size_t>(f.axis)].above, ball));
   add_box(set, faces);
+  return set;
+}
+
+ContactSet window_ball_set(const Setup& setup) {
+  ContactSet set;
+  add_rounded_box(set, faces_of_window(set, setup), radius_of_both(set, setup, 0));
   return set;
 }
 

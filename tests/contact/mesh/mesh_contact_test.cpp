@@ -12,7 +12,7 @@ using namespace testing_by_hand;
 using oracle::Body;
 using oracle::Encounter;
 using oracle::Rational;
-using oracle::SlopeSign;
+using oracle::RationalInterval;
 using oracle::SpacePlace;
 
 Body body_of(const MeshObject& o) {
@@ -31,9 +31,9 @@ SpacePlace place_at(const Encounter& encounter, const Rational& time) {
 /// Empty if the answer is right, else what is wrong.
 std::string judged(const MeshScene& scene, const std::optional<ContactTimes>& answer) {
   const Encounter encounter = encounter_of(scene);
-  const SlopeSign queried = encounter.queried();
+  const RationalInterval queried = encounter.queried();
   const SpacePlace velocity{encounter.velocity(0), encounter.velocity(1), encounter.velocity(2)};
-  std::optional<SlopeSign> exact;
+  std::optional<RationalInterval> exact;
   if (queried.begin <= queried.end)
     exact =
         oracle::first_contact(body_of(scene.a), body_of(scene.b), place_at(encounter, 0), velocity, queried);

@@ -128,7 +128,7 @@ bool stays_beside(const Still& first, const Still& last, std::size_t i, std::siz
 class Scene {
  public:
   Scene(const Body& a, const Body& b, const SpacePlace& place, const SpacePlace& velocity,
-        const SlopeSign& queried)
+        const RationalInterval& queried)
       : a_is_solid_(a.is_solid), b_is_solid_(b.is_solid), queried_(queried) {
     CommonUnit unit;
     unit.measure(a), unit.measure(b), unit.measure(place), unit.measure(velocity);
@@ -136,9 +136,9 @@ class Scene {
     velocity_ = unit.in_units(velocity);
   }
 
-  std::optional<SlopeSign> first_contact() {
+  std::optional<RationalInterval> first_contact() {
     meet_surfaces();
-    for (const SlopeSign& gap : gaps_between(contacts_, queried_))
+    for (const RationalInterval& gap : gaps_between(contacts_, queried_))
       if (lies_within((gap.begin + gap.end) / 2)) contacts_.push_back(gap);
     return first_of(contacts_);
   }
@@ -165,10 +165,10 @@ class Scene {
   }
 
   const bool a_is_solid_, b_is_solid_;
-  const SlopeSign queried_;
+  const RationalInterval queried_;
   std::vector<Facet> a_, b_;
   Arrow velocity_;
-  std::vector<SlopeSign> contacts_;
+  std::vector<RationalInterval> contacts_;
 };
 
 }  // namespace
@@ -196,8 +196,8 @@ Body box_body(double half_x, double half_y, double half_z) {
   return body;
 }
 
-std::optional<SlopeSign> first_contact(const Body& a, const Body& b, const SpacePlace& place,
-                                       const SpacePlace& velocity, const SlopeSign& queried) {
+std::optional<RationalInterval> first_contact(const Body& a, const Body& b, const SpacePlace& place,
+                                       const SpacePlace& velocity, const RationalInterval& queried) {
   return Scene(a, b, place, velocity, queried).first_contact();
 }
 

@@ -31,8 +31,8 @@ Body body_of(const Mesh& mesh);
 Body box_body(double half_x, double half_y, double half_z);
 
 /// The first stretch of contact within `queried` of `a` at rest and `b`, which is at place + s velocity.
-std::optional<SlopeSign> first_contact(const Body& a, const Body& b, const SpacePlace& place,
-                                       const SpacePlace& velocity, const SlopeSign& queried);
+std::optional<RationalInterval> first_contact(const Body& a, const Body& b, const SpacePlace& place,
+                                       const SpacePlace& velocity, const RationalInterval& queried);
 
 /// Does b, moved by `place`, come within `radius` of a, or lie in it? At one moment, whatever the motion.
 bool touch_at(const Body& a, const Body& b, const SpacePlace& place, const Rational& radius);

@@ -15,12 +15,12 @@ const Body unit_cube = body_of(solid_of(box_between({0, 0, 0}, {1, 1, 1})));
 const Body point = box_body(0, 0, 0);
 const Body slope = body_of(surface_of({{{{0, 0, 0}, {4, 0, 4}, {0, 4, 0}}}}));
 
-std::optional<SlopeSign> within_ten(const Body& a, const Body& b, const SpacePlace& place,
+std::optional<RationalInterval> within_ten(const Body& a, const Body& b, const SpacePlace& place,
                                     const SpacePlace& velocity) {
   return first_contact(a, b, place, velocity, {0, 10});
 }
 
-void expect_contact(const std::optional<SlopeSign>& found, const Rational& begin, const Rational& end) {
+void expect_contact(const std::optional<RationalInterval>& found, const Rational& begin, const Rational& end) {
   ASSERT_TRUE(found.has_value());
   EXPECT_EQ(found->begin, begin);
   EXPECT_EQ(found->end, end);

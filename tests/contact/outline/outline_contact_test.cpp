@@ -13,7 +13,7 @@ using namespace testing_by_hand;
 using oracle::Encounter;
 using oracle::Rational;
 using oracle::Region;
-using oracle::SlopeSign;
+using oracle::RationalInterval;
 
 Region region_of(const OutlinedObject& o) {
   Region region;
@@ -32,8 +32,8 @@ Encounter encounter_of(const OutlineScene& scene) {
 /// Empty if the answer is right, else what is wrong.
 std::string judged(const OutlineScene& scene, const std::optional<ContactTimes>& answer) {
   const Encounter encounter = encounter_of(scene);
-  const SlopeSign queried = encounter.queried();
-  std::optional<SlopeSign> exact;
+  const RationalInterval queried = encounter.queried();
+  std::optional<RationalInterval> exact;
   if (queried.begin <= queried.end)
     exact = oracle::first_contact(region_of(scene.a), region_of(scene.b),
                                   {encounter.place(0, 0), encounter.place(1, 0)},

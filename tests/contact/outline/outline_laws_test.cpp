@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "contact/form_laws.h"
-#include "contact/outline_contact.h"
+#include "contact/contact_factories.h"
 
 namespace foresee {
 namespace {

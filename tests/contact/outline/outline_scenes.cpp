@@ -3,7 +3,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "contact/outline_contact.h"
+#include "contact/contact_factories.h"
 #include "shape/outline/outline_rotation.h"
 #include "shape/outline/validity.h"
 

@@ -24,7 +24,7 @@ struct Steady {
 };
 
 /// Cuts a stretch to when low <= number <= high; false if nothing is left.
-bool cut(SlopeSign& stretch, const Steady& number, const Rational& low, const Rational& high) {
+bool cut(RationalInterval& stretch, const Steady& number, const Rational& low, const Rational& high) {
   if (number.slope == 0) return low <= number.value && number.value <= high;
   Rational first = (low - number.value) / number.slope, last = (high - number.value) / number.slope;
   if (last < first) std::swap(first, last);
@@ -34,8 +34,8 @@ bool cut(SlopeSign& stretch, const Steady& number, const Rational& low, const Ra
 }
 
 /// When the segment from p along e meets that from q along f, which moves as d does.
-std::optional<SlopeSign> meeting(const Place& p, const Place& e, const Place& q, const Place& f,
-                                 const Place& d, const Place& v, SlopeSign queried) {
+std::optional<RationalInterval> meeting(const Place& p, const Place& e, const Place& q, const Place& f,
+                                 const Place& d, const Place& v, RationalInterval queried) {
   const Place gap{d.x + q.x - p.x, d.y + q.y - p.y};
   const Rational turn = cross(e, f);
   if (turn != 0) {
@@ -97,10 +97,10 @@ void for_each_edge(const Region& region, Take&& take) {
 
 class Scene {
  public:
-  Scene(const Region& a, const Region& b, const Place& place, const Place& velocity, const SlopeSign& queried)
+  Scene(const Region& a, const Region& b, const Place& place, const Place& velocity, const RationalInterval& queried)
       : a_(a), b_(b), place_(place), velocity_(velocity), queried_(queried) {}
 
-  std::optional<SlopeSign> first_contact() {
+  std::optional<RationalInterval> first_contact() {
     meet_boundaries();
     fill_gaps();
     return first_of(contacts_);
@@ -117,7 +117,7 @@ class Scene {
 
   /// Where no boundaries meet, nothing enters or leaves.
   void fill_gaps() {
-    for (const SlopeSign& gap : gaps_between(contacts_, queried_)) fill(gap.begin, gap.end);
+    for (const RationalInterval& gap : gaps_between(contacts_, queried_)) fill(gap.begin, gap.end);
   }
 
   void fill(const Rational& begin, const Rational& end) {
@@ -128,14 +128,14 @@ class Scene {
 
   const Region &a_, &b_;
   const Place &place_, &velocity_;
-  const SlopeSign queried_;
-  std::vector<SlopeSign> contacts_;
+  const RationalInterval queried_;
+  std::vector<RationalInterval> contacts_;
 };
 
 }  // namespace
 
-std::optional<SlopeSign> first_contact(const Region& a, const Region& b, const Place& place,
-                                       const Place& velocity, const SlopeSign& queried) {
+std::optional<RationalInterval> first_contact(const Region& a, const Region& b, const Place& place,
+                                       const Place& velocity, const RationalInterval& queried) {
   return Scene(a, b, place, velocity, queried).first_contact();
 }
 

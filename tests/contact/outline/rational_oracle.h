@@ -23,8 +23,8 @@ struct Place {
 using Region = std::vector<std::vector<Corner>>;
 
 /// The first stretch of contact within `queried` of `a` at rest and `b`, which is at place + s velocity.
-std::optional<SlopeSign> first_contact(const Region& a, const Region& b, const Place& place,
-                                       const Place& velocity, const SlopeSign& queried);
+std::optional<RationalInterval> first_contact(const Region& a, const Region& b, const Place& place,
+                                       const Place& velocity, const RationalInterval& queried);
 
 /// Does b, moved by `place`, come within `radius` of a, or lie in it? At one moment, whatever the motion.
 bool touch_at(const Region& a, const Region& b, const Place& place, const Rational& radius);

@@ -1,4 +1,4 @@
-// Primitives against their definition, at moments computed in exact arithmetic; and every number type of the
+// Primitives against their definition, at times computed in exact arithmetic; and every number type of the
 // stages against the exact one.
 #include "contact/set/primitive.h"
 
@@ -41,7 +41,7 @@ class Sample {
     for (const double length : lengths) list.push_back(Exactly<T>::number(length));
     return list;
   }
-  /// The motion as seen from tau.
+  /// The motion, expanded at tau.
   template <int K, class T>
   std::array<Coefficients<T, K>, 3> motion_from(double tau) const {
     std::array<Coefficients<T, K>, 3> seen;
@@ -58,7 +58,7 @@ class Sample {
     return polynomial_of<K>(primitive, motion_from<K, T>(tau).data(), lengths_as<T>().data(), tau);
   }
 
-  /// How far outside the primitive the motion is at tau, by the words of primitive.h.
+  /// The value of the primitive at tau, by the definitions of primitive.h.
   Dyadic excess(double tau) const {
     const Dyadic t(tau);
     const auto value = [&](const Size& s) {
@@ -128,14 +128,15 @@ TEST(Primitive, ItsPolynomialIsItsDefinition) {
     for (int i = 0; i < 5; ++i) {
       const double tau = sample.number();
       ASSERT_EQ(value_at(p, Dyadic(tau)), sample.excess(tau)) << seed;
-      // Seen from a moment, the constant coefficient is the value there, also if that alone is asked for.
+      // Expanded at a time, the constant coefficient is the value there, also if it is the only one
+      // requested.
       ASSERT_EQ((sample.polynomial<2, Dyadic>(tau)[0]), sample.excess(tau)) << seed;
       ASSERT_EQ((sample.polynomial<0, Dyadic>(tau)[0]), sample.excess(tau)) << seed;
     }
   });
 }
 
-TEST(Primitive, SeenFromAnotherMomentItIsTheSamePolynomial) {
+TEST(Primitive, ExpandedAtAnotherTimeItIsTheSamePolynomial) {
   for_each_sample([](Sample sample, std::uint64_t seed) {
     const double from = sample.number(), s = sample.number();
     const Polynomial p(sample.polynomial<2, Dyadic>(from));

@@ -1,15 +1,30 @@
-#include "contact/set/rounded_box.h"
+#include "contact/set/minkowski_sum.h"
 
 #include <bit>
 
-#include "contact/set/combined_sizes.h"
-#include "contact/set/window_faces.h"
+#include "shape/shapes.h"
 
 namespace foresee {
 namespace {
 
-/// One face of a box: where it is, and its bound as it is and moved outward by the radius; none: no such
-/// face.
+bool is_box(const Bodies& bodies) {
+  return bodies.layout.shape == Shape::box;
+}
+
+/// The numbers of both rows at two places, and the growth since their t.
+Size grown_size(ContactSet& set, const Setup& setup, int place_a, int place_b, int growth_a, int growth_b) {
+  const int grown = set.growth(growth_a, growth_b, setup.a.at.t, setup.b.at.t, setup.horizon.now);
+  return {set.sum(set.in_both(place_a, place_b), grown), set.in_both(growth_a, growth_b)};
+}
+
+/// The combined size of balls and cylinders; a box adds 0.
+Size round_size(ContactSet& set, const Setup& setup, int Offsets::*place, int axis, double limit) {
+  const Length growth = growth_of_both(setup, axis);
+  const Size size = grown_size(set, setup, setup.a.at.*place, setup.b.at.*place, growth.a, growth.b);
+  return set.sum(size, {set.given(limit)});
+}
+
+/// One face of a box: its position, its bound, and its bound moved outward by the radius.
 struct Side {
   bool there = false;
   Size at;
@@ -43,7 +58,7 @@ class RoundedBox {
   static bool has(unsigned axes, std::size_t i) { return (axes >> i & 1) != 0; }
   const Side& side(std::size_t i, bool upper) const { return sides_[2 * i + (upper ? 1 : 0)]; }
 
-  /// Between the faces of the axes that are not in `other`.
+  /// The bounds of the faces across the axes that are not in `other`.
   std::vector<int> straight(unsigned other) const {
     std::vector<int> bounds = also_;
     for (std::size_t i = 0; i < faces_.size(); ++i)
@@ -60,7 +75,7 @@ class RoundedBox {
     set_.add_piece(piece);
   }
 
-  /// Around every corner (in three axes: also edge) at which faces of the axes `round` meet.
+  /// Adds a piece around every corner (on three axes also edge) of the faces across the axes `round`.
   void add_rounded_over(unsigned round) {
     for (unsigned signs = 0; signs < 1U << faces_.size(); ++signs)
       if ((signs & ~round) == 0) add_corner(round, signs);
@@ -92,6 +107,32 @@ class RoundedBox {
 
 }  // namespace
 
+Length growth_of_both(const Setup& setup, int axis) {
+  const auto growth = [axis](const Bodies& bodies) {
+    return is_box(bodies) ? Offsets::absent : growth_place(bodies.layout.shape, bodies.at, axis);
+  };
+  return {Length::From::growth, growth(setup.a), growth(setup.b), setup.horizon.now, true,
+          setup.a.at.t,         setup.b.at.t};
+}
+
+Size radius_of_both(ContactSet& set, const Setup& setup, double limit) {
+  return round_size(set, setup, &Offsets::r, 0, limit);
+}
+
+Size height_of_both(ContactSet& set, const Setup& setup, double limit) {
+  return round_size(set, setup, &Offsets::hz, 2, limit);
+}
+
+Size half_of_both(ContactSet& set, const Setup& setup, int axis) {
+  const auto half = [axis](const Bodies& bodies) {
+    return bodies.at.half == Offsets::absent ? Offsets::absent : bodies.at.half + axis;
+  };
+  const auto growth = [axis](const Bodies& bodies) {
+    return is_box(bodies) ? growth_place(bodies.layout.shape, bodies.at, axis) : Offsets::absent;
+  };
+  return grown_size(set, setup, half(setup.a), half(setup.b), growth(setup.a), growth(setup.b));
+}
+
 std::vector<Faces> faces_of_boxes(ContactSet& set, const Setup& setup) {
   std::vector<Faces> faces;
   for (int axis = 0; axis < setup.a.layout.axes; ++axis) {
@@ -102,8 +143,8 @@ std::vector<Faces> faces_of_boxes(ContactSet& set, const Setup& setup) {
 }
 
 std::vector<Faces> faces_of_window(ContactSet& set, const Setup& setup) {
-  // Coordinates run from the window's reference: a finite lower face is at 0, an upper one at the exact
-  // width.
+  // Coordinates are relative to the window's reference: a finite lower face is at 0, an upper one at the
+  // exact width.
   const WindowFaces& window = *setup.window;
   std::vector<Faces> faces;
   for (int axis = 0; axis < setup.a.layout.axes; ++axis) {
@@ -144,6 +185,24 @@ void add_rounded_box(ContactSet& set, std::span<const Faces> faces, const Size& 
     set.enclose(*along_z);
   }
   RoundedBox(set, faces, radius, std::move(also)).add_pieces();
+}
+
+void add_ball(ContactSet& set, int axes, const Size& radius, const Faces* along_z) {
+  Conditions piece;
+  if (along_z) {
+    piece.all = between(set, {along_z, 1});
+    set.enclose(*along_z);
+  }
+  std::vector<AxisPart> centre;
+  for (int axis = 0; axis < axes; ++axis) {
+    centre.push_back({.axis = axis});
+    const Faces around{.axis = axis, .below = radius, .above = radius};
+    set.enclose(around);
+    for (const int bound : between(set, {&around, 1})) piece.around.push_back(bound);
+  }
+  piece.ball = set.ball(centre, radius);
+  piece.all.push_back(piece.ball);
+  set.add_piece(piece);
 }
 
 }  // namespace foresee
