@@ -5,10 +5,10 @@
 namespace foresee {
 namespace {
 
-/// More than five units in the last place and what a few roundings take.
-constexpr double pad_of_stored = 0x1p-48;
+/// Eight units in the last place: four beside what is stored, its rounding, and what these lines take.
+constexpr double pad_of_stored = 0x1p-49;
 /// The same for what is turned, of the length, with the error of sine and cosine.
-constexpr double pad_of_turned = 0x1p-46;
+constexpr double pad_of_turned = 0x1p-47;
 
 template <int D>
 Vec<D> vector_of(const std::array<double, 3>& values) {

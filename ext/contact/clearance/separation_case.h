@@ -1,64 +1,16 @@
-// One question about a range of changes: an encounter, the changed motions, and the moments of both, looked
-// at for proofs and for whom all of them touch.
+// One range of changes and an encounter: looked at for proofs, and for whether all of them touch.
 #pragma once
 
 #include <array>
 
+#include "contact/clearance/separating_plane.h"
 #include "contact/clearance/straight_approach.h"
-#include "contact/clearance/trajectory_family.h"
-#include "numbers/double_double.h"
 
 namespace foresee {
-
-// Does a plane stand between an object and all the changed motions of another, throughout some moments? The
-// proof that avoidance rests on (separation.h), with every rounding counted.
-
-/// Nothing is lost to underflow that is larger.
-inline constexpr double min_gap = 0x1p-960;
-/// The squares of shorter normals would vanish.
-inline constexpr double min_normal = 0x1p-400;
-
-/// c0 + c1 tau + c2 tau^2 > 0 throughout [begin, end]; false where doubles do not tell.
-inline bool surely_positive(double c0, double c1, double c2, double begin, double end) {
-  const auto above = [&](double tau) {
-    const double size = std::abs(c0) + tau * (std::abs(c1) + tau * std::abs(c2));
-    return c0 + tau * (c1 + tau * c2) > 8 * unit_roundoff * size + min_gap;
-  };
-  if (!above(begin) || !above(end)) return false;
-  if (!(c2 > 0) || !(c1 < 0) || -c1 <= 2 * c2 * begin || -c1 >= 2 * c2 * end) return true;
-  const double dip = c1 * (c1 / (4 * c2));
-  return c0 - dip > 8 * unit_roundoff * (std::abs(c0) + dip) + min_gap;
-}
-
-/// n (other) - most of n (own), from below.
-template <int D>
-double min_of(const Vec<D>& n, const Vec<D>& other, const Vec<D>& error, const VectorSet<D>& own) {
-  const double along = (n * other).sum(), most = own.support(n);
-  return along - most -
-         ((n.abs() * (error + 8 * unit_roundoff * other.abs())).sum() + 4 * unit_roundoff * std::abs(most));
-}
-
-template <int D>
-bool plane_proves(const Encounter<D>& encounter, const MotionSet<D>& all, const Vec<D>& n, double begin,
-                  double end) {
-  if (!(n.abs().maxCoeff() >= min_normal)) return false;
-  double inflation = 0;  // in x and y
-  if constexpr (D > 1)
-    if (encounter.inflation > 0)
-      inflation = encounter.inflation * (std::abs(n[0]) + std::abs(n[1])) * (1 + 0x1p-50);
-  const double reach = encounter.extents.support(n) + inflation,
-               growth = encounter.extents.grows ? encounter.extents.growth.support(n) : 0;
-  const double c0 = min_of<D>(n, encounter.x, encounter.ex, all.place) - reach;
-  const double v = min_of<D>(n, encounter.v, encounter.ev, all.velocity);
-  const double c1 = growth == 0 ? v : v - growth - 4 * unit_roundoff * (std::abs(v) + growth);
-  const double c2 = 0.5 * min_of<D>(n, encounter.a, Vec<D>(Vec<D>::Zero()), all.acceleration);
-  return surely_positive(c0 - 4 * unit_roundoff * (std::abs(c0) + std::abs(reach)), c1, c2, begin, end);
-}
 
 /// What a guess has come to.
 enum class ProbeResult : std::uint8_t { separated, overlapping, inconclusive };
 
-/// One question: an encounter, a range of changes, and the moments of both.
 template <int D>
 class SeparationCase {
  public:
@@ -67,7 +19,8 @@ class SeparationCase {
         family_(family),
         begin_(std::max(encounter.begin, family.all.begin)),
         end_(std::min(encounter.end, family.all.end)),
-        bends_(family.bends || encounter.bends()) {}
+        bends_(family.bends || encounter.bends()),
+        slack_(encounter.extents.sum ? 4 * touching_share : touching_share) {}
 
   bool never_together() const { return begin_ > end_; }
   /// Doubles hold all that is to be computed.
@@ -84,20 +37,36 @@ class SeparationCase {
   /// Is there a plane, guessed from one of the motions? `tau`: where that touches, or is near.
   ProbeResult probe(const TrajectoryEstimate<D>& own, double& tau) const {
     const TrajectoryEstimate<D> path = relative(encounter_, own);
-    return bends_ ? probe_bent(path, tau) : probe_straight(path, tau);
+    return bends_ ? probe_bent(path, begin_, tau) : probe_straight(path, begin_, tau);
   }
+
+  /// Is there a plane, or one for each part of the time, from a moment on?
+  bool is_proven_after(double begin) const {
+    if (begin > end_) return true;
+    for (const TrajectoryEstimate<D>* own : {&family_.middle, &family_.first, &family_.last}) {
+      const TrajectoryEstimate<D> path = relative(encounter_, *own);
+      double ignored = 0;
+      const ProbeResult evaluation =
+          bends_ ? probe_bent(path, begin, ignored) : probe_straight(path, begin, ignored);
+      if (evaluation == ProbeResult::separated) return true;
+    }
+    return false;
+  }
+
+  /// From now on what is not told from touching does not count as that.
+  void take_only_certain_touches() { slack_ = -slack_; }
 
   bool touches(const TrajectoryEstimate<D>& own) const {
     const TrajectoryEstimate<D> path = relative(encounter_, own);
     if (!(path.begin <= path.end)) return false;
     const auto near = straight_approach<D>(encounter_.extents, path.x, path.v, path.begin, path.end);
-    return near.gap <= touching_share * scale_at(near.tau);
+    return near.gap <= slack_at(near.tau);
   }
 
   /// Do all motions of the range touch at tau, or at the moment nearest to it at which all are there? On one
   /// axis also if all pass the other. Roughly.
   bool all_touch_about(double tau) const {
-    const double first = std::max(begin_, family_.last.begin), last = std::min(end_, family_.first.end);
+    const double first = last_begin(), last = first_end();
     if (first > last) return false;
     tau = std::clamp(tau, first, last);
     if constexpr (D == 1)
@@ -108,15 +77,43 @@ class SeparationCase {
   /// The same, where all places of the range at one moment lie on a segment, or on an arc near one: what is
   /// convex holds all of a segment whose ends it holds.
   bool ends_touch_about(double tau) const {
-    const double first = std::max(begin_, family_.last.begin), last = std::min(end_, family_.first.end);
+    const double first = last_begin(), last = first_end();
     if (first > last) return false;
     tau = std::clamp(tau, first, last);
-    const double slack = touching_share * scale_at(tau), beside = family_.turned[0] - slack;
+    const double slack = slack_at(tau), beside = family_.turned[0] - slack;
     const double turned = tau * (family_.turned[1] + 0.5 * tau * family_.turned[2]) + encounter_.inflation;
     for (const TrajectoryEstimate<D>* end : {&family_.first, &family_.last})
       if (!touches_at(place_at<D>(relative(encounter_, *end), tau), tau, beside + turned, beside))
         return false;
     return true;
+  }
+
+  /// Do all touch, each at a moment of its own, between those two of the first and of the last change? Their
+  /// places then are near a chord, and what is convex holds all of it whose ends it holds. Roughly.
+  bool all_touch_between(double tau_first, double tau_last) const {
+    const double earlier = std::min(tau_first, tau_last), later = std::max(tau_first, tau_last);
+    if (encounter_.extents.sum || earlier < last_begin() || later > first_end()) return false;
+    const double half = 0.5 * (later - earlier);
+    const Vec<D> bend = (encounter_.a - family_.upper[2]).abs().max((encounter_.a - family_.lower[2]).abs());
+    const Vec<D> wide = (family_.upper[1] - family_.lower[1]) + later * (family_.upper[2] - family_.lower[2]);
+    const double turned = family_.turned[0] + later * (family_.turned[1] + 0.5 * later * family_.turned[2]);
+    const Vec<D> beside = 0.5 * half * (half * bend + wide) + turned;
+    const auto touches_at_end = [&](const TrajectoryEstimate<D>& own, double tau) {
+      const Vec<D> far = place_at<D>(relative(encounter_, own), tau).abs() + beside;
+      Vec<D> ignored;
+      return signed_distance<D>(encounter_.extents.after(earlier), far, ignored) <= slack_at(tau);
+    };
+    return touches_at_end(family_.first, tau_first) && touches_at_end(family_.last, tau_last);
+  }
+
+  /// Both exist when any change starts, and for a while.
+  bool all_start_together() const { return last_begin() <= 0 && first_end() > 0; }
+
+  /// None touches then, to go by the middle and by how far any is from it. Roughly.
+  bool none_touches_about(double tau) const {
+    Vec<D> ignored;
+    const Vec<D> place = place_at<D>(relative(encounter_, family_.middle), tau);
+    return signed_distance<D>(encounter_.extents.after(tau), place, ignored) > width_at(tau);
   }
 
   /// When one of the motions is nearest, on a path that is not bent.
@@ -159,7 +156,7 @@ class SeparationCase {
   }
 
   bool all_touch_at(double tau) const {
-    const double slack = touching_share * scale_at(tau);
+    const double slack = slack_at(tau);
     const PairExtents<D> extents = encounter_.extents.after(tau);
     double square = 0;
     int first = 0;
@@ -208,6 +205,11 @@ class SeparationCase {
                     std::abs(place_of(family_.lower, axis, tau)));
   }
 
+  /// All are there from the one until the other.
+  double last_begin() const { return std::max({begin_, family_.first.begin, family_.last.begin}); }
+  double first_end() const { return std::min({end_, family_.first.end, family_.last.end}); }
+
+  double slack_at(double tau) const { return slack_ * scale_at(tau); }
   double scale_at(double tau) const {
     const Vec<D> v = family_.upper[1].abs().max(family_.lower[1].abs()) + encounter_.v.abs();
     const PairExtents<D> extents = encounter_.extents.after(tau);
@@ -215,22 +217,33 @@ class SeparationCase {
     return (encounter_.x.abs() + extents.half.abs() + tau * v).maxCoeff() + std::abs(extents.radius) + sum;
   }
 
-  ProbeResult probe_straight(const TrajectoryEstimate<D>& path, double& tau) const {
-    const auto near = straight_approach<D>(encounter_.extents, path.x, path.v, begin_, end_);
+  ProbeResult probe_straight(const TrajectoryEstimate<D>& path, double begin, double& tau) const {
+    const auto near = straight_approach<D>(encounter_.extents, path.x, path.v, begin, end_);
     tau = near.tau;
     if (!(near.gap > 0)) return ProbeResult::overlapping;
-    return plane_proves<D>(encounter_, family_.all, near.normal, begin_, end_) ? ProbeResult::separated
-                                                                               : ProbeResult::inconclusive;
+    if (plane_proves<D>(encounter_, family_.all, near.normal, begin, end_)) return ProbeResult::separated;
+    return is_proven_by_tilt(path, near, begin) ? ProbeResult::separated : ProbeResult::inconclusive;
+  }
+
+  /// Near touching, a plane that nearly holds for ever turns a little, so that those pass it which the last
+  /// places of their velocities would lead through it in the end.
+  bool is_proven_by_tilt(const TrajectoryEstimate<D>& path, const StraightApproach<D>& near,
+                         double begin) const {
+    const double square = (path.v * path.v).sum(), size = scale_at(near.tau);
+    if (near.gap > 0x1p-30 * size || !(square > 0)) return false;
+    const Vec<D> unsure = family_.all.velocity.pad + encounter_.ev + 0x1p-50 * encounter_.v.abs();
+    const Vec<D> tilted = near.normal + (2 * (near.normal.abs() * unsure).sum() / square) * path.v;
+    return plane_proves<D>(encounter_, family_.all, tilted, begin, end_);
   }
 
   /// Part by part of the time, each taken for straight.
-  ProbeResult probe_bent(const TrajectoryEstimate<D>& path, double& tau) const {
+  ProbeResult probe_bent(const TrajectoryEstimate<D>& path, double begin, double& tau) const {
     struct Part {
       double begin, end;
     };
     std::array<Part, 64> parts;
     std::size_t count = 0;
-    parts[count++] = {begin_, end_};
+    parts[count++] = {begin, end_};
     for (int evaluations = 0; count > 0; ++evaluations, ++parts_) {
       const Part part = parts[--count];
       const double middle = 0.5 * (part.begin + part.end), length = part.end - part.begin;
@@ -245,8 +258,10 @@ class SeparationCase {
         tau = deepest_time(path, tau);
         return ProbeResult::overlapping;
       }
-      const double bend = 0.125 * length * length * path.a.abs().sum();
-      if (evaluations > 200 || !(bend > 0.5 * width_at(part.end))) return ProbeResult::inconclusive;
+      // What cutting gains, and what only shorter ranges do.
+      const Vec<D> along = family_.is_from_start ? near.normal : Vec<D>(Vec<D>::Ones());
+      const double bend = 0.125 * length * length * (along * path.a).abs().sum();
+      if (evaluations > 200 || !(bend > 0.5 * width_along(along, part.end))) return ProbeResult::inconclusive;
       parts[count++] = {middle, part.end};
       parts[count++] = {part.begin, middle};
       if (count + 2 > parts.size()) return ProbeResult::inconclusive;
@@ -276,16 +291,17 @@ class SeparationCase {
   }
 
   /// How far apart two of the range can be at tau.
-  double width_at(double tau) const {
-    return ((family_.upper[0] - family_.lower[0]) +
-            tau * ((family_.upper[1] - family_.lower[1]) + 0.5 * tau * (family_.upper[2] - family_.lower[2])))
-        .sum();
+  double width_at(double tau) const { return width_along(Vec<D>::Ones(), tau); }
+  double width_along(const Vec<D>& n, double tau) const {
+    const Vec<D> v = family_.upper[1] - family_.lower[1], a = family_.upper[2] - family_.lower[2];
+    return (n.abs() * (family_.upper[0] - family_.lower[0] + tau * (v + 0.5 * tau * a))).sum();
   }
 
   const Encounter<D>& encounter_;
   const TrajectoryFamily<D>& family_;
   double begin_, end_;
   bool bends_;
+  double slack_;
   mutable std::uint64_t parts_ = 0;
 };
 

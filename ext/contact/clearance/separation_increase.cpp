@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/clearance/bent_parting.h"
 #include "contact/clearance/separation_case.h"
 
 namespace foresee {
@@ -17,6 +18,13 @@ bool is_round_alone(const PairExtents<D>& extents) {
   for (int axis = 0; axis < extents.round_axes; ++axis)
     if (extents.half[axis] != 0) return false;
   return true;
+}
+
+/// Twice how far along n a proof must allow for beside each of these, but for a little.
+template <int D>
+double beside_each(const VectorSet<D>& set, const Vec<D>& n) {
+  const double length = set.turns ? std::sqrt(n[0] * n[0] + n[D > 1] * n[D > 1]) * set.radius : 0;
+  return 1.9 * ((n.abs() * set.pad).sum() + 0x1p-47 * length);
 }
 
 /// Does the distance of the centres never shrink, on paths that are not bent? Its slope grows with time, so
@@ -36,9 +44,10 @@ ClearanceVerdict certify_straight_separation_increases(const Encounter<D>& encou
   error *= 1 + 0x1p-48;
   const double least = along - most;
   if (least - error >= 0) return ClearanceVerdict::clear;
-  const double greatest = along + own.support(-encounter.x),
-               slack = touching_share * (encounter.x.abs() * v).sum();
-  return greatest <= slack ? ClearanceVerdict::blocked : ClearanceVerdict::open;
+  // Twice what is beside each velocity: no single one is proven, then.
+  const double greatest = along + own.support(-encounter.x);
+  return greatest <= error + beside_each<D>(own, encounter.x) ? ClearanceVerdict::blocked
+                                                              : ClearanceVerdict::open;
 }
 
 /// Does a part of the gap never shrink, of a set that grows by `rate`? `x`: where the other is, as seen along
@@ -53,8 +62,8 @@ ClearanceVerdict certify_gap_increases(const Encounter<D>& encounter, const Traj
                         16 * unit_roundoff * ((x.abs() * v).sum() + opening)) *
                        (1 + 0x1p-48);
   if (along - own.support(x) - error >= 0) return ClearanceVerdict::clear;
-  const double slack = touching_share * ((x.abs() * v).sum() + opening);
-  return along + own.support(-x) <= slack ? ClearanceVerdict::blocked : ClearanceVerdict::open;
+  return along + own.support(-x) <= error + beside_each<D>(own, x) ? ClearanceVerdict::blocked
+                                                                   : ClearanceVerdict::open;
 }
 
 /// The same of all of it, on paths that are not bent. A disc or ball is left for good if the distance of the
@@ -86,77 +95,11 @@ ClearanceVerdict certify_growing_separation_increases(const Encounter<D>& encoun
                                         : ClearanceVerdict::clear;
 }
 
-/// The least value of x y, each within its ends; nothing is known of it where doubles do not hold a product.
-double min_product(double x0, double x1, double y0, double y1) {
-  if (!std::isfinite(x0 * y0 + x0 * y1 + x1 * y0 + x1 * y1)) return -std::numeric_limits<double>::infinity();
-  const double least = std::min({x0 * y0, x0 * y1, x1 * y0, x1 * y1});
-  return least - 4 * unit_roundoff * std::abs(least);
-}
-
-/// Place times velocity on one axis, at least, during [begin, end].
-template <int D>
-double min_turn(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, int axis, double begin,
-                double end) {
-  const double ev = encounter.ev[axis];
-  const double v0 = encounter.v[axis] - ev - family.upper[1][axis],
-               v1 = encounter.v[axis] + ev - family.lower[1][axis];
-  const double a0 = encounter.a[axis] - family.upper[2][axis], a1 = encounter.a[axis] - family.lower[2][axis];
-  const double slow = v0 + std::min(begin * a0, end * a0), fast = v1 + std::max(begin * a1, end * a1);
-  const double low =
-      encounter.x[axis] + begin * (v0 + 0.5 * begin * a0) + std::min(0.0, (end - begin) * slow);
-  const double high =
-      encounter.x[axis] + begin * (v1 + 0.5 * begin * a1) + std::max(0.0, (end - begin) * fast);
-  const double speed = std::abs(v0) + std::abs(v1) + end * (std::abs(a0) + std::abs(a1));
-  const double pad = encounter.ex[axis] + 16 * unit_roundoff * (std::abs(encounter.x[axis]) + end * speed),
-               speed_pad = 16 * unit_roundoff * speed;
-  return min_product(low - pad, high + pad, slow - speed_pad, fast + speed_pad);
-}
-
-/// The same where paths bend: place times velocity, as intervals, over ever shorter times. A ball is left for
-/// good where the sum does not shrink; a box or cylinder, if no part of it does.
-template <int D>
-bool never_shrinks(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, double begin, double end,
-                   int cuts) {
-  const bool rounds = is_round_alone(encounter.extents);
-  double round = 0, least = 0;
-  for (int axis = 0; axis < D; ++axis) {
-    const double turn = min_turn<D>(encounter, family, axis, begin, end);
-    if (rounds && axis < encounter.extents.round_axes)
-      round += turn;
-    else
-      least = std::min(least, turn);
-  }
-  if (least >= 0 && round >= 0) return true;
-  if (cuts == 0) return false;
-  const double middle = 0.5 * (begin + end);
-  return never_shrinks<D>(encounter, family, begin, middle, cuts - 1) &&
-         never_shrinks<D>(encounter, family, middle, end, cuts - 1);
-}
-
-/// What never_shrinks() asks for fails at some moment, or may as well. Roughly.
-template <int D>
-bool shrinks(const Encounter<D>& encounter, const TrajectoryEstimate<D>& own, double end) {
-  const TrajectoryEstimate<D> path = relative<D>(encounter, own);
-  const double step = end / sampled_times;
-  for (int i = 0; i <= sampled_times; ++i) {
-    const double tau = i * step;
-    const Vec<D> turn = place_at<D>(path, tau) * (path.v + tau * path.a);
-    const double slack = touching_share * turn.abs().sum();
-    const int round_axes = is_round_alone(encounter.extents) ? encounter.extents.round_axes : 0;
-    double round = 0;
-    for (int axis = 0; axis < round_axes; ++axis) round += turn[axis];
-    if (round_axes > 0 && round <= slack) return true;
-    for (int axis = round_axes; axis < D; ++axis)
-      if (turn[axis] < -slack || (turn[axis] <= slack && path.a[axis] != 0)) return true;
-  }
-  return false;
-}
-
 }  // namespace
 
 template <int D>
 ClearanceVerdict certify_separation_increases(const Encounter<D>& encounter,
-                                              const TrajectoryFamily<D>& family) {
+                                              const TrajectoryFamily<D>& family, std::uint64_t& evaluations) {
   const SeparationCase<D> question(encounter, family);
   if (question.never_together() || question.end() <= 0) return ClearanceVerdict::clear;
   if (!question.is_finite()) return ClearanceVerdict::blocked;
@@ -164,12 +107,10 @@ ClearanceVerdict certify_separation_increases(const Encounter<D>& encounter,
   if (question.bends() && (encounter.extents.grows || encounter.extents.sum))
     return ClearanceVerdict::blocked;
   if (encounter.extents.grows) return certify_growing_separation_increases<D>(encounter, family);
-  if (!question.bends()) return certify_straight_separation_increases<D>(encounter, family);
-  if (never_shrinks<D>(encounter, family, 0, question.end(), 6)) return ClearanceVerdict::clear;
-  const bool all_shrink = shrinks(encounter, family.first, question.end()) &&
-                          shrinks(encounter, family.middle, question.end()) &&
-                          shrinks(encounter, family.last, question.end());
-  return all_shrink ? ClearanceVerdict::blocked : ClearanceVerdict::open;
+  // On bent paths, how the change starts tells who does not part.
+  const ClearanceVerdict at_once = certify_straight_separation_increases<D>(encounter, family);
+  if (!question.bends() || at_once == ClearanceVerdict::blocked) return at_once;
+  return judge_bent_parting<D>(encounter, family, evaluations);
 }
 
 namespace {
@@ -238,9 +179,10 @@ ClearanceVerdict certify_piece_separation_increases(const Encounter<D>& encounte
   Vec<D> ignored;
   const double slack = touching_share * (encounter.x.abs().maxCoeff() + encounter.extents.size());
   const double outside = signed_distance<D>(encounter.extents, encounter.x, ignored);
-  if (outside <= -encounter.inflation - slack) return certify_separation_increases<D>(encounter, family);
+  if (outside <= -encounter.inflation - slack)
+    return certify_separation_increases<D>(encounter, family, evaluations);
   if (outside > encounter.inflation + slack) return certified();
-  const ClearanceVerdict increasing = certify_separation_increases<D>(encounter, family);
+  const ClearanceVerdict increasing = certify_separation_increases<D>(encounter, family, evaluations);
   if (D == 1 || (increasing == ClearanceVerdict::blocked && encounter.rotation_chord < min_chord))
     return ClearanceVerdict::blocked;
   const Trend trend = trend_at_boundary<D>(encounter, family, slack);
@@ -250,9 +192,12 @@ ClearanceVerdict certify_piece_separation_increases(const Encounter<D>& encounte
                                                                             : ClearanceVerdict::open;
 }
 
-template ClearanceVerdict certify_separation_increases<1>(const Encounter<1>&, const TrajectoryFamily<1>&);
-template ClearanceVerdict certify_separation_increases<2>(const Encounter<2>&, const TrajectoryFamily<2>&);
-template ClearanceVerdict certify_separation_increases<3>(const Encounter<3>&, const TrajectoryFamily<3>&);
+template ClearanceVerdict certify_separation_increases<1>(const Encounter<1>&, const TrajectoryFamily<1>&,
+                                                          std::uint64_t&);
+template ClearanceVerdict certify_separation_increases<2>(const Encounter<2>&, const TrajectoryFamily<2>&,
+                                                          std::uint64_t&);
+template ClearanceVerdict certify_separation_increases<3>(const Encounter<3>&, const TrajectoryFamily<3>&,
+                                                          std::uint64_t&);
 template ClearanceVerdict certify_piece_separation_increases<1>(const Encounter<1>&,
                                                                 const TrajectoryFamily<1>&, std::uint64_t&);
 template ClearanceVerdict certify_piece_separation_increases<2>(const Encounter<2>&,

@@ -8,17 +8,16 @@
 namespace foresee {
 
 /// About an object that is touched when the change is made. A change is clear of it if the distance
-/// of the two centres never shrinks; then what is convex is never touched again. Between bent paths this
-/// asks for more than it must: that it does not shrink as long as both exist, for boxes and cylinders on no
-/// axis. Of what grows it is the gap that must not shrink; between bent paths that is blocked, and so
-/// is what has pieces.
+/// of the two centres never shrinks while they touch, and they do not touch again (bent_parting.h); on paths
+/// that are not bent, what is convex never is. Of what grows it is the gap that must not shrink; between bent
+/// paths that is blocked, and so is what has pieces. `evaluations`: as for judge().
 template <int D>
 ClearanceVerdict certify_separation_increases(const Encounter<D>& encounter,
-                                              const TrajectoryFamily<D>& family);
+                                              const TrajectoryFamily<D>& family, std::uint64_t& evaluations);
 
 /// The same of one of several pieces, or of one that turns, about which it is not known whether it is touched
 /// when the change is made: clear of it is also who is not met at all. Where that is not told from touching,
-/// whatever line may part the two must move away. `evaluations`: as for certify_clearance().
+/// whatever line may part the two must move away.
 template <int D>
 ClearanceVerdict certify_piece_separation_increases(const Encounter<D>& encounter,
                                                     const TrajectoryFamily<D>& family,

@@ -1,65 +1,8 @@
 #include "contact/clearance/trajectory_family.h"
 
-#include "contact/set/relative_motion.h"
 #include "numbers/turned_vector.h"
 
 namespace foresee {
-
-namespace {
-
-DoubleDouble number(double value) {
-  return {value, 0};
-}
-
-/// The last moment of the horizon after `s`, rounded up.
-double horizon_end(const Horizon& horizon, double s) {
-  if (s == horizon.now) return horizon.h;
-  const double passed = s - horizon.now;
-  return (horizon.h - passed) + 0x1p-50 * (horizon.h + std::abs(passed));
-}
-
-}  // namespace
-
-template <int D>
-Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const Bodies& others,
-                          const double* row, const GrowingExtents<D>& extents) {
-  constexpr double inf = std::numeric_limits<double>::infinity();
-  const double t = value_or(row, others.at.t, 0), until = value_or(row, others.at.until, inf);
-  const DoubleDouble age = difference(base.t, t);
-  Encounter<D> encounter;
-  for (int axis = 0; axis < D; ++axis) {
-    const AxisMotion<double> other = axis_motion(others, row, axis);
-    const double own = base.x[static_cast<std::size_t>(axis)];
-    const DoubleDouble gap = difference(other.x, own);
-    encounter.a[axis] = other.a;
-    if (age.high == 0) {
-      encounter.x[axis] = gap.high, encounter.v[axis] = other.v;
-      encounter.ex[axis] = std::abs(gap.low), encounter.ev[axis] = 0;
-      continue;
-    }
-    const DoubleDouble gained = age * number(other.a);
-    const DoubleDouble v = number(other.v) + gained, x = gap + age * (number(other.v) + half_of(gained));
-    const double path = std::abs(age.high) * (std::abs(other.v) + std::abs(gained.high));
-    encounter.x[axis] = x.high, encounter.v[axis] = v.high;
-    encounter.ex[axis] =
-        std::abs(x.low) + 0x1p-95 * (std::abs(other.x) + std::abs(own) + path) + (path == 0 ? 0 : 0x1p-1000);
-    encounter.ev[axis] = std::abs(v.low) + 0x1p-95 * (std::abs(other.v) + std::abs(gained.high)) +
-                         (gained.high == 0 ? 0 : 0x1p-1000);
-  }
-  encounter.extents = extents;
-  const double begin = t - base.t, end = until - base.t;
-  encounter.begin = std::max(0.0, begin * (1 - 0x1p-50));
-  encounter.end = std::min(horizon_end(horizon, base.t), end > 0 ? end * (1 + 0x1p-50) : end * (1 - 0x1p-50));
-  return encounter;
-}
-
-template Encounter<1> encounter_of<1>(const OwnMotion&, const Horizon&, const Bodies&, const double*,
-                                      const GrowingExtents<1>&);
-template Encounter<2> encounter_of<2>(const OwnMotion&, const Horizon&, const Bodies&, const double*,
-                                      const GrowingExtents<2>&);
-template Encounter<3> encounter_of<3>(const OwnMotion&, const Horizon&, const Bodies&, const double*,
-                                      const GrowingExtents<3>&);
-
 namespace {
 
 template <int D>
@@ -75,10 +18,20 @@ template <int D>
 void find_ends(const VectorSet<D>& set, Vec<D>& least, Vec<D>& most) {
   least = most = Vec<D>::Zero();
   if ((set.centre == 0).all() && (set.along == 0).all() && (set.pad == 0).all()) return;
-  for (int axis = 0; axis < D; ++axis) most[axis] = set.max(axis), least[axis] = set.min(axis);
+  for (int axis = 0; axis < D; ++axis) {
+    const bool is_one = !set.turns && set.along[axis] == 0 && set.pad[axis] == 0;
+    most[axis] = is_one ? set.centre[axis] : set.max(axis);
+    least[axis] = is_one ? set.centre[axis] : set.min(axis);
+  }
 }
 
 }  // namespace
+
+template <int D>
+void find_ends(TrajectoryFamily<D>& family) {
+  const VectorSet<D>* const parts[] = {&family.all.place, &family.all.velocity, &family.all.acceleration};
+  for (int part = 0; part < 3; ++part) find_ends<D>(*parts[part], family.lower[part], family.upper[part]);
+}
 
 template <int D>
 TrajectoryEstimate<D> trajectory_estimate(const OwnMotion& base, const Change& change, double k) {
@@ -97,23 +50,31 @@ TrajectoryFamily<D> trajectory_family(const OwnMotion& base, const Change& chang
   TrajectoryFamily<D> family;
   family.all = motions_between<D>(base, change, p, q);
   const auto& all = family.all;
+  family.delayed = change.manoeuvre == Manoeuvre::delay;
   family.middle = {all.place.centre, all.velocity.centre, all.acceleration.centre, all.begin, all.end};
   family.first = trajectory_estimate<D>(base, change, p),
   family.last = trajectory_estimate<D>(base, change, q);
-  const VectorSet<D>* const parts[] = {&all.place, &all.velocity, &all.acceleration};
-  for (int part = 0; part < 3; ++part) find_ends<D>(*parts[part], family.lower[part], family.upper[part]);
+  find_ends<D>(family);
   const auto off_chord = [](const VectorSet<D>& set) {
     return set.turns ? (1 - (set.whole_circle ? -1 : set.cosine)) * set.radius : 0;
   };
-  family.turned[0] = (change.manoeuvre == Manoeuvre::delay ? all.place.pad.sum() : 0);
+  family.turned[0] = (family.delayed ? all.place.pad.sum() : 0);
   family.turned[1] = off_chord(all.velocity), family.turned[2] = off_chord(all.acceleration);
   // Turned by more than a third of a circle, the middle stands for few of them: none moves on the whole.
   if (all.velocity.turns && all.velocity.cosine < 0.5) family.middle.v *= all.velocity.cosine > 0 ? 0.5 : 0;
+  if (family.delayed) {
+    family.at_start = motions_between<D>(base, {Manoeuvre::accelerate, 1}, 0, 0).velocity;
+    const double unsure = min_change(base, change, p, q);
+    family.delay_from = p + change.later - unsure, family.delay_to = q + change.later + unsure;
+  }
   family.bends = (family.upper[2] != 0).any() || (family.lower[2] != 0).any();
   family.one_interval = change.manoeuvre != Manoeuvre::turn && p < q;
   return family;
 }
 
+template void find_ends<1>(TrajectoryFamily<1>&);
+template void find_ends<2>(TrajectoryFamily<2>&);
+template void find_ends<3>(TrajectoryFamily<3>&);
 template TrajectoryEstimate<1> trajectory_estimate<1>(const OwnMotion&, const Change&, double);
 template TrajectoryEstimate<2> trajectory_estimate<2>(const OwnMotion&, const Change&, double);
 template TrajectoryEstimate<3> trajectory_estimate<3>(const OwnMotion&, const Change&, double);

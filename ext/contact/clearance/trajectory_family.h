@@ -7,45 +7,15 @@
 // proof. Cost: some hundred ns.
 #pragma once
 
-#include "contact/clearance/pair_extents.h"
-#include "motion/manoeuvre.h"
+#include "contact/clearance/encounter.h"
 #include "motion/motion_set.h"
-#include "shape/bodies.h"
 
 namespace foresee {
-
-// One other object, as an object sees it that is about to change its motion: from the moment and the place of
-// the change.
-//
-//   const Encounter<2> encounter = encounter_of<2>(base, {now, h}, others, row,
-//                                           rule.pair<2>(own_row, row, base.t));
-//   if (encounter.begin > encounter.end) …                             // never there together
-//
-// At tau seconds after the change the other is at x + v tau + a tau^2 / 2, each number within its error.
-// Positions are differenced in double-double before anything is rounded, so that neither old reports nor
-// places far from the origin cost digits. Cost: some tens of nanoseconds.
-
-template <int D>
-struct Encounter {
-  Vec<D> x, v, a;
-  Vec<D> ex, ev;              ///< errors; a is exact
-  GrowingExtents<D> extents;  ///< as of the change
-  double begin, end;          ///< both exist within the horizon, in seconds after the change, rounded outward
-  double inflation = 0;       ///< of some changes the set reaches so much farther, or less far …
-  double rotation_chord = 0;  ///< … as it is turned by this, in lengths of what turns
-
-  bool bends() const { return (a != 0).any(); }
-};
-
-/// `base`: the motion that is changed, as of the change. Of what doubles do not hold, numbers are not finite.
-template <int D>
-Encounter<D> encounter_of(const OwnMotion& base, const Horizon& horizon, const Bodies& others,
-                          const double* row, const GrowingExtents<D>& extents);
 
 /// Of a bent path, in looking for a moment: none is proven by that.
 inline constexpr int sampled_times = 32;
 /// What is taken for touching: relative to the lengths at hand, more than a proof at any width asks for.
-inline constexpr double touching_share = 0x1p-42;
+inline constexpr double touching_share = 0x1p-44;
 
 /// One motion, roughly: as of the change, the place as seen from the base's own, and when it exists.
 template <int D>
@@ -59,14 +29,22 @@ template <int D>
 struct TrajectoryFamily {
   MotionSet<D> all;
   TrajectoryEstimate<D> middle, first, last;
-  Vec<D> upper[3], lower[3];  ///< of places, velocities and accelerations along each axis
-  double turned[3];   ///< how far an arc of these leaves its chord at most; 0: what does not turn is straight
-  bool bends;         ///< any of them is accelerated
-  bool one_interval;  ///< what is not bent touches for the changes of one interval
+  Vec<D> upper[3], lower[3];            ///< of places, velocities and accelerations along each axis
+  double turned[3]{};                   ///< how far an arc of these leaves its chord; 0: a segment
+  bool delayed = false;                 ///< each has a start of its own, at one place …
+  double delay_from = 0, delay_to = 0;  ///< … so long after the base's t …
+  VectorSet<D> at_start;                ///< … and with one velocity
+  bool is_from_start = false;           ///< seen_from_start(): what differs is where the other is
+  bool bends;                           ///< any of them is accelerated
+  bool one_interval;                    ///< what is not bent touches for the changes of one interval
 };
 
 template <int D>
 TrajectoryFamily<D> trajectory_family(const OwnMotion& base, const Change& change, double p, double q);
+
+/// The ends on each axis, of what `all` is by now.
+template <int D>
+void find_ends(TrajectoryFamily<D>& family);
 
 template <int D>
 TrajectoryEstimate<D> trajectory_estimate(const OwnMotion& base, const Change& change, double k);

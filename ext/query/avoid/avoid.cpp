@@ -9,7 +9,7 @@
 #include "base/float_environment.h"
 #include "motion/life_interval.h"
 #include "query/avoid/clear_ranges.h"
-#include "query/avoid/exact_avoidance.h"
+#include "query/avoid/close_look.h"
 #include "query/avoid/intruders.h"
 #include "query/join/question.h"
 
@@ -141,10 +141,14 @@ class Manoeuvring {
   template <int D>
   std::vector<KRange> proven() {
     const bool delayed = queried_.manoeuvre == Manoeuvre::delay;
-    std::vector<std::vector<std::uint8_t>> first;
-    for (const auto& near : near_) first.emplace_back(near->size());
-    for (const Intruder& intruder : exact_.at_first(record_at_first()))
-      first[static_cast<std::size_t>(intruder.table)][intruder.row] = 1;
+    const auto marked = [&](const std::vector<Intruder>& some) {
+      std::vector<std::vector<std::uint8_t>> marks;
+      for (const auto& near : near_) marks.emplace_back(near->size());
+      for (const Intruder& intruder : some) marks[static_cast<std::size_t>(intruder.table)][intruder.row] = 1;
+      return marks;
+    };
+    const auto first = marked(exact_.at_first(record_at_first()));
+    const auto at_start = delayed ? marked(touched_at_start()) : first;
     struct Ordered {
       double nearness;
       std::size_t table;
@@ -165,15 +169,18 @@ class Manoeuvring {
         if (i % 4096 == 0) interrupt_.check();
         const bool touches = first[table][i] != 0;
         if (touches && question_.touching == Touching::ignore) continue;
-        const auto encounter =
-            encounter_of<D>(reference_motion_, {question_.now, question_.h}, there, there.row(i),
-                            rule.pair<D>(own.row(0), there.row(i), reference_motion_.t));
+        auto encounter = encounter_of<D>(reference_motion_, {question_.now, question_.h}, there, there.row(i),
+                                         rule.pair<D>(own.row(0), there.row(i), reference_motion_.t));
         if (encounter.begin > encounter.end) continue;
         const double far = (encounter.x.abs() - encounter.extents.half).maxCoeff() - encounter.extents.radius;
         std::shared_ptr<const OutlinePair> pair;
         if (outlines) pair = std::make_shared<OutlinePair>(own_outline, there, i);
-        ordered.push_back(
-            {far, table, near_[table]->ids[i], {encounter, touches && !delayed, std::move(pair)}});
+        const auto known = at_first<D>(encounter, touches, at_start[table][i] != 0);
+        if (needs_close_look(encounter, touches)) {
+          const Intruder intruder{static_cast<int>(table), static_cast<std::uint32_t>(i)};
+          look_closely(encounter, exact_.first(record_at_first(), intruder), delayed);
+        }
+        ordered.push_back({far, table, near_[table]->ids[i], {encounter, known, std::move(pair)}});
       }
     }
     std::sort(ordered.begin(), ordered.end(), [](const Ordered& a, const Ordered& b) {
@@ -183,6 +190,29 @@ class Manoeuvring {
     for (Ordered& one : ordered) certificates.push_back(std::move(one.certificate));
     return ClearRanges<D>(reference_motion_, change_, std::move(certificates), interrupt_)
         .between(queried_.lo, queried_.hi);
+  }
+
+  /// Whom the object touches, at some moment, if it never leaves the place of its start.
+  std::vector<Intruder> touched_at_start() {
+    static const std::vector<Intruder> none;
+    OwnMotion resting = stored_;
+    resting.t = reference_motion_.t, resting.until = std::numeric_limits<double>::infinity();
+    resting.v = resting.a = resting.force = {};
+    return exact_.by(ExactAvoidance::with_motion(question_.own->layout, question_.record, resting), &none);
+  }
+
+  /// Of a delay it is known of who rests alone: whenever that starts, the other is where it was.
+  template <int D>
+  typename IntruderCertificate<D>::AtFirst at_first(const Encounter<D>& encounter, bool touches,
+                                                    bool touches_at_start) const {
+    using AtFirst = typename IntruderCertificate<D>::AtFirst;
+    if (queried_.manoeuvre == Manoeuvre::delay) {
+      const bool rests = (encounter.v == 0).all() && (encounter.ev == 0).all() && !encounter.bends() &&
+                         !encounter.extents.grows;
+      return rests && !touches_at_start ? AtFirst::apart : AtFirst::unknown;
+    }
+    if (touches) return AtFirst::touches;
+    return encounter.begin > 0 || turns_ ? AtFirst::unknown : AtFirst::apart;
   }
 
   /// Clear ranges and what lies between them.

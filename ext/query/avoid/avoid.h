@@ -10,8 +10,9 @@
 //   - No change of a clear row touches anybody during the horizon: proven for every double of it, for the
 //     numbers as they are stored, and for velocities within 4 units in the last place of those.
 //   - k = 0, and a question with lo = hi, is decided both ways by exact contact of the stored row.
-//   - A clear range wider than 10^-6 of [lo, hi] is found, and ends no farther than that from a change that
-//     touches; usually 10^-12. What is blocked is not proven clear, no more.
+//   - A clear range wider than 10^-6 of [lo, hi] is found if it stays clear for velocities within 64 units in
+//     the last place, and ends no farther than that from a change that touches; usually 10^-12. What is
+//     blocked is not proven clear, no more (docs/avoidance.md: limits).
 // No rows: nobody has this id, does not exist during the horizon, has no course, or has started (delay).
 // Answers do not depend on index, order, threads, CPU or objects out of reach.
 //

@@ -51,15 +51,6 @@ double ClearRanges<D>::narrowest() const {
                                                                     : 0x1p-12));
 }
 
-/// Parting on bent paths is proven by intervals, which leave a little in doubt at any width.
-template <int D>
-double ClearRanges<D>::min_width_for(const IntruderCertificate<D>& intruder) const {
-  const bool bends = intruder.encounter().bends() ||
-                     std::any_of(base_.a.begin(), base_.a.end(), [](double a) { return a != 0; });
-  return intruder.touches_first() && (bends || change_.manoeuvre == Manoeuvre::accelerate) ? width_ * 0x1p-14
-                                                                                           : 0;
-}
-
 template <int D>
 std::pair<std::uint32_t, std::uint32_t> ClearRanges<D>::parts_of(std::uint32_t intruder) {
   const auto found = parts_.find(intruder);
@@ -76,8 +67,7 @@ ClearanceVerdict ClearRanges<D>::certify(const IntruderCertificate<D>& intruder,
   const ClearanceVerdict judgement = intruder.certify(range.family, range.from, range.to, evaluations);
   step_.costly(static_cast<std::uint32_t>(16 * (1 + evaluations)));
   if (!range.is_first) evaluations_ += evaluations;
-  const bool narrow = judgement == ClearanceVerdict::open && range.to - range.from <= min_width_for(intruder);
-  return narrow ? ClearanceVerdict::blocked : judgement;
+  return judgement;
 }
 
 template <int D>

@@ -47,7 +47,7 @@ class ClearRanges {
   };
   /// `near`: an end that is known, beside the range, or infinite.
   void search(double from, double to, std::size_t begin, std::size_t end, double near);
-  /// Counts what it costs. Who leaves doubt of a range that is too narrow for it blocks.
+  /// Counts what it costs.
   ClearanceVerdict certify(const IntruderCertificate<D>& intruder, const Range& range);
   /// Of its parts the first that is not clear; they are not kept.
   ClearanceVerdict certify_parts(const IntruderCertificate<D>& intruder, const Range& range);
@@ -61,7 +61,6 @@ class ClearRanges {
   void cut(double from, double to, std::size_t begin, std::size_t end, double near);
   std::optional<double> guessed_end(double from, double to, std::size_t begin, std::size_t end) const;
   double narrowest() const;
-  double min_width_for(const IntruderCertificate<D>& intruder) const;
 
   const OwnMotion& base_;
   Change change_;

@@ -159,8 +159,10 @@ void ExactAvoidance::take_form() {
 
 std::unique_ptr<Contact> ExactAvoidance::contact(std::size_t table, const Horizon& horizon) const {
   const Scene& near = *near_[table];
-  return make_contact(own_.bodies(), near.bodies(), {horizon, question_.within, question_.within_z},
-                      own_.name, near.name);
+  auto contact = make_contact(own_.bodies(), near.bodies(), {horizon, question_.within, question_.within_z},
+                              own_.name, near.name);
+  contact->set_interrupt(interrupt_);
+  return contact;
 }
 
 std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contact>>& contacts,
@@ -231,7 +233,7 @@ bool ExactAvoidance::separates(const Intruder& intruder) {
     if (has_outlines(own.layout, others.layout))
       outlines =
           std::make_shared<OutlinePair>(std::make_shared<OwnOutline>(own, 0, false), others, intruder.row);
-    return is_clear_of<D>({encounter, true, outlines},
+    return is_clear_of<D>({encounter, IntruderCertificate<D>::AtFirst::touches, outlines},
                           trajectory_family<D>(base, {Manoeuvre::speed, 1}, 0, 0), 0);
   });
 }

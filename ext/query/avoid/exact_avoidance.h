@@ -43,6 +43,15 @@ class ExactAvoidance {
   /// whom this motion touches at first.
   std::vector<Intruder> by(const std::vector<double>& record, const std::vector<Intruder>* first = nullptr);
 
+  /// How an intruder is met at the object's first moment, where and how fast, in the nearest doubles and
+  /// how far they are off; and of balls, discs and what is upright the square of the distance of the centres,
+  /// on the axes that are round, less that of their reach, rounded down, or 0 where that is not above 0.
+  struct First {
+    std::array<double, 3> x{}, ex{}, v{}, ev{};
+    double square_gap = 0;
+  };
+  First first(const std::vector<double>& record, const Intruder& intruder);
+
   /// Of those of by() the one that is touched first: ties by table, then by id.
   std::optional<Blocker> first_of(const std::vector<double>& record, const std::vector<Intruder>& touched);
 

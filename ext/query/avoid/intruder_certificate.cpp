@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contact/clearance/departure.h"
 #include "contact/clearance/separation_increase.h"
 
 namespace foresee {
@@ -17,32 +18,35 @@ double chord_of(double degrees) {
 }  // namespace
 
 template <int D>
-IntruderCertificate<D>::IntruderCertificate(const Encounter<D>& encounter, bool touches_first,
+IntruderCertificate<D>::IntruderCertificate(const Encounter<D>& encounter, AtFirst at_first,
                                             std::shared_ptr<const OutlinePair> outlines)
     : encounter_(encounter),
-      touches_first_(touches_first),
+      at_first_(at_first),
       stage_(outlines ? Stage::whole : Stage::simple),
       outlines_(std::move(outlines)),
       round_(encounter.extents.radius) {
-  if (outlines_) encounter_.extents.radius += outlines_->reach() * (1 + 0x1p-50);
+  if (outlines_)
+    encounter_.extents.radius += outlines_->reach() * (1 + 0x1p-50);
+  else
+    encounter_.beside = at_first == AtFirst::apart && is_beside(encounter_);
 }
 
 template <int D>
 ClearanceVerdict IntruderCertificate<D>::certify(const TrajectoryFamily<D>& family, double p, double q,
                                                  std::uint64_t& evaluations) const {
-  if (touches_first_) ++evaluations;
+  if (touches_first()) ++evaluations;
   if (stage_ == Stage::simple)
-    return touches_first_ ? certify_separation_increases<D>(encounter_, family)
-                          : certify_clearance<D>(encounter_, family, evaluations);
+    return touches_first() ? certify_separation_increases<D>(encounter_, family, evaluations)
+                           : certify_clearance<D>(encounter_, family, evaluations);
   if (has_parts())
     return certify_clearance<D>(turning_ ? encounter_between(p, q) : encounter_, family, evaluations) ==
                    ClearanceVerdict::clear
                ? ClearanceVerdict::clear
                : ClearanceVerdict::open;
   const Encounter<D> turned = turning_ ? encounter_between(p, q) : encounter_;
-  if (!touches_first_) return certify_clearance<D>(turned, family, evaluations);
+  if (!touches_first()) return certify_clearance<D>(turned, family, evaluations);
   const bool surely_first = outlines_->is_sole() && !outlines_->turns();
-  return surely_first ? certify_separation_increases<D>(turned, family)
+  return surely_first ? certify_separation_increases<D>(turned, family, evaluations)
                       : certify_piece_separation_increases<D>(turned, family, evaluations);
 }
 
@@ -67,7 +71,7 @@ bool IntruderCertificate<D>::is_worth_splitting(const TrajectoryFamily<D>& famil
       (family.upper[0] - family.lower[0]) +
       end * ((family.upper[1] - family.lower[1]) + (0.5 * end) * (family.upper[2] - family.lower[2]));
   const double size = stage_ == Stage::boxes ? outlines_->box_size(part_) : 0;
-  return touches_first_ || 4 * (size + 2 * encounter_.extents.after(end).radius) >= apart.maxCoeff();
+  return touches_first() || 4 * (size + 2 * encounter_.extents.after(end).radius) >= apart.maxCoeff();
 }
 
 template <int D>
@@ -82,6 +86,8 @@ std::vector<IntruderCertificate<D>> IntruderCertificate<D>::parts() const {
     if (outlines_->turns()) one.turning_ = part.pieces ? one.sum_ : outlines_->turning_sum_of(part);
     one.encounter_.extents.sum = one.sum_.get();
     one.encounter_.extents.radius = round_ + outlines_->more_round(part) * (1 + 0x1p-50);
+    one.encounter_.beside =
+        part.pieces && !outlines_->turns() && at_first_ == AtFirst::apart && is_beside(one.encounter_);
     parts.push_back(std::move(one));
   }
   return parts;

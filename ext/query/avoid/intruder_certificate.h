@@ -2,7 +2,7 @@
 // as the disc around both, then box by box, down to their convex pieces, where what is around them is in
 // doubt.
 //
-//   IntruderCertificate<2> ship(encounter, false);
+//   IntruderCertificate<2> ship(encounter, IntruderCertificate<2>::AtFirst::apart);
 //   ship.certify_clearance(trajectory_family<2>(base, change, 10, 20), 10, 20, evaluations)
 //
 // Guarantee: what is judged clear is so for every change of the range (contact/clearance/separation.h). What
@@ -21,12 +21,18 @@ namespace foresee {
 template <int D>
 class IntruderCertificate {
  public:
-  /// `touches_first`: must part. `outlines`: null where sizes alone tell what touches.
-  IntruderCertificate(const Encounter<D>& encounter, bool touches_first,
+  /// What is known of the moment of the change, by exact contact.
+  enum class AtFirst : std::uint8_t {
+    touches,  ///< must part
+    apart,
+    unknown
+  };
+  /// `outlines`: null where sizes alone tell what touches.
+  IntruderCertificate(const Encounter<D>& encounter, AtFirst at_first,
                       std::shared_ptr<const OutlinePair> outlines = {});
 
   const Encounter<D>& encounter() const { return encounter_; }
-  bool touches_first() const { return touches_first_; }
+  bool touches_first() const { return at_first_ == AtFirst::touches; }
   ClearanceVerdict certify(const TrajectoryFamily<D>& family, double p, double q,
                            std::uint64_t& evaluations) const;
 
@@ -47,7 +53,7 @@ class IntruderCertificate {
   Encounter<D> encounter_between(double p, double q) const;
 
   Encounter<D> encounter_;
-  bool touches_first_;
+  AtFirst at_first_;
   Stage stage_;
   std::shared_ptr<const OutlinePair> outlines_;
   OutlinePair::Part part_;

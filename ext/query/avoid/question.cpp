@@ -10,6 +10,13 @@
 namespace foresee {
 namespace {
 
+/// Halves of it must be doubles.
+void require_width(double lo, double hi) {
+  if (!std::isfinite(hi - lo))
+    throw Error("hi - lo must be a finite number: lo is " + shown(lo) + ", hi is " + shown(hi) +
+                "; write changes that the object can make, as in -10, 10");
+}
+
 void require_range(const AvoidQuestion& question) {
   const auto& [lo, hi] = std::pair(question.lo, question.hi);
   if (lo.has_value() != hi.has_value())
@@ -21,6 +28,7 @@ void require_range(const AvoidQuestion& question) {
   require_finite("lo", *lo);
   require_finite("hi", *hi);
   require_order("lo", *lo, "hi", *hi);
+  require_width(*lo, *hi);
   if (question.how == Manoeuvre::turn && (*lo < -360 || *hi > 360))
     throw Error("a turn is asked in degrees from -360 to 360: lo is " + shown(*lo) + ", hi is " + shown(*hi));
 }
@@ -126,6 +134,7 @@ std::vector<QueriedChanges> queried_changes(const AvoidQuestion& question, const
   std::vector<QueriedChanges> queried;
   const auto add = [&](Manoeuvre manoeuvre, double lo, double hi) {
     queried.push_back({manoeuvre, question.lo.value_or(lo), question.hi.value_or(hi)});
+    require_width(queried.back().lo, queried.back().hi);
   };
   const bool moves = m > 0 && std::isfinite(m);
   if (!question.how && question.own->layout.axes > 1) add(Manoeuvre::turn, -180, 180);

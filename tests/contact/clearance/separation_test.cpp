@@ -99,8 +99,9 @@ TEST(Parting, NeedsADistanceThatNeverShrinks) {
   Meeting beside;
   beside.encounter.x = {15, 0};
   const auto parting = [&](double p, double q) {
-    return certify_separation_increases<2>(beside.encounter,
-                                           trajectory_family<2>(beside.base, {Manoeuvre::turn, 10}, p, q));
+    std::uint64_t evaluations = 0;
+    return certify_separation_increases<2>(
+        beside.encounter, trajectory_family<2>(beside.base, {Manoeuvre::turn, 10}, p, q), evaluations);
   };
   EXPECT_EQ(parting(-179, -1), ClearanceVerdict::clear);
   EXPECT_EQ(parting(1, 179), ClearanceVerdict::blocked);

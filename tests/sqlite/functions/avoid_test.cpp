@@ -148,6 +148,10 @@ TEST_F(AvoidInSql, SaysWhatToWrite) {
             name + ": lo must not be greater than hi: lo is 5, hi is 1");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'turn', -9e999, 1)"),
             name + ": lo must be a finite number, not -inf");
+  EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'speed', -1.7e308, 1.7e308)"),
+            name +
+                ": hi - lo must be a finite number: lo is -1.7e+308, hi is 1.7e+308; write changes that the "
+                "object can make, as in -10, 10");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'turn', -361, 0)"),
             name + ": a turn is asked in degrees from -360 to 360: lo is -361, hi is 0");
   EXPECT_EQ(error(name + "(60, 'ships', 1, 0, 'climb')"),
@@ -198,6 +202,50 @@ TEST_F(AvoidInSql, ClearsNothingWhereSpeedsHaveNoSquares) {
   EXPECT_EQ(db.rows("SELECT clear FROM predictive_avoid(100, 'snails', 1, 0, 'turn', 0, 0)"), "0");
   EXPECT_EQ(db.rows("SELECT clear, k_from, k_to FROM predictive_avoid(100, 'snails', 1, 0, 'turn', -1, 1)"),
             "0|-1.0|1.0");
+}
+
+TEST_F(AvoidInSql, RefusesTheDefaultRangeOfASpeedThatCannotBeDoubled) {
+  db.exec("UPDATE ships SET vx = 1e308, vy = 0 WHERE id = 4");
+  EXPECT_EQ(error("predictive_avoid(60, 'ships', 4, 0, 'speed')"),
+            "predictive_avoid: hi - lo must be a finite number: lo is -1e+308, hi is 1e+308; write changes "
+            "that the object can make, as in -10, 10");
+  EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_avoid(60, 'ships', 4, 0, 'speed', -1, 1)"), "1");
+}
+
+struct NearTouching : AvoidInSql {
+  /// Rows with ends to six places, and who is named there.
+  std::string asked(const std::string& call) {
+    return db.rows("SELECT clear, round(k_from, 6), round(k_to, 6), below, above FROM predictive_avoid(" +
+                   call + ") WHERE k_to - k_from > 1e-6 OR clear = 0 AND k_from = k_to");
+  }
+};
+
+TEST_F(NearTouching, EveryTurnAwayIsClearBesideWhoIsNearlyTouched) {
+  db.exec(
+      "CREATE VIRTUAL TABLE beside USING moving_objects(id, t, x, y, vx, vy, r);"
+      "INSERT INTO beside VALUES (1, 0, 0, 0, 8, 0, 5), (2, 0, 0, 10.00000000000090949470177, 8, 0, 5)");
+  EXPECT_EQ(asked("100, 'beside', 1, 0, 'turn', -60, 90"), "0|-60.0|0.0|2|2\n1|0.0|90.0|NULL|NULL");
+  EXPECT_EQ(asked("100, 'beside', 1, 0, 'turn', -90, 180"), "0|-90.0|0.0|2|2\n1|0.0|180.0|NULL|NULL");
+}
+
+TEST_F(NearTouching, EveryDelayIsClearOfWhoRestsJustBesideTheStart) {
+  db.exec(
+      "CREATE VIRTUAL TABLE starts USING moving_objects(id, t, x, y, vx, vy, r);"
+      "INSERT INTO starts VALUES (1, 0, 0, 0, -4, 0, 5), (2, 16, 10.00000000000090949470177, 0, 0, 0, 5)");
+  EXPECT_EQ(asked("100, 'starts', 1, 0, 'delay', 0, 20, 0"), "1|0.0|20.0|NULL|NULL");
+  // Another that touches the start, and moves on.
+  db.exec(
+      "UPDATE starts SET t = 0, x = -10, vx = -8 WHERE id = 2; UPDATE starts SET vx = 0, vy = 3 WHERE id = "
+      "1");
+  EXPECT_EQ(asked("100, 'starts', 1, 0, 'delay', 0, 20, 0"), "1|0.0|20.0|NULL|NULL");
+}
+
+TEST_F(NearTouching, TurnsAtWhichTheDistanceOnlyGrowsAreClearOnBentPathsToo) {
+  db.exec(
+      "CREATE VIRTUAL TABLE bent USING moving_objects(id, t, x, y, vx, vy, ax, ay, r);"
+      "INSERT INTO bent VALUES (1, 0, 0, 0, 8, 0, 0, 0, 5), (2, 0, 0, 9, 0, 0, 0, 0.1, 5)");
+  EXPECT_EQ(asked("100, 'bent', 1, 0, 'turn'"), "0|-180.0|0.0|2|2\n1|0.0|180.0|NULL|NULL");
+  EXPECT_EQ(asked("100, 'bent', 1, 0, 'turn', -90, -45"), "0|-90.0|-45.0|2|2");
 }
 
 TEST_F(AvoidInSql, EndsSoonWherePathsGrazeOrOverflow) {

@@ -1,0 +1,253 @@
+// The judge of avoidance: scenes where touching is a matter of the last bits, and what each single change of
+// them does, decided by exact contact or, for separation on bent paths, in long double.
+//
+//   const Judge judge(question, random);
+//   judge.is_surely_clear(12.5)
+//
+// Of what no velocity within 4 units in the last place changes, every clear interval wider than 10^-6 of the
+// range must be within a clear row (docs/avoidance.md, "Tight").
+#pragma once
+
+#include "query/avoid/avoid_cases.h"
+#include "query/avoid/plain_pair.h"
+
+namespace foresee::testing {
+
+/// One axis or more, with t and until; sizes, places and velocities are small whole numbers by turns, so that
+/// much of it touches exactly, or misses by 2^-40.
+class SceneOfTies {
+ public:
+  SceneOfTies(const Layout& layout, Random& random) : at_(record_offsets(layout)), random_(random) {
+    scene_.layout = layout;
+    scene_.h = random.below(3) == 0 ? 100 : static_cast<double>(1 + random.below(30));
+  }
+
+  RandomScene made() {
+    const bool starts_later = random_.below(3) == 0;
+    add(starts_later ? static_cast<double>(random_.below(20)) : 0, vector(random_.below(3) == 0 ? 100 : 0),
+        vector(8), bent());
+    const std::size_t count = 1 + random_.below(4);
+    for (std::size_t i = 0; i < count; ++i) add_other();
+    scene_.rows.clear();
+    std::vector<double> row(static_cast<std::size_t>(row_offsets(scene_.layout).size));
+    for (std::size_t i = 0; i < scene_.size(); ++i) {
+      row_from_record(scene_.layout, record(i), row.data());
+      scene_.rows.insert(scene_.rows.end(), row.begin(), row.end());
+    }
+    return scene_;
+  }
+
+ private:
+  using Numbers = std::array<double, 3>;
+
+  const double* record(std::size_t i) const {
+    return scene_.records.data() + i * static_cast<std::size_t>(at_.size);
+  }
+  double tie() { return (static_cast<double>(random_.below(3)) - 1) * 0x1p-40; }
+  double number(double size) {
+    if (size == 0) return 0;
+    return random_.below(2) ? std::floor(random_.in(-size, size + 1)) : random_.in(-size, size);
+  }
+  Numbers vector(double size) {
+    Numbers numbers{};
+    for (int axis = 0; axis < scene_.layout.axes; ++axis)
+      numbers[static_cast<std::size_t>(axis)] = random_.below(4) == 0 ? 0 : number(size);
+    return numbers;
+  }
+  Numbers bent() { return scene_.layout.law == Law::accelerated && random_.below(3) ? vector(1) : Numbers{}; }
+
+  void add(double t, const Numbers& x, const Numbers& v, const Numbers& a, double size = 5) {
+    std::vector<double> one(static_cast<std::size_t>(at_.size), size);
+    const auto put = [&](int place, const Numbers& numbers) {
+      for (int axis = 0; axis < scene_.layout.axes && place != Offsets::absent; ++axis)
+        one[static_cast<std::size_t>(place + axis)] = numbers[static_cast<std::size_t>(axis)];
+    };
+    put(at_.x, x), put(at_.v, v), put(at_.a, a);
+    if (at_.t != Offsets::absent) one[static_cast<std::size_t>(at_.t)] = t;
+    if (at_.until != Offsets::absent)
+      one[static_cast<std::size_t>(at_.until)] =
+          random_.below(3) ? HUGE_VAL : t + static_cast<double>(1 + random_.below(30));
+    scene_.records.insert(scene_.records.end(), one.begin(), one.end());
+    scene_.ids.push_back(static_cast<std::int64_t>(scene_.size()) + 1);
+  }
+
+  /// On the same course, give or take, moored, or anywhere; beside it within some last bits, or anywhere.
+  void add_other() {
+    const double* const own = record(0);
+    const auto axes = static_cast<std::size_t>(scene_.layout.axes);
+    Numbers x{}, v{}, a = bent();
+    const std::uint64_t course = random_.below(4);
+    for (std::size_t axis = 0; axis < axes; ++axis)
+      v[axis] = course == 0 ? own[at_.v + static_cast<int>(axis)] + (random_.below(2) ? tie() : 0) : 0;
+    if (course > 1) v = vector(8);
+    const double own_t = own[at_.t], t = random_.below(2) ? own_t : static_cast<double>(random_.below(20));
+    const std::uint64_t place = random_.below(5);
+    if (place == 0) return add(t, vector(40), v, a, random_.below(2) ? 5 : random_.in(1, 9));
+    // So far from it that both just touch, or overlap, as of the own t.
+    static constexpr double pythagorean[][3] = {{1, 0, 0}, {0, 1, 0},  {0.6, 0.8, 0}, {-0.8, 0.6, 0},
+                                                {0, 0, 1}, {-1, 0, 0}, {0, -1, 0},    {0.28, -0.96, 0}};
+    const auto& side = pythagorean[axes == 1 ? 5 * random_.below(2) : random_.below(8)];
+    const double far = place < 3 ? 10 + (place == 1 ? tie() : 0) : random_.in(0, 12);
+    const bool askew = scene_.layout.law == Law::uniform && t == own_t && random_.below(2);
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      x[axis] = own[at_.x + static_cast<int>(axis)] + far * side[axis] + (askew ? tie() : 0);
+      x[axis] -= (own_t - t) * (v[axis] + 0.5 * (own_t - t) * a[axis]);
+    }
+    add(t, x, v, a);
+  }
+
+  RandomScene scene_;
+  Offsets at_;
+  Random& random_;
+};
+
+/// Of a question whose range is given.
+class Judge {
+ public:
+  Judge(const AvoidQuestion& question, Random& random) : queried_(question) {
+    queried_.wants_motion = queried_.wants_ends = false;
+    for (int i = 0; i < 8; ++i) aside_.push_back(aside(random));
+    // Between bent paths intervals tell no less than this.
+    if (question.own->layout.law == Law::accelerated) aside_.push_back(wider(queried_));
+  }
+
+  bool is_clear(double k) const { return is_clear_in(queried_, k); }
+  /// Whatever the last bits of the velocity are, and of k.
+  bool is_surely_clear(double k) const {
+    if (!is_clear(k) || starts_alongside()) return false;
+    for (const AvoidQuestion& one : aside_)
+      if (!is_clear_in(one, k)) return false;
+    return true;
+  }
+
+  /// As if everything were smaller by a billionth: what touches still does so by more than a graze.
+  bool is_clear_of_smaller(double k) const {
+    AvoidQuestion smaller = queried_;
+    const Scene &own = *queried_.own, &others = *queried_.others.scene;
+    std::vector<double> own_rows = own.rows, other_rows = others.rows;
+    const auto shrink = [](const Layout& layout, const Offsets& at, std::vector<double>& rows) {
+      for (std::size_t first = 0; first < rows.size(); first += static_cast<std::size_t>(at.size))
+        for (const int place : {at.r, at.hz, at.half, at.half + 1, at.half + 2}) {
+          if (place < 0 || (at.half == Offsets::absent && place != at.r && place != at.hz)) continue;
+          if (at.half != Offsets::absent && place >= at.half + layout.axes) continue;
+          rows[first + static_cast<std::size_t>(place)] *= 1 - 1e-9;
+        }
+    };
+    shrink(own.layout, row_offsets(own.layout), own_rows);
+    shrink(others.layout, row_offsets(others.layout), other_rows);
+    shrink(own.layout, record_offsets(own.layout), smaller.record);
+    smaller.own = scene_of(own.layout, own.ids, own_rows);
+    smaller.others.scene = scene_of(others.layout, others.ids, other_rows);
+    return is_clear_in(smaller, k);
+  }
+
+ private:
+  /// Some velocity beside it leads towards who moves alongside, touching, when only the acceleration changes.
+  bool starts_alongside() const {
+    if (*queried_.how != Manoeuvre::accelerate || queried_.touching != Touching::part) return false;
+    const Scene& others = *queried_.others.scene;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      if (others.ids[i] == queried_.own->ids[0] || !touches_first(queried_, queried_.record, i)) continue;
+      const PlainPair pair = pair_of(queried_, queried_.record, others.bodies(), i);
+      double apart = 0, speed = 0;
+      for (int axis = 0; axis < pair.axes; ++axis) {
+        apart += static_cast<double>(std::abs(pair.w[static_cast<std::size_t>(axis)]));
+        speed += std::abs(
+            queried_.record[static_cast<std::size_t>(record_offsets(queried_.own->layout).v + axis)]);
+      }
+      if (apart <= 0x1p-40 * (1 + speed)) return true;
+    }
+    return false;
+  }
+  static AvoidQuestion wider(AvoidQuestion question) {
+    question.within = 0x1p-43 * 10;
+    if (question.own->layout.shape == Shape::cylinder) question.within_z = question.within;
+    return question;
+  }
+  AvoidQuestion aside(Random& random) const {
+    AvoidQuestion other = queried_;
+    const Layout& layout = other.own->layout;
+    double* const v = other.record.data() + record_offsets(layout).v;
+    double longest = 0;
+    for (int axis = 0; axis < layout.axes; ++axis) longest = std::max(longest, std::abs(v[axis]));
+    for (int axis = 0; axis < layout.axes; ++axis) {
+      const double unit = *other.how == Manoeuvre::turn && axis < 2 ? longest : std::abs(v[axis]);
+      constexpr int places = 64;
+      v[axis] +=
+          (random.below(2) ? places : -places) * (std::nextafter(unit, HUGE_VAL) - unit) * (unit > 0 ? 1 : 0);
+    }
+    std::vector<double> row(static_cast<std::size_t>(row_offsets(layout).size));
+    row_from_record(layout, other.record.data(), row.data());
+    other.own = scene_of(layout, other.own->ids, row);
+    return other;
+  }
+
+  static bool is_clear_in(AvoidQuestion question, double k) {
+    const bool parts = question.touching == Touching::part && *question.how != Manoeuvre::delay &&
+                       question.own->layout.law == Law::accelerated;
+    if (!parts) return testing::is_clear(question, *question.how, k);
+    question.touching = Touching::ignore;
+    if (!testing::is_clear(question, *question.how, k)) return false;
+    question.lo = question.hi = k, question.wants_motion = true;
+    const std::vector<double> record = rows_of(question).at(0).record;
+    const Scene& others = *question.others.scene;
+    for (std::size_t i = 0; i < others.size(); ++i) {
+      if (others.ids[i] == question.own->ids[0]) continue;
+      const PlainPair pair = pair_of(question, record, others.bodies(), i);
+      if (pair.end >= 0 && touches_first(question, record, i) && !pair.separates()) return false;
+    }
+    return true;
+  }
+
+  static bool touches_first(const AvoidQuestion& question, const std::vector<double>& record, std::size_t i) {
+    const Layout& layout = question.own->layout;
+    std::vector<double> own(static_cast<std::size_t>(row_offsets(layout).size));
+    row_from_record(layout, record.data(), own.data());
+    const double first = std::max(question.now, own[static_cast<std::size_t>(row_offsets(layout).t)]);
+    const Bodies others = question.others.scene->bodies();
+    const auto contact = make_contact({layout, own.data(), 1}, others,
+                                      {{first, 0}, question.within, question.within_z}, "own", "others");
+    const Pair pair{0, static_cast<std::uint32_t>(i)};
+    std::vector<Pair> hits;
+    contact->decide({&pair, 1}, hits);
+    return !hits.empty();
+  }
+
+  static PlainPair pair_of(const AvoidQuestion& question, const std::vector<double>& record,
+                           const Bodies& others, std::size_t i) {
+    const Layout& layout = question.own->layout;
+    std::vector<double> own(static_cast<std::size_t>(row_offsets(layout).size));
+    row_from_record(layout, record.data(), own.data());
+    const double* const other = others.row(i);
+    const Offsets& at = others.at;
+    const double first = std::max(question.now, own[static_cast<std::size_t>(at.t)]);
+    PlainPair pair;
+    pair.axes = layout.axes;
+    pair.round = layout.shape == Shape::ball ? layout.axes : layout.shape == Shape::cylinder ? 2 : 0;
+    const auto side = [&](const double* row, int sign) {
+      const PlainPair::Real age = static_cast<PlainPair::Real>(first) - row[at.t];
+      for (int axis = 0; axis < layout.axes; ++axis) {
+        const auto j = static_cast<std::size_t>(axis);
+        const double a = value_or(row, at.a == Offsets::absent ? at.a : at.a + axis, 0);
+        pair.d[j] += sign * (row[at.x + axis] + age * (row[at.v + axis] + age * a / 2));
+        pair.w[j] += sign * (row[at.v + axis] + age * a), pair.b[j] += sign * static_cast<PlainPair::Real>(a);
+        if (at.half != Offsets::absent) pair.half[j] += row[at.half + axis];
+      }
+      if (at.r != Offsets::absent) pair.radius += row[at.r];
+      if (at.hz != Offsets::absent) pair.half[2] += row[at.hz];
+    };
+    side(own.data(), -1), side(other, 1);
+    pair.radius += question.within, pair.half[2] += question.within_z.value_or(0);
+    if (at.half != Offsets::absent)
+      for (auto& half : pair.half) half += question.within;
+    const double until = std::min({question.now + question.h, value_or(own.data(), at.until, HUGE_VAL),
+                                   value_or(other, at.until, HUGE_VAL)});
+    pair.end = other[at.t] <= first ? static_cast<PlainPair::Real>(until) - first : -1;
+    return pair;
+  }
+
+  AvoidQuestion queried_;
+  std::vector<AvoidQuestion> aside_;
+};
+
+}  // namespace foresee::testing
