@@ -26,7 +26,7 @@ namespace {
 using testing::Random;
 namespace rival = SpatialIndex;
 
-constexpr double h = 3, horizon = 20, half = 0.5, for_ever = 1e6;
+constexpr double h = 3, horizon = 20, half = 0.5, unbounded = 1e6;
 constexpr std::size_t windows = 200;
 NeverInterrupt never;
 
@@ -72,7 +72,7 @@ Figures measure_rival(const std::vector<Object>& objects) {
       rival::TPRTree::createNewTPRTree(*memory, 0.7, 32, 50, 2, rival::TPRTree::TPRV_RSTAR, horizon, index));
   figures.insert = seconds_of([&] {
     for (std::size_t i = 0; i < objects.size(); ++i)
-      tree->insertData(0, nullptr, region(objects[i], half, for_ever), static_cast<rival::id_type>(i));
+      tree->insertData(0, nullptr, region(objects[i], half, unbounded), static_cast<rival::id_type>(i));
   });
   Counter in_windows, joined;
   figures.window = seconds_of([&] {

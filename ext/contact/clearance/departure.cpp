@@ -11,7 +11,7 @@
 namespace foresee {
 namespace {
 
-constexpr double for_ever = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 template <int D>
 double magnitude_of(const Encounter<D>& encounter) {
@@ -24,8 +24,7 @@ class Start {
  public:
   Start(const Encounter<D>& encounter, const TrajectoryFamily<D>& family)
       : encounter_(encounter), family_(family), velocity_(family.all.velocity) {
-    for (int axis = 0; axis < D; ++axis)
-      speed_[axis] = std::max(velocity_.max(axis), -velocity_.min(axis));
+    for (int axis = 0; axis < D; ++axis) speed_[axis] = std::max(velocity_.max(axis), -velocity_.min(axis));
     speed_ += encounter.v.abs() + encounter.ev;
     acceleration_ = family.upper[2].abs().max(family.lower[2].abs()) + encounter.a.abs();
   }
@@ -47,7 +46,7 @@ class Start {
     for (const double share : {0.5, 0x1p-6}) {
       const double rest = is_bent ? (1 - share) * c1.low : c1.low;
       if (!(rest > 0) || !(c0.low >= 0 || c0.low * c0.low < gap * rest * (1 - 0x1p-40))) continue;
-      away_until_round_ = !is_bent || c2.low >= 0 ? for_ever : share * c1.low / -c2.low * (1 - 0x1p-40);
+      away_until_round_ = !is_bent || c2.low >= 0 ? unbounded : share * c1.low / -c2.low * (1 - 0x1p-40);
       return;
     }
     if (is_bent || c0.low >= 0) return;
@@ -93,17 +92,17 @@ class Start {
 
   /// How long they are on their way outward along n: `speed` + tau `acceleration` / 2 is not below 0.
   double bent_until(const Vec<D>& n, const Vec<D>& error, double speed) const {
-    if ((acceleration_ == 0).all()) return for_ever;
+    if ((acceleration_ == 0).all()) return unbounded;
     const double least = 0.5 * min_of<D>(n, encounter_.a, Vec<D>(Vec<D>::Zero()), family_.all.acceleration) -
                          (error * acceleration_).sum();
-    return least >= 0 ? for_ever : speed / -least * (1 - 0x1p-48);
+    return least >= 0 ? unbounded : speed / -least * (1 - 0x1p-48);
   }
 
   const Encounter<D>& encounter_;
   const TrajectoryFamily<D>& family_;
   const VectorSet<D>& velocity_;
   Vec<D> speed_, acceleration_;
-  double away_until_ = for_ever, away_until_round_ = -1;
+  double away_until_ = unbounded, away_until_round_ = -1;
   bool all_approach_ = true, all_touch_ = false;
   int count_ = 0;
 };

@@ -1,10 +1,49 @@
 #include "contact/mesh/containment.h"
 
+#include <optional>
+
 #include "contact/exact/exact_contact.h"
 #include "contact/exact/pair_polynomials.h"
+#include "contact/mesh/space_condition.h"
 #include "contact/pieces/uncertain_interval.h"
 
 namespace foresee {
+namespace {
+
+/// The position of b as seen from a at one time: enclosed at once, exact when it is first needed.
+class Displacement {
+ public:
+  /// All arguments but `instant`, a time after now, must outlive this.
+  Displacement(const Setup& setup, const double* row_a, const double* row_b, const CertainMotion<3>& relative,
+               const Dyadic& instant);
+
+  const Components<Bounded>& near() const { return near_; }
+  const Components<Dyadic>& exact();
+
+ private:
+  const Setup& setup_;
+  const double *row_a_, *row_b_;
+  const Dyadic time_;
+  Components<Bounded> near_;
+  std::optional<Components<Dyadic>> exact_;
+};
+
+/// A corner of one object as seen from the other, enclosed and exact: a corner of b for sign 1, of a for
+/// sign -1.
+class SeenCorner {
+ public:
+  SeenCorner(const SpaceCorner& corner, int sign, Displacement& d);
+
+  const Components<Bounded>& near() const { return near_; }
+  const Components<Dyadic>& exact();
+
+ private:
+  const SpaceCorner& corner_;
+  const int sign_;
+  Displacement& d_;
+  Components<Bounded> near_;
+  std::optional<Components<Dyadic>> exact_;
+};
 
 Displacement::Displacement(const Setup& setup, const double* row_a, const double* row_b,
                            const CertainMotion<3>& relative, const Dyadic& instant)
@@ -44,19 +83,18 @@ const Components<Dyadic>& SeenCorner::exact() {
   return *exact_;
 }
 
-namespace {
-
 template <class T>
 T coordinate(const SpaceCorner& corner, int axis) {
   return Exactly<T>::number(axis == 0 ? corner.x : axis == 1 ? corner.y : corner.z);
 }
 
+/// The ray from a corner along x, and its crossings with the triangles of a solid.
 class Ray {
  public:
   Ray(const TriangleTree& solid, SeenCorner& corner, Steps& steps)
       : solid_(solid), corner_(corner), steps_(steps) {}
 
-  /// How often it crosses the triangles below a node.
+  /// The number of triangles below a node that it crosses. Each node visited is a step.
   int crossings(BoxTree<3>::Node node) {
     steps_();
     if (!may_cross(solid_.tree().box(node))) return 0;
@@ -85,11 +123,11 @@ class Ray {
     if (turn_sign == 0 || side_of(*corners[1], *corners[2]) != turn_sign ||
         side_of(*corners[2], *corners[0]) != turn_sign)
       return false;
-    // Seen along x the triangle runs round `turn_sign`, and so its normal points.
+    // `turn_sign` is the orientation of the triangle as seen along x, and the sign of its normal's x.
     return plane_sign(corners) * turn_sign < 0;
   }
 
-  /// On which side of an edge the ray passes, seen along x; 0 of an edge that runs along it.
+  /// The side of an edge on which the ray passes, seen along x; 0 for an edge that is parallel to x.
   int side_of(const SpaceCorner& from, const SpaceCorner& to) {
     const int certain = certain_sign(with_lost(turn<Bounded>(from, to, corner_.near()), 0x1p-1060));
     if (certain != 0) return certain;
@@ -104,7 +142,7 @@ class Ray {
     return run[1] * (place[2] - coordinate<T>(from, 2)) - run[2] * (place[1] - coordinate<T>(from, 1));
   }
 
-  /// On which side of the triangle's plane the place is: 1 where the normal points.
+  /// The side of the triangle's plane on which the corner is: 1 where the normal points.
   int plane_sign(const SpaceCorner* const corners[3]) {
     const EdgeVector u{corners[0], corners[1]}, v{corners[1], corners[2]};
     const Components<Bounded> normal = direction_of<Bounded>({.factors = 2, .u = u, .v = v});
@@ -127,28 +165,32 @@ class Ray {
   Steps& steps_;
 };
 
-}  // namespace
-
+/// Whether a corner is inside a solid. On its surface the result is arbitrary.
 bool is_enclosed(const TriangleTree& solid, SeenCorner& corner, Steps& steps) {
   return Ray(solid, corner, steps).crossings(BoxTree<3>::root) % 2 != 0;
 }
+
+/// Whether a connected component of one surface is inside a solid.
+bool any_part_enclosed(const SpacePieces& parts, const TriangleTree& solid, int sign, Displacement& d,
+                       Steps& steps) {
+  for (std::size_t i = 0; i < parts.parts(); ++i) {
+    SeenCorner corner(parts.part_corner(i), sign, d);
+    if (is_enclosed(solid, corner, steps)) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 bool Containment::at_start() {
   return may_be() && at(exact_lifetime_of(setup_, row_a_, row_b_).begin);
 }
 
-bool Containment::at(const Dyadic& instant) {
+bool Containment::at(const Dyadic& time) {
   if (!may_be()) return false;
-  Displacement d(setup_, row_a_, row_b_, relative_, instant);
-  return (a_.solid() && any_part(b_, *a_.solid(), 1, d)) || (b_.solid() && any_part(a_, *b_.solid(), -1, d));
-}
-
-bool Containment::any_part(const SpacePieces& parts, const TriangleTree& solid, int sign, Displacement& d) {
-  for (std::size_t i = 0; i < parts.parts(); ++i) {
-    SeenCorner corner(parts.part_corner(i), sign, d);
-    if (is_enclosed(solid, corner, steps_)) return true;
-  }
-  return false;
+  Displacement d(setup_, row_a_, row_b_, relative_, time);
+  return (a_.solid() && any_part_enclosed(b_, *a_.solid(), 1, d, steps_)) ||
+         (b_.solid() && any_part_enclosed(a_, *b_.solid(), -1, d, steps_));
 }
 
 }  // namespace foresee

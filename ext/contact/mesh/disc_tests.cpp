@@ -1,5 +1,7 @@
 #include "contact/mesh/disc_tests.h"
 
+#include <limits>
+
 namespace foresee {
 namespace {
 
@@ -41,12 +43,12 @@ Interval<double> DiscTests::cut(const BoundingDisc& a, const BoundingDisc& b, In
     const auto& n = own.normal;
     const double reach = own.half + std::abs(cosine) * other.half + sine * other.radius + radius_;
     const double swing = std::abs(dot(n, swing_)), at = dot(n, place_), speed = dot(n, speed_);
-    const double most = reach * (1 + 0x1p-20) + swing + slack_, middle = dot(n, gap) - at;
+    const double extent = reach * (1 + 0x1p-20) + swing + slack_, middle = dot(n, gap) - at;
     if (!(std::abs(speed) * end_ > slack_)) {
-      if (std::abs(middle) > most + 4 * slack_) near.end = -unbounded;
+      if (std::abs(middle) > extent + 4 * slack_) near.end = -std::numeric_limits<double>::infinity();
       return;
     }
-    const double steep = 1 / speed, one = (middle - most) * steep, other_one = (middle + most) * steep;
+    const double steep = 1 / speed, one = (middle - extent) * steep, other_one = (middle + extent) * steep;
     near.begin = std::max(near.begin, std::min(one, other_one));
     near.end = std::min(near.end, std::max(one, other_one));
   };

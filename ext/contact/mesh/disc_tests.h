@@ -1,13 +1,13 @@
-// When could the triangles below two nodes touch, as the boxes and the plates around them tell
-// (shape/mesh/bounding_discs.h)? What TreeWalk asks about meshes.
+// Node tests of TreeWalk for meshes: boxes and bounding discs of two nodes cut the time at which triangles
+// below them could touch (shape/mesh/bounding_discs.h).
 //
 //   const DiscTests tests(a, b, chord, relative, sizes, end);
 //   const Interval<double> near = tests.near(node_a, node_b, {0, end});             // empty: never
 //
-// Across each of the two normals d lies within as much as both plates reach that way while they touch. Along
-// the normal of the other a plate reaches as far as its thickness and its disc do. The slack is that of
-// space_tests.h, and far less than what the plates have of their own. Where one has no plates boxes alone
-// are asked. Cost: some ten nanoseconds, and a cache line a node.
+// While two discs touch, the component of d along the normal of each is at most the sum of their extents in
+// that direction. Along the normal of the other, a disc's extent comes from its thickness and its radius. The
+// slack is that of triangle_filter.h, and far smaller than the margins of the discs themselves. If one object
+// has no discs, boxes alone decide. Cost: some ten nanoseconds, and one cache line per node.
 #pragma once
 
 #include "contact/mesh/space_condition.h"
@@ -19,7 +19,7 @@ class DiscTests {
  public:
   using Node = SpacePieces::Node;
 
-  /// What is given must outlive this, but the motion and the sizes.
+  /// Pieces and chord must outlive this.
   DiscTests(const SpacePieces& a, const SpacePieces& b, const Chord<3>& chord,
             const CertainMotion<3>& relative, const SpaceSizes<Bounded>& sizes, double end);
 
@@ -39,8 +39,8 @@ class DiscTests {
   Interval<double> cut(const BoundingDisc& a, const BoundingDisc& b, Interval<double> near) const;
 
   const BoxTests<3, SpacePieces> boxes_;
-  const BoundingDiscs *a_ = nullptr, *b_ = nullptr;  ///< if both have some
-  Triple place_, speed_, swing_;                     ///< as space_tests.cpp has them
+  const BoundingDiscs *a_ = nullptr, *b_ = nullptr;  ///< null unless both objects have discs
+  Triple place_, speed_, swing_;                     ///< as in triangle_filter.cpp
   double radius_, end_, slack_;
 };
 

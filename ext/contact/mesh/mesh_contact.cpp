@@ -1,34 +1,29 @@
-#include "contact/contact_factories.h"
-
 #include <algorithm>
 
+#include "contact/contact_factories.h"
 #include "contact/exact/pair_polynomials.h"
 #include "contact/mesh/containment.h"
 #include "contact/mesh/disc_tests.h"
-#include "contact/mesh/round_parts.h"
 #include "contact/mesh/space_condition.h"
+#include "contact/mesh/space_sum.h"
 #include "contact/mesh/space_tests.h"
 #include "contact/pieces/bounded_window.h"
-#include "contact/pieces/filter_answer.h"
 #include "contact/pieces/pair_context.h"
-#include "contact/pieces/tested_pairs.h"
+#include "contact/pieces/pair_tests.h"
 #include "contact/pieces/union_contact.h"
 
 namespace foresee {
 
-// The exact polynomials of some pairs of pieces in space: what doubles leave open hangs on these alone.
-//
-// Their pieces are the parts of each pair (round_parts.h, round_parts.h), and their primitives the conditions
-// of these, one after the other.
-
+/// The exact polynomials of the pairs of pieces that doubles leave undecided. The pieces of the set are
+/// the parts of each pair (space_sum.h); its primitives are their conditions, in order.
 class SpacePolynomials final : public PiecePolynomials {
  public:
-  /// `grown`: how near counts as touching is more than 0, for these objects.
+  /// `grown`: the contact distance of these objects is more than 0.
   SpacePolynomials(const Setup& setup, const double* row_a, const double* row_b, const SpacePieces& a,
                    const SpacePieces& b, std::span<const PiecePair> pairs, bool grown);
 
   PiecePolynomials& all() { return *this; }
-  /// Of each pair: how many pieces it and those before it have in the set.
+  /// For each pair, the number of set pieces up to and with it.
   std::span<const std::uint32_t> ends() const { return ends_; }
   const ContactSet& set() const override { return set_; }
   std::size_t number_of(int primitive) override;
@@ -45,9 +40,9 @@ class SpacePolynomials final : public PiecePolynomials {
   std::vector<SpaceCondition> conditions_;
   ContactSet set_;
   std::vector<std::uint32_t> ends_;
-  std::vector<int> number_of_;  ///< of each condition's polynomial; -1: not made
+  std::vector<int> number_of_;  ///< of each condition's polynomial; -1: not made yet
   const std::array<Coefficients<Midrad128, 2>, 3> rough_motion_;
-  mutable std::optional<std::array<Coefficients<Dyadic, 2>, 3>> exact_motion_;  ///< once it is needed
+  mutable std::optional<std::array<Coefficients<Dyadic, 2>, 3>> exact_motion_;  ///< made when first needed
 };
 
 SpacePolynomials::SpacePolynomials(const Setup& setup, const double* row_a, const double* row_b,
@@ -112,8 +107,7 @@ Polynomial SpacePolynomials::exact_polynomial(int primitive) const {
   return Polynomial(polynomial_of(primitive, *exact_motion_));
 }
 
-// What contact of meshes is made of (pieces/union_pair.h): triangles, boxes and points in space.
-
+/// Traits of contact between meshes (pieces/pair_context.h): triangles, boxes and points in space.
 template <int Degree>
 struct SpaceTraits {
   static constexpr int axes = 3, degree = Degree;
@@ -133,10 +127,10 @@ struct SpaceTraits {
   static SpaceSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
     return {radius_of<T>(setup, row_a, row_b), steady_axes_of(setup, row_a, row_b)};
   }
-  /// None: triangles are many, and asked one by one (space_tests.h).
+  /// Nothing: the filter of meshes tests single pairs of triangles (triangle_filter.h).
   static FilterAnswer filter_answer(const PairContext<SpaceTraits>&, bool) { return {}; }
   static constexpr bool is_cut(const SpaceCondition&) { return false; }
-  /// What the rows of a pair look like.
+  /// Reads the pieces of a pair of rows.
   static void take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables, const Pair& pair);
 };
 
@@ -146,7 +140,7 @@ Vec<3> place_at(const double* numbers) {
   return Vec<3>(numbers[0], numbers[1], numbers[2]);
 }
 
-/// What the row of a table looks like.
+/// Reads the pieces of a row.
 void take_row(SpacePieces& pieces, const Bodies& bodies, const MeshRows* meshes, std::size_t i) {
   const TriangleTree* const known = meshes ? meshes->triangles(i, pieces.own()) : nullptr;
   if (known) return pieces.take(*known);

@@ -1,55 +1,28 @@
-// When do two pieces in space touch, certainly and possibly? All conditions of their sum, grown or not
-// (round_parts.h, round_parts.h), in doubles with error bounds.
+// Test of two convex pieces in space: the uncertain intervals in which they touch, from all conditions of
+// their Minkowski sum (space_sum.h), in doubles with error bounds.
 //
 //   SpaceTests<1> tests(a, b, relative, queried, sizes, true, space);
 //   for (const PieceInterval& interval : tests.of(triangle_a, triangle_b)) best = std::min(best, interval.begin.high);
 //
-// Where the sum is flat, as that of a triangle and a point is, d goes through it in a moment: begin and end
-// are one root, certain if d is surely within the other planes then. Cost: about a microsecond; some more
-// where near counts as touching.
+// A flat sum, such as that of a triangle and a point, is in contact for one instant: start and end are one
+// root. The contact is certain if d is surely within the other planes then. Cost: about a microsecond;
+// more if the contact distance is not 0.
 #pragma once
 
 #include "contact/certain/certain_motion.h"
-#include "contact/certain/root_bracketing.h"
-#include "contact/mesh/round_parts.h"
-#include "contact/mesh/space_condition.h"
-#include "contact/pieces/motion_expansion.h"
+#include "contact/mesh/space_sum.h"
+#include "contact/mesh/triangle_filter.h"
 #include "contact/pieces/pair_tests.h"
-#include "contact/pieces/uncertain_interval.h"
+#include "contact/pieces/time_expansion.h"
 
 namespace foresee {
-
-// What do plain doubles tell of two triangles that pass each other? The first question about a pair of them,
-// which lets most go, and saves the rest most of what is asked with error bounds.
-//
-//   const TriangleFilter passing = filter_triangles(a, b, x, radius, queried);
-//   if (passing.is_apart() || passing.near.begin > by) return;      // else they may touch by then
-//   SpaceHull(a, b).for_each(take, passing.axes);                   // the planes that matter
-//
-// Whatever direction n is, the two touch only while n d lies between the least and the greatest of n (p - q)
-// over their corners. So the roundings of n do no harm, and those of the products are far less than the slack
-// that all of it is given. Where d is bent its chord stands for it, and how far it can be beside that
-// (chord.h). What lies between both by more than the slack, and the roundings of n, as long as the other axes
-// let them touch has no say in when they do. Cost: some hundred nanoseconds.
-
-struct TriangleFilter {
-  Interval<double> near;  ///< they touch at no other moments
-  unsigned axes;          ///< a bit for each that may say when they touch: numbered as SpaceHull has them
-
-  bool is_apart() const { return !(near.begin <= near.end); }
-};
-
-/// `x`: d by powers of the time from now on. Requires: two triangles.
-TriangleFilter filter_triangles(const SpacePiece& a, const SpacePiece& b,
-                                const std::array<Coefficients<Bounded, 2>, 3>& x, const Bounded& radius,
-                                const UncertainInterval& queried);
 
 template <int Degree>
 class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   using Base = PairTests<SpaceTests, SpaceCondition>;
 
  public:
-  /// `queried`: the moments asked about, enclosed. What is given must outlive this.
+  /// `queried`: the queried time, enclosed. Requires: pieces, motion and space outlive this.
   SpaceTests(const SpacePieces& a, const SpacePieces& b, const CertainMotion<3>& relative,
              const UncertainInterval& queried, const SpaceSizes<Bounded>& sizes, bool times_wanted,
              PieceWorkspace<SpaceCondition>& space)
@@ -66,8 +39,8 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
  private:
   friend Base;
   using Kind = SpaceCondition::Kind;
-  using Base::begin_part, Base::end_part, Base::keep;
   using Base::queried_, Base::space_;
+  using Base::start_part, Base::end_part, Base::keep;
 
   static std::array<Coefficients<Bounded, Degree>, 3> from_now(const CertainMotion<3>& relative,
                                                                const SpaceSizes<Bounded>& sizes) {
@@ -77,9 +50,9 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     return x;
   }
 
-  /// Whether it is told, as it is not of what begins later than `by`.
+  /// False, without a result, if contact starts later than `by`.
   bool test(const PiecePair& pair, double by) {
-    Base::begin_test();
+    Base::start_test();
     const SpacePiece a = a_.piece(pair.a), b = b_.piece(pair.b);
     unsigned axes = ~0U;
     if (!a.is_box() && !b.is_box()) {
@@ -100,7 +73,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     SpaceHull(a, b).for_each(
         [&](const SpacePlanes& pair) {
           if (pair.is_flat && a_or_b_is_a_mesh())
-            flat = pair;  // of a triangle's sum, all such are the plane that it lies in
+            flat = pair;  // all of a triangle's flat sum lies in this plane
           else
             keep(pair);
           return !space_.clipped.empty();
@@ -113,7 +86,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
       end_part();
   }
 
-  /// The stays within all other planes are known.
+  /// Ends a part with one flat plane, after all other planes.
   void end_flat_part(const SpacePlanes& flat) {
     space_.outer.start(space_.clipped);
     keep(flat);
@@ -129,8 +102,8 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     }
   }
 
-  /// First what lies within all planes moved out by R, which is more; then each part of the grown sum. A flat
-  /// sum lies in what is near its faces and edges.
+  /// The first step cuts the time by all planes moved out by R, which contain the grown sum. The parts of the
+  /// grown sum follow. A flat sum needs no part of its own: those of its faces and edges contain it.
   void test_grown(const SpacePiece& a, const SpacePiece& b) {
     bool is_flat = false;
     planes_.clear();
@@ -150,7 +123,7 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     }
     RoundParts(a, b).for_each([this](const RoundPart& part) {
       if (Base::is_decided()) return false;
-      begin_part();
+      start_part();
       for (int i = 0; i < part.count; ++i) keep_plane(part.beside[static_cast<std::size_t>(i)]);
       keep_round(part.round);
       end_part();
@@ -168,26 +141,26 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
     if (space_.clipped.empty()) return;
     keep(plane, times_within(plane, close_direction_of(plane.axis), {}));
   }
-  /// Not farther beyond the plane than `more`, in lengths of its direction.
+  /// The times at which d is beyond the plane by at most `more`, a distance times the length of `direction`.
   SublevelIntervals times_within(const SpaceCondition& plane, const Components<Bounded>& direction,
                                  const Bounded& more) const {
     Coefficients<Bounded, Degree> p = beyond_plane<Degree>(plane, direction, x_);
     p[0] = p[0] - more;
-    // Along the plane, in it: what has no error is 0.
+    // d moves in the plane: all coefficients are exactly 0.
     if (std::all_of(p.begin(), p.end(), [](const Bounded& c) { return c.value == 0 && c.error == 0; }))
       return SublevelIntervals::one(UncertainInterval::always());
-    return times_inside(p, lost_, queried_.end.high);
+    return sublevel_intervals(p, lost_, queried_.end.high);
   }
 
   void keep_round(const SpaceCondition& round) {
     if (space_.clipped.empty()) return;
     if (round.kind == Kind::slab) return keep_slab(round);
     if constexpr (Degree > 1)
-      keep(round, sublevel_by_leaps([&](double tau) { return polynomial_at(round, tau); }, lost_, queried_));
+      keep(round, sublevel_by_steps([&](double tau) { return polynomial_at(round, tau); }, lost_, queried_));
     else
-      keep(round, times_inside(round_polynomial<Degree>(round, x_, radius_), lost_, queried_.end.high));
+      keep(round, sublevel_intervals(round_polynomial<Degree>(round, x_, radius_), lost_, queried_.end.high));
   }
-  /// As two planes: fewer powers than their square has.
+  /// Keeps a slab as two planes, whose polynomials have half its degree.
   void keep_slab(const SpaceCondition& slab) {
     const Components<Bounded> direction = close_direction_of(slab.axis);
     const Bounded more = radius_ * sqrt(with_lost(squared_length(direction), 0x1p-1060));
@@ -206,9 +179,9 @@ class SpaceTests : public PairTests<SpaceTests<Degree>, SpaceCondition> {
   const CertainMotion<3>& relative_;
   const Bounded radius_;
   const double lost_;
-  std::vector<SpacePlanes> planes_;                       ///< of the pair at hand
-  const std::array<Coefficients<Bounded, Degree>, 3> x_;  ///< the motion from now on
-  std::array<Coefficients<Bounded, 2>, 3> plain_x_{};     ///< the same, whatever the degree
+  std::vector<SpacePlanes> planes_;                       ///< of the pair in work
+  const std::array<Coefficients<Bounded, Degree>, 3> x_;  ///< the motion after now
+  std::array<Coefficients<Bounded, 2>, 3> plain_x_{};     ///< the same as polynomials of degree 2
 };
 
 }  // namespace foresee

@@ -1,34 +1,32 @@
-// What contact of outlines is made of (pieces/union_pair.h): convex pieces, and prisms over them.
+// Traits of contact between outlines (pieces/pair_context.h): convex pieces in the plane, prisms over them,
+// and the test of two such pieces in doubles with error bounds.
+//
+//   PieceTests<2, 1> tests(a, b, relative, queried, sizes, true, space);
+//   for (const PieceInterval& interval : tests.of(piece_a, piece_b)) best = std::min(best, interval.begin.high);
+//
+// A test takes all conditions of the Minkowski sum (condition.h). Differences of corners, and of the two
+// positions, come first, so that large coordinates cost no precision. Two prisms must also overlap along z,
+// which is a condition of each pair of pieces. Cost: some ten nanoseconds per edge.
 #pragma once
 
 #include "base/interrupt_steps.h"
 #include "contact/certain/certain_motion.h"
 #include "contact/certain/chord.h"
+#include "contact/contact_factories.h"
 #include "contact/exact/pair_polynomials.h"
 #include "contact/outline/condition.h"
 #include "contact/outline/critical_pieces.h"
 #include "contact/outline/object_pieces.h"
 #include "contact/outline/outline_filter.h"
-#include "contact/contact_factories.h"
-#include "contact/pieces/motion_expansion.h"
 #include "contact/pieces/pair_context.h"
 #include "contact/pieces/pair_tests.h"
+#include "contact/pieces/time_expansion.h"
 
 namespace foresee {
 
-// When do two convex pieces touch, certainly and possibly? All conditions of their sum (convex_sum.h), in
-// doubles with error bounds.
-//
-//   PieceTests<2, 1> tests(a, b, relative, queried, sizes, true, space);
-//   for (const PieceInterval& interval : tests.of(piece_a, piece_b)) best = std::min(best, interval.begin.high);
-//
-// Corners are differenced before the motion comes in, and the motion's positions before that, so that far
-// coordinates cost nothing. Two that are prisms also overlap along z: a condition of every pair of pieces.
-// Cost: some ten nanoseconds an edge.
-
-/// Space for the tests of one pair of objects after another.
+/// The memory of the tests, used for one pair of objects after another.
 struct FlatSpace : PieceWorkspace<Condition> {
-  std::vector<SumEdge> edges;  ///< of the part at hand
+  std::vector<SumEdge> edges;  ///< of the pair in work
 };
 
 template <int D, int Degree>
@@ -36,7 +34,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
   using Base = PairTests<PieceTests, Condition>;
 
  public:
-  /// `queried`: the moments asked about, enclosed. What is given must outlive this.
+  /// `queried`: the queried time, enclosed. Requires: pieces, motion and space outlive this.
   PieceTests(const ObjectPieces& a, const ObjectPieces& b, const CertainMotion<D>& relative,
              const UncertainInterval& queried, const PairSizes<Bounded>& sizes, bool times_wanted,
              FlatSpace& space)
@@ -53,11 +51,11 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
  private:
   friend Base;
   using Kind = Condition::Kind;
-  using Base::begin_part, Base::end_part, Base::is_decided, Base::keep, Base::share;
   using Base::queried_, Base::space_;
+  using Base::start_part, Base::end_part, Base::is_decided, Base::keep, Base::share;
 
   bool test(const PiecePair& pair, double /*by*/) {
-    Base::begin_test();
+    Base::start_test();
     if constexpr (D == 3)
       for (const int side : {-1, 1})
         if (sizes_.has_face(side)) keep({.kind = Kind::height, .sign = side});
@@ -75,8 +73,9 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
     end_part();
   }
 
-  /// First the polygon that R moves the edges out to, which is more; then all parts of the grown sum. Each
-  /// lies in that polygon, so it begins and ends with conditions of its own: the polygon's edges are no ends.
+  /// The first step cuts the time by the polygon whose edges are moved out by R, which contains the grown
+  /// sum. All parts of the grown sum follow. Each of them is inside that polygon, so its intervals start
+  /// and end with its own conditions: the polygon's edges give no candidates for ends.
   void test_grown(const ConvexPiece& a, const ConvexPiece& b) {
     edges_.clear();
     SumEdge edge;
@@ -94,11 +93,11 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
       if (is_decided()) return;
       const Interval<double> near = near_edge(one, all);
       if (!(near.begin <= near.end) || (inside.begin <= near.begin && near.end <= inside.end)) continue;
-      begin_part();
+      start_part();
       for (const int side : {-1, 1}) keep({.kind = Kind::foot, .sign = side, .edge = one});
       for (const int side : {-1, 1}) keep({.kind = Kind::side, .edge = one}, beside(one, side));
       end_part();
-      begin_part();
+      start_part();
       keep({.kind = Kind::corner, .edge = one});
       end_part();
     }
@@ -110,15 +109,14 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
       reached = {std::min(reached.begin, interval.begin.low), std::max(reached.end, interval.end.high)};
     return reached;
   }
-  /// During one of the stays.
+  /// An interval during which they surely touch.
   static Interval<double> surely_held(const IntervalUnion& intervals) {
     Interval<double> held{UncertainInterval::inf, -UncertainInterval::inf};
     for (const UncertainInterval& interval : intervals)
       if (interval.is_certain()) held = {interval.begin.high, interval.end.low};
     return held;
   }
-  /// Of the time given, when d may be in the box of an edge that is grown by R: most edges of a sum it passes
-  /// by.
+  /// The part of `when` in which d may be in the box of an edge, grown by R. Most edges are never near.
   Interval<double> near_edge(const SumEdge& edge, const Interval<double>& when) const {
     static constexpr Faces faces[] = {{.axis = 0, .below = {0}, .above = {1}},
                                       {.axis = 1, .below = {2}, .above = {3}}};
@@ -136,23 +134,23 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
   void keep(const Condition& condition) {
     if (space_.clipped.empty()) return;
     if (Degree > 1 && condition.kind == Kind::corner)
-      return keep(condition, sublevel_by_leaps([&](double tau) { return around_corner(condition, tau); },
+      return keep(condition, sublevel_by_steps([&](double tau) { return around_corner(condition, tau); },
                                                lost_, queried_));
-    // Of more powers are sides alone, which beside() has, and corners.
+    // Higher degrees have only sides, which beside() handles, and corners.
     with_polynomial<Degree>(condition, x_, sizes_, [&, last = queried_.end.high](const auto& p) {
       if constexpr (std::tuple_size_v<std::decay_t<decltype(p)>> < 5)
-        this->keep(condition, times_inside(p, lost_, last));
+        this->keep(condition, sublevel_intervals(p, lost_, last));
     });
   }
 
-  /// When d is at most R from the line of an edge, on one side: fewer powers than on both.
+  /// The times at which d is at most R from the line of an edge, on one side: half the degree of both sides.
   SublevelIntervals beside(const SumEdge& edge, int side) const {
     Coefficients<Bounded, Degree> p = beyond<Degree>(edge, x_.data());
     if (side < 0)
       for (Bounded& c : p) c = -c;
-    // R may be large: what underflow loses of the square counts before the product.
+    // R may be large, so the underflow of the square counts before the product.
     subtract_multiple<Degree>(p, sizes_.radius, sqrt(with_lost(squared_length<Bounded>(edge), 0x1p-1060)));
-    return times_inside(p, lost_, queried_.end.high);
+    return sublevel_intervals(p, lost_, queried_.end.high);
   }
 
   Coefficients<Bounded, 4> around_corner(const Condition& condition, double tau) const {
@@ -168,7 +166,7 @@ class PieceTests : public PairTests<PieceTests<D, Degree>, Condition> {
   const PairSizes<Bounded> sizes_;
   const double lost_;
   std::vector<SumEdge>& edges_;
-  const std::array<Coefficients<Bounded, Degree>, D> x_;  ///< the motion from now on
+  const std::array<Coefficients<Bounded, Degree>, D> x_;  ///< the motion after now
   const Chord<D> chord_;
 };
 
@@ -185,7 +183,7 @@ struct FlatTraits {
   using Tests = PieceTests<D, Degree>;
   using NodeTests = BoxTests<D, ObjectPieces>;
 
-  /// Pieces fill their outline.
+  /// Never: the pieces of an outline include its inside.
   struct Containment {
     Containment(const Setup&, const double*, const double*, const Pieces&, const Pieces&,
                 const CertainMotion<D>&, Steps&) {}
@@ -194,7 +192,7 @@ struct FlatTraits {
     static constexpr bool at(const Dyadic&) { return false; }
   };
 
-  /// Of some pairs of pieces.
+  /// The exact polynomials of some pairs of pieces.
   class Polynomials {
    public:
     Polynomials(const Setup& setup, const double* row_a, const double* row_b, const Pieces& a,
@@ -213,14 +211,14 @@ struct FlatTraits {
   static PairSizes<T> sizes_of(const Setup& setup, const double* row_a, const double* row_b) {
     return foresee::sizes_of<T>(setup, row_a, row_b);
   }
-  /// Of prisms only that their outlines are apart.
+  /// For prisms it decides only that their outlines are apart.
   static FilterAnswer filter_answer(const PairContext<FlatTraits>& context, bool times_wanted);
-  /// What leaves a piece there is in its neighbour. (Around a corner R ends beside the cut that begins there,
-  /// not beyond it.)
+  /// Whether a point that leaves a piece there enters its neighbour. Not around a corner: there the part that
+  /// grows by R ends beside the cut that starts at the corner, not beyond it.
   static bool is_cut(const Condition& condition) {
     return condition.kind != Condition::Kind::corner && condition.edge.inner;
   }
-  /// What the rows of a pair look like.
+  /// Reads the pieces of a pair of rows.
   static void take(Pieces& a, Pieces& b, const Setup& setup, const Tables& tables, const Pair& pair);
 };
 

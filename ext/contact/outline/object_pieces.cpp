@@ -3,7 +3,7 @@
 namespace foresee {
 namespace {
 
-/// Which way the edges of a box run, however small it is.
+/// The directions of a box's edges, also of a box without width.
 constexpr Corner unit_square[] = {{-1, -1}, {1, -1}, {1, 1}, {-1, 1}};
 
 }  // namespace

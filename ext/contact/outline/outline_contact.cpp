@@ -1,7 +1,6 @@
-#include "contact/contact_factories.h"
-
 #include <algorithm>
 
+#include "contact/contact_factories.h"
 #include "contact/outline/flat_traits.h"
 #include "contact/pieces/bounded_window.h"
 #include "contact/pieces/union_contact.h"
@@ -39,13 +38,13 @@ FilterAnswer FlatTraits<D, Degree>::filter_answer(const PairContext<FlatTraits>&
     const AxisView<double> from = view_from<Degree>(d, first, context.relative.underflow);
     const AxisView<double> to = view_from<Degree>(d, last, context.relative.underflow);
     begin = from.p, end = to.p;
-    // Also for moments that doubles round.
+    // The slack also covers times that doubles round.
     plain.slack += std::max(from.ep, to.ep) + 0x1p-45 * (last * (std::abs(d.v) + last * std::abs(d.a)));
     plain.bend += 0.3 * (length * (length * (std::abs(d.a) + d.ea)));
   };
   take_axis(context.relative.axis[0], plain.begin.x, plain.end.x);
   take_axis(context.relative.axis[1], plain.begin.y, plain.end.y);
-  // Anything between its first size and its last.
+  // An enclosure of all sizes between the first and the last.
   const MovingSize<Bounded>& grown = context.sizes.radius;
   Bounded radius = expanded_at(grown, first).value;
   if (grown.moves) {

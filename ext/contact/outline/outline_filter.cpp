@@ -6,8 +6,8 @@
 namespace foresee {
 namespace {
 
-/// Squares of less vanish, or nearly; of more they overflow.
-constexpr double least = 0x1p-490, max_size = 0x1p500;
+/// Squares of smaller numbers underflow, or nearly; those of larger numbers overflow.
+constexpr double min_size = 0x1p-490, max_size = 0x1p500;
 
 double dot(const Corner& a, const Corner& b) {
   return a.x * b.x + a.y * b.y;
@@ -22,28 +22,28 @@ double l1_norm(const Corner& c) {
 /// The corner farthest along n.
 Corner extreme(std::span<const Corner> corners, const Corner& n) {
   Corner best = corners[0];
-  double most = dot(best, n);
+  double support = dot(best, n);
   for (const Corner& corner : corners.subspan(1)) {
     const double here = dot(corner, n);
-    if (here > most) most = here, best = corner;
+    if (here > support) support = here, best = corner;
   }
   return best;
 }
 
-/// A + (-B), seen from a stretch of d's way.
+/// The Minkowski sum A + (-B) minus the points of a segment of d's path: contact is at the origin.
 class SumAlongPath {
  public:
   SumAlongPath(const ConvexPiece& a, const ConvexPiece& b, const Corner& from, const Corner& to)
       : a_(a.corners), b_(b.corners), path_{from, to} {
     for (const auto& corners : {a_, b_, std::span<const Corner>(path_)}) {
-      double most = 0;
-      for (const Corner& corner : corners) most = std::max(most, l1_norm(corner));
-      size_ += most;
+      double largest = 0;
+      for (const Corner& corner : corners) largest = std::max(largest, l1_norm(corner));
+      size_ += largest;
     }
   }
 
-  /// Roundings of whatever is computed of it are far less.
-  double slack() const { return 0x1p-45 * size_ + least; }
+  /// Far larger than the rounding errors of all that is computed from the set.
+  double slack() const { return 0x1p-45 * size_ + min_size; }
 
   Verdict is_near(const Bounded& radius, double slack) {
     if (!(size_ < max_size)) return Verdict::uncertain;
@@ -53,7 +53,7 @@ class SumAlongPath {
     for (double last = HUGE_VAL;;) {
       const double square = dot(nearest, nearest), distance = std::sqrt(square);
       if (distance <= surely) return Verdict::yes;
-      if (!(distance > least && square < last)) return Verdict::uncertain;
+      if (!(distance > min_size && square < last)) return Verdict::uncertain;
       const Corner against{-nearest.x, -nearest.y};
       const Corner next = gap(gap(extreme(a_, against), extreme(b_, nearest)), extreme(path_, nearest));
       if (dot(next, nearest) / distance > possibly) return Verdict::no;
@@ -64,24 +64,25 @@ class SumAlongPath {
   }
 
  private:
-  /// Whether the triangle of the two corners and this one has the origin in it, by signs that may be
-  /// roundings.
+  /// Whether the triangle of the two corners and this one contains the origin, by signs in plain doubles.
   bool is_around(const Corner& next) const {
     const double one = side(corners_[0], corners_[1]), other = side(corners_[1], next),
                  third = side(next, corners_[0]);
     return (one > 0 && other > 0 && third > 0) || (one < 0 && other < 0 && third < 0);
   }
-  /// How far the origin surely is from the sides of that triangle; below 0 where a sign is not certain.
+  /// A lower bound on the origin's distance from the sides of that triangle; below 0 where a sign is
+  /// uncertain.
   double depth(const Corner& next) const {
     const auto from = [](const Corner& a, const Corner& b) {
-      const double rounding = 0x1p-50 * (l1_norm(a) * l1_norm(b)) + least * least;
-      return (std::abs(side(a, b)) - rounding) / std::max(l1_norm(gap(b, a)), least);
+      const double rounding = 0x1p-50 * (l1_norm(a) * l1_norm(b)) + min_size * min_size;
+      return (std::abs(side(a, b)) - rounding) / std::max(l1_norm(gap(b, a)), min_size);
     };
     return std::min({from(corners_[0], corners_[1]), from(corners_[1], next), from(next, corners_[0])});
   }
   static double side(const Corner& a, const Corner& b) { return a.x * b.y - a.y * b.x; }
 
-  /// Of the triangle or line, the point nearest to the origin; the corners that it is between are kept.
+  /// The point of the triangle or segment that is nearest to the origin. Keeps the two corners on both
+  /// sides of it.
   Corner nearest_with(const Corner& next) {
     std::size_t kept = 0;
     Corner best = nearest_between(corners_[0], next);
@@ -101,7 +102,7 @@ class SumAlongPath {
   const std::span<const Corner> a_, b_;
   const std::array<Corner, 2> path_;
   double size_ = 0;
-  std::array<Corner, 2> corners_;  ///< of the set, that the nearest point is between
+  std::array<Corner, 2> corners_;  ///< of the set; the nearest point is between them
   int count_ = 0;
 };
 
@@ -126,7 +127,7 @@ FilterAnswer filter_outlines(const LinearPath& path, const ObjectPieces& a, cons
         is_near(one, other, path.begin, path.begin, radius, path.slack) != Verdict::yes)
       continue;
     all.touches = Verdict::yes, all.at_start = true;
-    // A convex set has all of a line that has both ends in it.
+    // A convex set contains a segment if it contains both ends.
     const auto holds_at = [&](const Corner& d) {
       return is_near(one, other, d, d, radius, path.slack + path.bend) == Verdict::yes;
     };

@@ -1,10 +1,11 @@
-// What of a window can an object meet? The window's box, where a face that it does not have lies
-// farther off than the object can come: as good as none. (At the largest double, for what comes farther than
-// that: a position that no double holds is outside then.)
+// A window as a bounded box: a face that the window does not have stands farther out than the object can
+// come.
 //
 //   pieces.take_box(bounded_window<2>(setup, row_b));                 // its first two axes
 //
-// Requires: the setup has a window, whose body is where the axes meet when the horizon begins.
+// Such a face is at the largest double if the object can come farther: a position that no double holds is
+// outside of the window then. Requires: the setup has a window, whose body is at the origin when the horizon
+// starts.
 #pragma once
 
 #include <algorithm>
@@ -37,10 +38,10 @@ Box<D> bounded_window(const Setup& setup, const double* row_b) {
     const AxisMotion<double> b = axis_motion(setup.b, row_b, axis);
     const double distance = std::abs(b.x) + ago * (std::abs(b.v) + ago * std::abs(b.a)) +
                             h * std::abs(faces.velocity[j]) + size(axis) + std::abs(faces.reference(axis));
-    constexpr double most = std::numeric_limits<double>::max();
-    const double far = distance == 0         ? 1
-                       : 2 * distance < most ? 2 * distance
-                                             : most;  // also where `distance` is no number
+    constexpr double largest = std::numeric_limits<double>::max();
+    const double far = distance == 0            ? 1
+                       : 2 * distance < largest ? 2 * distance
+                                                : largest;  // also where `distance` is NaN
     box.lower[axis] = faces.has_lower(axis) ? faces.lower[j] : -far;
     box.upper[axis] = faces.has_upper(axis) ? faces.upper[j] : far;
   }

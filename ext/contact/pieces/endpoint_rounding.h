@@ -1,20 +1,23 @@
-// The instant at which a stay begins or ends, rounded once: the roots of its conditions there, each by one
-// Newton step from the middle of its enclosure, with the value in DoubleDouble and an error radius (Ziv's
-// test, numbers/crossed_root.h). Rounding keeps order, so each root is rounded apart. What this cannot tell
-// is NaN.
+// The start and end of an interval of contact as correctly rounded doubles (Ziv's test,
+// numbers/crossed_root.h).
+//
+// Each end is a root of a condition's polynomial. One Newton step from the middle of the root's enclosure,
+// with the value in DoubleDouble and a bound on the error, gives the rounded root. Rounding is monotone, so
+// each root is rounded separately and the latest start, or the earliest end, is chosen after that. The result
+// is NaN where the bound does not decide the rounding.
 #pragma once
 
 #include <algorithm>
 #include <optional>
 
 #include "contact/certain/crossing.h"
-#include "contact/pieces/motion_expansion.h"
-#include "contact/pieces/piece_workspace.h"
+#include "contact/pieces/pair_tests.h"
+#include "contact/pieces/time_expansion.h"
 #include "contact/set/relative_motion.h"
 
 namespace foresee {
 
-/// `Traits`: what the pieces are (union_pair.h).
+/// `Traits`: what the pieces are (pair_context.h).
 template <class Traits>
 class EndpointRounding {
   static constexpr int D = Traits::axes, Degree = Traits::degree;
@@ -34,7 +37,7 @@ class EndpointRounding {
         queried_(queried),
         sizes_(sizes) {}
 
-  /// Requires: the stay is certain, and these are its ends.
+  /// The start. Requires: the interval is certain, and `ends` are its candidates.
   Instant begin(const UncertainInterval& interval, std::span<const EndpointCandidate<Condition>> ends) {
     Instant begin{-UncertainInterval::inf, -UncertainInterval::inf};
     if (queried_.begin.meets(interval.begin)) begin = {lifetime_.dt_start, lifetime_.t_start};
@@ -71,7 +74,7 @@ class EndpointRounding {
         });
   }
 
-  /// Bound on |p''| / 2 for so long.
+  /// An upper bound on |p''| / 2 over `span`.
   template <std::size_t N>
   static double bend(const std::array<Bounded, N>& p, double lost, double span) {
     double bend = 0, weight = 1;
@@ -98,7 +101,7 @@ class EndpointRounding {
   const PairLifetime& lifetime_;
   const UncertainInterval& queried_;
   const Sizes<Bounded>& sizes_;
-  std::optional<Sizes<DoubleDouble>> fine_sizes_;  ///< and the motion, once they are needed
+  std::optional<Sizes<DoubleDouble>> fine_sizes_;  ///< with relative_: computed when first needed
   RelativeMotion<DoubleDouble, D> relative_;
 };
 

@@ -1,13 +1,14 @@
-// How do two objects move past each other that are unions of pieces, and when could they touch at most? What
-// all stages of a pair begin with.
+// A pair of moving objects that are unions of pieces: relative motion, sizes, queried time and the walk over
+// their trees. All stages of the contact test read it.
 //
 //   const PairContext<FlatTraits<2, 1>> context(setup, row_a, row_b, a, b, lifetime, steps);
 //   if (context.walk.near().begin > context.walk.near().end) …              // they never touch
 //
-// A Kit says what the pieces are. It has `axes` and `degree` of the motion, the types Pieces (of one object,
-// under a tree), Condition, Sizes<T>, Space, Tests (pair_tests.h) and NodeTests (tree_walk.h), sizes_of<T>()
-// and Within, which tells of solids whether one lies within the other; `has_solids` says that there may be
-// some.
+// A traits type says what the pieces are. It has `axes` and `degree` of the motion, and `has_solids`,
+// which is true if an object may have an inside. Its types are Pieces (of one object, under a tree),
+// Condition, Sizes<T>, Space (a PieceWorkspace), Tests (pair_tests.h), NodeTests (tree_walk.h) and
+// Containment. Containment decides whether one object is inside the other. Its functions are sizes_of<T>()
+// and is_cut().
 #pragma once
 
 #include "contact/certain/advancement.h"
@@ -17,12 +18,19 @@
 
 namespace foresee {
 
+/// The result of a filter in plain doubles, which finds no intervals.
+struct FilterAnswer {
+  Verdict touches = Verdict::uncertain;
+  bool at_start = false;   ///< they surely touch when the queried time starts
+  bool all_along = false;  ///< they surely touch during all of the queried time
+};
+
 template <class Traits>
 struct PairContext {
   using Pieces = typename Traits::Pieces;
 
-  /// The moments must not be none. What is given must outlive this. An interrupt is heeded at each of the
-  /// `steps`.
+  /// Requires: the lifetime is not empty; all arguments outlive this. Each of the `steps` polls the
+  /// interrupt.
   PairContext(const Setup& setup, const double* row_a, const double* row_b, const Pieces& a, const Pieces& b,
               const PairLifetime& lifetime, Steps& steps)
       : setup(setup),
@@ -46,12 +54,12 @@ struct PairContext {
   const PairLifetime& lifetime;
   Steps& steps;
   const CertainMotion<Traits::axes> relative;
-  const UncertainInterval queried;  ///< the moments, enclosed
+  const UncertainInterval queried;  ///< the queried time, enclosed
   const typename Traits::template Sizes<Bounded> sizes;
   const TreeWalk<Traits::axes, Pieces, typename Traits::NodeTests> walk;
 
  private:
-  /// Outward and inward.
+  /// Both ends rounded outward and inward.
   static UncertainInterval queried_of(const PairLifetime& lifetime) {
     constexpr double u = unit_roundoff;
     const double begin = lifetime.dt_start, end = lifetime.dt_end;

@@ -1,10 +1,11 @@
-// When may two objects touch that are unions of pieces, and which pieces are it then? Trees of boxes and
-// tests of pieces, for one pair.
+// The times at which two unions of pieces may touch, and the pairs of pieces that may touch then.
 //
 //   for (double from = intervals.first_possible(-inf); from < inf; from = intervals.first_possible(until)) {
 //     until = intervals.possible_until(from);
-//     intervals.possible_pairs({from, until}, ask);               // at no other moments may they touch
+//     intervals.possible_pairs({from, until}, visit);               // they touch at no time outside of these
 //   }
+//
+// It uses the tree walk and the tests of pieces of one pair of objects.
 #pragma once
 
 #include "contact/pieces/pair_context.h"
@@ -16,7 +17,7 @@ namespace foresee {
 template <class Traits>
 class PairIntervals {
  public:
-  /// `times_wanted`: more is asked than whether they touch.
+  /// `times_wanted`: the query wants more than whether they touch.
   PairIntervals(const PairContext<Traits>& context, bool times_wanted, typename Traits::Space& space)
       : context_(context),
         containment_(context.setup, context.row_a, context.row_b, context.a, context.b, context.relative,
@@ -26,7 +27,8 @@ class PairIntervals {
   PairIntervals(const PairIntervals&) = delete;
   PairIntervals& operator=(const PairIntervals&) = delete;
 
-  /// When contact may begin that begins later than `after`; infinite if none may.
+  /// A lower bound on the start of the first contact that starts later than `after`; infinite if no contact
+  /// can.
   double first_possible(double after) {
     double first = UncertainInterval::inf;
     context_.walk.visit(
@@ -40,7 +42,7 @@ class PairIntervals {
         });
     return first;
   }
-  /// Until when contact may last that may be at `from`.
+  /// An upper bound on the end of a contact that there may be at `from`.
   double possible_until(double from) {
     double until = from, passed_by = from;
     while (passed_by <= until) {
@@ -61,8 +63,8 @@ class PairIntervals {
     }
     return until;
   }
-  /// Gives `take` each pair of pieces that may touch within the period, as long as it returns true. It may
-  /// shorten the period.
+  /// Calls `take` with each pair of pieces that may touch within the period, until it returns false.
+  /// `take` may shorten the period.
   template <class Take>
   void possible_pairs(const Interval<double>& period, Take&& take) {
     bool more = true;
@@ -80,20 +82,20 @@ class PairIntervals {
             more = take(PiecePair{static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)});
         });
   }
-  /// Whether one lies within the other when what is asked about begins. Where the surfaces touch then it may
-  /// say anything.
-  bool is_within_at_start() {
+  /// Whether one object is inside the other when the queried time starts. If the surfaces touch then, the
+  /// result is arbitrary.
+  bool is_inside_at_start() {
     const Interval<double>& near = context_.walk.near();
     return containment_.may_be() && near.begin <= context_.queried.begin.high && near.begin <= near.end &&
            containment_.at_start();
   }
-  bool is_grown() const { return is_of_size(context_.sizes.radius); }  ///< near counts as touching
+  bool is_grown() const { return is_of_size(context_.sizes.radius); }  ///< the contact distance is not 0
 
-  /// Whether one lies within the other. Requires: their surfaces do not touch then.
-  bool is_within_at(const Dyadic& time) { return containment_.at(time); }
+  /// Whether one object is inside the other. Requires: the surfaces do not touch then.
+  bool is_inside_at(const Dyadic& time) { return containment_.at(time); }
 
  protected:
-  /// At no other moment may they touch; never if the end is before the begin.
+  /// The times at which they may touch; no time if the end is before the start.
   static Interval<double> possible(const PieceInterval& interval, const Interval<double>& near) {
     return {std::max(interval.begin.low, near.begin), std::min(interval.end.high, near.end)};
   }

@@ -1,37 +1,36 @@
-// Which pieces of two objects could touch, and when at most? Both trees of boxes from their roots downwards,
-// a pair of nodes at a time, each cutting the time that is left by the chord (certain/chord.h).
+// Simultaneous descent of two trees of boxes: the pairs of pieces of two moving objects that could touch,
+// and an upper bound on when.
 //
 //   const TreeWalk<2, ObjectPieces> walk(a, b, relative, {0, 600}, sizes, steps);
 //   walk.visit(Order::earlier_first, [&](const Interval<double>& near) { return near.begin <= best; },
 //              [&](std::size_t piece_a, std::size_t piece_b, const Interval<double>& near) { … });
 //
-// Nothing turns, so that no box ever loosens: boxes along the axes are enough, but for surfaces, which have
-// plates beside them (mesh/disc_tests.h). Cost: some ten nanoseconds a pair of nodes.
+// Each pair of nodes cuts the remaining time by the chord of the relative motion (certain/chord.h). Objects
+// do not rotate while they move, so axis-aligned boxes stay tight. Surfaces have bounding discs as well
+// (mesh/disc_tests.h). Cost: some ten nanoseconds per pair of nodes.
 #pragma once
 
 #include <cstdint>
 
 #include "base/interrupt_steps.h"
 #include "contact/certain/chord.h"
-#include "contact/pieces/moving_size.h"
+#include "contact/pieces/time_expansion.h"
 #include "motion/box.h"
 
 namespace foresee {
 
-// When could two of many boxes touch, at most? What the chord (certain/chord.h) says of their faces, for
-// boxes that all lie within two others: whatever is the same for all of them is added up first.
-//
-//   const BoxChord<2> chord(Chord<2>(relative, end), box_around_a, box_around_b, grown);
-//   const Interval<double> near = chord.between(box_of_a, box_of_b, queried);  // empty: they never touch
-//
-// Rounding loses far less than the slack that all of it is given. Numbers too large for that take the way of
-// the chord itself. Cost: some nanoseconds.
-
-/// Of boxes on the first axes of D.
+/// When two boxes could touch, one from each of two objects: the chord's bounds, with the terms that all
+/// pairs of boxes within `around_a` and `around_b` share computed once.
+///
+///   const BoxChord<2> chord(Chord<2>(relative, end), box_around_a, box_around_b, grown);
+///   const Interval<double> near = chord.between(box_of_a, box_of_b, queried);  // empty: they never touch
+///
+/// The slack is far larger than all rounding errors. Numbers too large for it take the chord's own
+/// computation. The boxes have the first `axes` of D axes. Cost: some nanoseconds per pair.
 template <int axes, int D = axes>
 class BoxChord {
  public:
-  /// `grown`: how near counts as touching.
+  /// `grown`: the contact distance.
   BoxChord(const Chord<D>& chord, const Box<axes>& around_a, const Box<axes>& around_b, const Bounded& grown)
       : chord_(chord), grown_(grown) {
     const Vec<axes> sizes = reach(around_a) + reach(around_b);
@@ -44,13 +43,13 @@ class BoxChord {
     }
   }
 
-  /// Of `queried`.
+  /// The part of `queried` in which the boxes could touch.
   Interval<double> between(const Box<axes>& a, const Box<axes>& b, const Interval<double>& queried) const {
     return is_plain_ ? quickly_between(a, b, queried) : carefully_between(a, b, queried);
   }
 
   bool is_plain() const { return is_plain_; }
-  /// Also of boxes of floats. Requires: is_plain().
+  /// Takes boxes of floats as well. Requires: is_plain().
   template <class AnyBox>
   Interval<double> quickly_between(const AnyBox& a, const AnyBox& b, Interval<double> queried) const {
     const auto gap = [](double to, double from) { return to - from; };
@@ -72,12 +71,12 @@ class BoxChord {
     static constexpr Faces faces[] = {{.axis = 0, .below = {0}, .above = {1}},
                                       {.axis = 1, .below = {2}, .above = {3}},
                                       {.axis = 2, .below = {4}, .above = {5}}};
-    Bounded most[2 * axes];
+    Bounded limits[2 * axes];
     for (int j = 0; j < axes; ++j) {
-      most[2 * j] = Bounded{b.upper[j]} - Bounded{a.lower[j]} + grown_;
-      most[2 * j + 1] = Bounded{a.upper[j]} - Bounded{b.lower[j]} + grown_;
+      limits[2 * j] = Bounded{b.upper[j]} - Bounded{a.lower[j]} + grown_;
+      limits[2 * j + 1] = Bounded{a.upper[j]} - Bounded{b.lower[j]} + grown_;
     }
-    return chord_.between(faces, axes, most, queried);
+    return chord_.between(faces, axes, limits, queried);
   }
 
   const Chord<D>& chord_;
@@ -86,22 +85,22 @@ class BoxChord {
   bool is_plain_ = true;
 };
 
-/// Which of two children comes first: that which could be met earlier, or left later.
+/// The child to visit first: the one whose contact could start earlier, or end later.
 enum class Order : std::uint8_t { earlier_first, later_first };
 
-/// What boxes along the axes tell of two nodes.
+/// Node tests of TreeWalk by axis-aligned boxes.
 template <int D, class Pieces>
 class BoxTests {
  public:
   using Node = typename Pieces::Node;
 
-  /// What is given must outlive this, but the motion and the sizes.
+  /// Pieces and chord must outlive this.
   template <class Sizes>
   BoxTests(const Pieces& a, const Pieces& b, const Chord<D>& chord, const CertainMotion<D>& /*relative*/,
            const Sizes& sizes, double end)
       : a_(a), b_(b), boxes_(chord, a.box(Pieces::root), b.box(Pieces::root), largest(sizes.radius, end)) {}
 
-  /// Of `queried`, when what is below the nodes could touch.
+  /// The part of `queried` in which pieces below the two nodes could touch.
   Interval<double> near(Node a, Node b, const Interval<double>& queried) const {
     return boxes_.between(a_.box(a), b_.box(b), queried);
   }
@@ -117,13 +116,13 @@ class BoxTests {
   const BoxChord<Pieces::axes, D> boxes_;
 };
 
-/// `Pieces`: of one object, under a tree of boxes on its first axes; the others are of upright prisms.
-/// `NodeTests`: made and asked as BoxTests are.
+/// `Pieces`: of one object, under a tree of boxes on its first axes; further axes are those of upright
+/// prisms. `NodeTests`: has the constructor and the functions of BoxTests.
 template <int D, class Pieces, class NodeTests = BoxTests<D, Pieces>>
 class TreeWalk {
  public:
-  /// `queried`: the moments asked about. `sizes`: how near counts as touching, and of prisms how far along z.
-  /// Each pair of nodes is a step, each of pieces takes as long as some.
+  /// `queried`: the queried time. `sizes`: the contact distance, and that of prisms along z.
+  /// A pair of nodes counts as one step, a pair of pieces as several.
   template <class Sizes>
   TreeWalk(const Pieces& a, const Pieces& b, const CertainMotion<D>& relative,
            const Interval<double>& queried, const Sizes& sizes, Steps& steps)
@@ -135,11 +134,11 @@ class TreeWalk {
         near_(tests_.near(Pieces::root, Pieces::root, queried_)),
         steps_(steps) {}
 
-  /// When the two could touch, at most: never if the end is before the begin.
+  /// The two objects touch at no time outside of this; never if its end is before its start.
   const Interval<double>& near() const { return near_; }
 
-  /// Gives `visit` every pair of pieces that could touch, and when at most, as long as `wanted`, which is
-  /// asked again and again, is for some of that time.
+  /// Calls `visit` for every pair of pieces that could touch, with the time outside of which they do not.
+  /// `wanted` is called for each pair of nodes and cuts the descent there when it returns false.
   template <class Wanted, class Visit>
   void visit(Order order, Wanted&& wanted, Visit&& visit) const {
     steps_();
@@ -155,7 +154,7 @@ class TreeWalk {
     Interval<double> near;
   };
 
-  /// Requires: they could touch. Steps are counted where it is asked whether they could.
+  /// Requires: the nodes could touch. The caller counts the step of their test.
   template <class Wanted, class Visit>
   void descend(const Nodes& nodes, Order order, Wanted&& wanted, Visit&& visit) const {
     const Interval<double>& near = nodes.near;
@@ -187,7 +186,7 @@ class TreeWalk {
     return tests_.is_larger(a, b);
   }
 
-  /// Of `queried`, when two prisms could overlap along z, whatever their outlines.
+  /// The part of `queried` in which two prisms could overlap along z, whatever their outlines are.
   template <class Sizes>
   static Interval<double> overlap_along_z(const Chord<D>& chord, const Interval<double>& queried,
                                           const Sizes& sizes) {

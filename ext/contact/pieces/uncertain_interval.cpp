@@ -7,7 +7,8 @@ namespace {
 
 constexpr double inf = UncertainInterval::inf;
 
-/// Above 0 but for a moment, if at all: where a discriminant is in doubt.
+/// At most one short interval around the turning point, for a convex polynomial whose discriminant has no
+/// certain sign.
 SublevelIntervals near_turn(const Bounded& p1, const Bounded& p2, const Bounded& discriminant) {
   const double half = std::sqrt(std::abs(discriminant.value) + discriminant.error);
   const Enclosure time = enclosure_of(Bounded{-p1.value, p1.error + half * (1 + 0x1p-40)} / twice(p2));
@@ -16,20 +17,20 @@ SublevelIntervals near_turn(const Bounded& p1, const Bounded& p2, const Bounded&
 
 }  // namespace
 
-SublevelIntervals times_inside(const Coefficients<Bounded, 2>& p, double lost, double length) {
+SublevelIntervals sublevel_intervals(const Coefficients<Bounded, 2>& p, double lost, double length) {
   if (p[2].value == 0 && p[2].error == 0)
-    return times_inside(Coefficients<Bounded, 1>{p[0], p[1]}, lost, length);
+    return sublevel_intervals(Coefficients<Bounded, 1>{p[0], p[1]}, lost, length);
   const Bounded p0 = with_lost(p[0], lost), p1 = with_lost(p[1], lost), p2 = with_lost(p[2], lost);
   const int lead = certain_sign(p2);
-  if (lead == 0) {  // so little bent that it counts as an error
-    // No square of a time: it may vanish where this does not.
+  if (lead == 0) {  // the quadratic term counts as an error of the linear polynomial
+    // The square of a time may underflow where this product does not.
     const double bent = length * (length * (std::abs(p2.value) + p2.error)) * (1 + 0x1p-40);
     return sublevel_of_line({p0.value, p0.error + bent}, p1, length);
   }
   const Bounded discriminant = with_lost(square(p1) - twice(twice(p0 * p2)), lost);
   if (discriminant.value < -discriminant.error)
     return lead > 0 ? SublevelIntervals::never() : SublevelIntervals::one(UncertainInterval::always());
-  // So far from 0 that nothing below is divided by what may vanish.
+  // Below, the discriminant is far enough from 0 for its root to be a divisor.
   if (!(discriminant.value > 4 * discriminant.error))
     return lead > 0 ? near_turn(p1, p2, discriminant) : SublevelIntervals::one(UncertainInterval::in_doubt());
   const Bounded root = sqrt(discriminant), sum = p1.value < 0 ? root - p1 : -(p1 + root);

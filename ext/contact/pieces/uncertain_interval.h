@@ -1,13 +1,14 @@
-// When are polynomials certainly, and when possibly, at most 0 together? Stays: stretches of time whose ends
-// are known up to rounding.
+// Intersection of the sublevel sets {p <= 0} of polynomials in time, as intervals whose ends are known up to
+// rounding.
 //
 //   IntervalUnion intervals;
-//   intervals.start({{0, 0}, {600, 600}});                     // all of what is asked about
-//   intervals.keep(times_inside(p, lost, 600));  // for each polynomial p that has to be <= 0
+//   intervals.start({{0, 0}, {600, 600}});                     // the whole queried time
+//   intervals.keep(sublevel_intervals(p, lost, 600));          // for each polynomial p that has to be <= 0
 //   for (const UncertainInterval& interval : intervals) met |= interval.is_certain();     // surely not empty
 //
-// The two ends are enclosed apart from each other. Nothing possible is ever lost: a stay may turn out not to
-// be one, and then it is not certain. Roots come from the formula that does not cancel, with error bounds.
+// Both ends of an uncertain interval are enclosed independently. Guarantee: no time that is possibly in the
+// set is lost. An interval may turn out to be empty; then it is not certain. Roots come from the formula
+// without cancellation, with error bounds.
 #pragma once
 
 #include <array>
@@ -20,13 +21,14 @@
 
 namespace foresee {
 
+/// A number between two doubles.
 struct Enclosure {
   double low, high;
 
   bool meets(const Enclosure& other) const { return low <= other.high && other.low <= high; }
 };
 
-/// Closed.
+/// A closed interval of time; it is empty if its end is before its start.
 struct UncertainInterval {
   Enclosure begin, end;
 
@@ -35,19 +37,19 @@ struct UncertainInterval {
 
   static constexpr double inf = std::numeric_limits<double>::infinity();
   static constexpr UncertainInterval always() { return {{-inf, -inf}, {inf, inf}}; }
-  /// Possibly always, certainly never.
+  /// Possibly all times, certainly none.
   static constexpr UncertainInterval in_doubt() { return {{-inf, inf}, {-inf, inf}}; }
 };
 
-/// The error in full, so that signs can be read from it.
+/// The coefficient with its full error bound, from which a sign can be read. `lost`: what underflow takes.
 inline Bounded with_lost(const Bounded& c, double lost) {
   return {c.value, c.error_bound(lost)};
 }
-/// -1, 1, or 0 where the error leaves it open.
+/// -1 or 1; 0 if the error bound leaves the sign open.
 inline int certain_sign(const Bounded& c) {
   return c.value > c.error ? 1 : c.value < -c.error ? -1 : 0;
 }
-/// Infinite where no double is near.
+/// An enclosure of the root; infinite if the root may be beyond all doubles.
 inline Enclosure enclosure_of(const Bounded& root) {
   const double error = root.error_bound(0x1p-1060) + 4 * unit_roundoff * std::abs(root.value);
   if (!(std::abs(root.value) + error < UncertainInterval::inf))
@@ -60,7 +62,7 @@ inline UncertainInterval overlap(const UncertainInterval& a, const UncertainInte
           {std::min(a.end.low, b.end.low), std::min(a.end.high, b.end.high)}};
 }
 
-/// When one polynomial is at most 0: in order, and apart from each other where it is certain.
+/// The times at which one polynomial is at most 0: in order, and disjoint where they are certain.
 struct SublevelIntervals {
   std::array<UncertainInterval, 2> list;
   int count;
@@ -69,7 +71,7 @@ struct SublevelIntervals {
   static SublevelIntervals one(const UncertainInterval& interval) { return {{interval}, 1}; }
 };
 
-/// Of p0 + p1 s, with the errors in full: for 0 <= s <= length.
+/// The sublevel set of p0 + p1 s for 0 <= s <= length. Requires: full error bounds (with_lost()).
 inline SublevelIntervals sublevel_of_line(const Bounded& p0, const Bounded& p1, double length) {
   const int slope_sign = certain_sign(p1);
   if (slope_sign == 0) {
@@ -84,24 +86,25 @@ inline SublevelIntervals sublevel_of_line(const Bounded& p0, const Bounded& p1, 
                                                : UncertainInterval{UncertainInterval::always().begin, root});
 }
 
-/// For 0 <= s <= length; `lost`: what underflow takes from a coefficient.
-inline SublevelIntervals times_inside(const Coefficients<Bounded, 1>& p, double lost, double length) {
+/// The sublevel set for 0 <= s <= length. `lost`: what underflow takes from a coefficient.
+inline SublevelIntervals sublevel_intervals(const Coefficients<Bounded, 1>& p, double lost, double length) {
   return sublevel_of_line(with_lost(p[0], lost), with_lost(p[1], lost), length);
 }
-SublevelIntervals times_inside(const Coefficients<Bounded, 2>& p, double lost, double length);
+SublevelIntervals sublevel_intervals(const Coefficients<Bounded, 2>& p, double lost, double length);
 
-/// The same for degree 4, which has no formula: in leaps over [asked.begin.low, asked.end.high].
-/// polynomial_at(tau): by powers of the time after tau.
+/// The sublevel set of a polynomial of degree 4, by steps of certain sign over [queried.begin.low,
+/// queried.end.high]. polynomial_at(tau): the coefficients by powers of the time after tau.
 template <class PolynomialAt>
-SublevelIntervals sublevel_by_leaps(PolynomialAt&& polynomial_at, double lost,
+SublevelIntervals sublevel_by_steps(PolynomialAt&& polynomial_at, double lost,
                                     const UncertainInterval& queried);
 
+/// Disjoint uncertain intervals in ascending order: what is left of a time after each intersection.
 class IntervalUnion {
  public:
-  /// Begins anew, with one stay or with those of another.
+  /// Replaces the contents by one interval or by those of another union.
   void start(const UncertainInterval& interval) { list_.assign(1, interval); }
   void start(const IntervalUnion& other) { list_ = other.list_; }
-  /// What is in both.
+  /// Intersects with the sublevel set of a polynomial.
   void keep(const SublevelIntervals& other) {
     if (list_.size() != 1 || other.count != 1) return keep_each(other);
     list_[0] = overlap(list_[0], other.list[0]);
@@ -119,7 +122,7 @@ class IntervalUnion {
 };
 
 template <class PolynomialAt>
-SublevelIntervals sublevel_by_leaps(PolynomialAt&& polynomial_at, double lost,
+SublevelIntervals sublevel_by_steps(PolynomialAt&& polynomial_at, double lost,
                                     const UncertainInterval& queried) {
   const double last = queried.end.high;
   const auto lasts = [&](double side) {

@@ -1,13 +1,13 @@
-// When do two touch first that are unions of pieces, and until when? As far as doubles and DoubleDouble can
-// vouch for it; where they cannot, on which pieces it hangs.
+// First contact of two unions of pieces, as far as doubles and DoubleDouble certify it.
 //
-// Contact is the union of the stays of all pairs of pieces (pair_tests.h). It begins when the earliest stay
-// does. Its end is found by going on: among the stays that begin before it, one that ends after it, until
-// there is none. What is only possible counts for neither; what it could change is left to the exact stage.
+// Contact is the union of the uncertain intervals of all pairs of pieces (pair_tests.h). It starts with the
+// earliest interval. Its end is found step by step: an interval that starts before the end so far and ends
+// later moves the end, until no such interval is left. Intervals that are only possible do not count; if they
+// could change the result, the exact stage decides.
 //
-// The pieces of a solid are its surface alone. Then contact is also what lies between two stays, before the
-// first or after the last, if one of the two lies within the other there: nothing of that changes unless the
-// surfaces touch, so it is asked at one moment.
+// The pieces of a solid are its surface alone. If one object is inside the other, contact also includes the
+// time between two intervals, before the first or after the last. That cannot change while the surfaces do
+// not touch, so it is tested at one instant of each such gap (Containment).
 #pragma once
 
 #include "contact/pieces/endpoint_rounding.h"
@@ -15,22 +15,24 @@
 
 namespace foresee {
 
+/// `Traits`: what the pieces are (pair_context.h).
 template <class Traits>
 class UnionPair : public PairIntervals<Traits> {
   using Base = PairIntervals<Traits>;
   using Base::context_, Base::containment_, Base::tests_;
 
  public:
-  /// As that of PairIntervals.
+  /// See PairIntervals.
   UnionPair(const PairContext<Traits>& context, bool times_wanted, typename Traits::Space& space)
       : Base(context, times_wanted, space),
         instants_(context.setup, context.row_a, context.row_b, context.relative, context.sizes,
                   context.lifetime, context.queried),
         seen_(space.seen) {}
 
-  /// Is there a contact? Stops at the first that is certain. If it is uncertain, the pieces alone tell.
+  /// Whether they touch. Stops at the first certain interval. After `uncertain`, the exact stage needs the
+  /// pieces only: no object is inside the other at the start.
   Verdict touches() {
-    if (Base::is_within_at_start()) return Verdict::yes;
+    if (Base::is_inside_at_start()) return Verdict::yes;
     Verdict touches = Verdict::no;
     context_.walk.visit(
         Order::earlier_first, [&](const Interval<double>&) { return touches != Verdict::yes; },
@@ -41,22 +43,23 @@ class UnionPair : public PairIntervals<Traits> {
     return touches;
   }
 
-  /// Is there a contact, and when does it begin? yes: `begin` is known.
+  /// Whether they touch, and when contact starts. After `yes`, `begin` is known.
   Verdict first_contact(Instant& begin) {
-    starts_within_ = Base::is_within_at_start();
-    if (starts_within_) {
-      met_by_ = context_.queried.begin.high, begin = {context_.lifetime.dt_start, context_.lifetime.t_start};
+    starts_inside_ = Base::is_inside_at_start();
+    if (starts_inside_) {
+      contact_by_ = context_.queried.begin.high,
+      begin = {context_.lifetime.dt_start, context_.lifetime.t_start};
       return Verdict::yes;
     }
     bool possible = false;
     context_.walk.visit(
         Order::earlier_first,
-        [this](const Interval<double>& near) { return near.begin <= met_by_ && !starts_at_once(); },
+        [this](const Interval<double>& near) { return near.begin <= contact_by_ && !touches_at_start(); },
         [&](std::size_t a, std::size_t b, const Interval<double>&) {
           if (tests_.is_full()) take_starts();
-          for (const PieceInterval& interval : tests_.of(a, b, met_by_)) {
+          for (const PieceInterval& interval : tests_.of(a, b, contact_by_)) {
             possible = true;
-            if (interval.is_certain()) met_by_ = std::min(met_by_, interval.begin.high);
+            if (interval.is_certain()) contact_by_ = std::min(contact_by_, interval.begin.high);
           }
         });
     if (!possible) return Verdict::no;
@@ -64,34 +67,34 @@ class UnionPair : public PairIntervals<Traits> {
     return begin.known() ? Verdict::yes : Verdict::uncertain;
   }
 
-  /// By then they certainly touch; infinite if that is not known. Requires: first_contact() was asked.
-  double met_by() const { return met_by_; }
+  /// A time by which contact has certainly started; infinite if unknown. Call first_contact() before.
+  double contact_by() const { return contact_by_; }
 
-  /// Requires: the begin is known. `lasts_until_met_by`: that the contact does is known.
-  Instant end_of_contact(bool lasts_until_met_by) {
-    if (starts_within_)
+  /// Requires: the start is known. `lasts_until_contact_by`: contact is known to last until contact_by().
+  Instant end_of_contact(bool lasts_until_contact_by) {
+    if (starts_inside_)
       last_ = context_.queried.begin;
-    else if (lasts_until_met_by || !Traits::has_solids)  // stays of what fills its shape last a while
-      go_on_from_met_by();
+    else if (lasts_until_contact_by || !Traits::has_solids)  // areas touch for some time
+      continue_from_contact_by();
     else if (!enter(-UncertainInterval::inf))
       return unknown_instant();
     do follow();
-    while (!lasts_to_the_end() && (goes_through_a_cut() || goes_on_within()));
+    while (!lasts_to_the_end() && (continues_across_a_cut() || continues_inside()));
     return latest_end();
   }
 
-  /// After that: the last moment that certainly belongs to this contact, or one shortly before its end,
-  /// between which no other contact begins; -infinity where none is known.
+  /// After end_of_contact(): the last time that certainly belongs to this contact, or a time shortly
+  /// before its end, with no other contact in between; -infinity if none is known.
   double last_certain_time() const { return last_.low; }
 
  private:
-  /// They certainly touch when what is asked about begins.
-  bool starts_at_once() const { return met_by_ <= context_.queried.begin.low; }
+  /// They certainly touch when the queried time starts.
+  bool touches_at_start() const { return contact_by_ <= context_.queried.begin.low; }
 
-  /// Of the stays found so far that may be the first, when they begin.
+  /// Reads the starts of all intervals found so far that may be the first.
   void take_starts() {
     for (const PieceInterval& interval : tests_.all()) {
-      if (interval.begin.low > met_by_) continue;
+      if (interval.begin.low > contact_by_) continue;
       const Instant begin =
           interval.is_certain() ? instants_.begin(interval, tests_.ends(interval)) : unknown_instant();
       if (begin.known())
@@ -102,33 +105,34 @@ class UnionPair : public PairIntervals<Traits> {
   }
 
   Instant earliest_start() {
-    if (starts_at_once()) return {context_.lifetime.dt_start, context_.lifetime.t_start};
+    if (touches_at_start()) return {context_.lifetime.dt_start, context_.lifetime.t_start};
     take_starts();
-    return unknown_from_ <= met_by_ ? unknown_instant() : earliest_;
+    return unknown_from_ <= contact_by_ ? unknown_instant() : earliest_;
   }
 
-  void go_on_from_met_by() {
-    last_ = {met_by_, met_by_};
+  void continue_from_contact_by() {
+    last_ = {contact_by_, contact_by_};
     for (const PieceInterval& interval : tests_.all())
-      if (interval.is_certain() && interval.begin.high <= met_by_) reach(interval.end);
+      if (interval.is_certain() && interval.begin.high <= contact_by_) reach(interval.end);
   }
 
-  /// From the first of the stays that begin later than `after`, which contact may have lasted until, it lasts
-  /// until last_. Whether that is told.
+  /// Enters the first of the intervals that start later than `after`: contact then lasts until last_.
+  /// False if the first interval is uncertain.
   bool enter(double after) {
-    double met_by = UncertainInterval::inf;
+    double contact_by = UncertainInterval::inf;
     seen_.clear(), all_seen_ = last_is_instant_ = false;
     context_.walk.visit(
         Order::earlier_first,
-        [&](const Interval<double>& near) { return near.end > after && near.begin <= met_by; },
+        [&](const Interval<double>& near) { return near.end > after && near.begin <= contact_by; },
         [&](std::size_t a, std::size_t b, const Interval<double>&) {
           for (const PieceInterval& interval : tests_.of(a, b)) {
             if (!(interval.begin.low > after)) continue;
             seen_.push_back(interval);
-            if (interval.is_certain()) met_by = std::min(met_by, interval.begin.high);
+            if (interval.is_certain()) contact_by = std::min(contact_by, interval.begin.high);
           }
         });
-    std::erase_if(seen_, [met_by](const PieceInterval& interval) { return interval.begin.low > met_by; });
+    std::erase_if(seen_,
+                  [contact_by](const PieceInterval& interval) { return interval.begin.low > contact_by; });
     if (seen_.empty()) return false;
     const auto are_all = [this](auto&& what) { return std::all_of(seen_.begin(), seen_.end(), what); };
     if (!are_all([](const PieceInterval& interval) { return interval.is_certain(); })) return false;
@@ -137,18 +141,18 @@ class UnionPair : public PairIntervals<Traits> {
       return true;
     }
     if (!are_all([](const PieceInterval& interval) { return !interval.is_instant; })) return false;
-    last_ = {met_by, met_by};  // whichever is first lasts until then
+    last_ = {contact_by, contact_by};  // the first of them lasts until then
     return true;
   }
 
-  /// One lies within the other when the stays so far have ended: contact lasts until the next.
-  bool goes_on_within() {
+  /// If one object is inside the other when the intervals so far have ended, contact lasts until the next.
+  bool continues_inside() {
     if constexpr (!Traits::has_solids) return false;
     if (!containment_.may_be()) return false;
     bool in_doubt = false;
     at_the_end([&](const PieceInterval& interval) { in_doubt |= may_continue_it(interval); });
     if (in_doubt) return false;
-    all_seen_ = false;  // as others may be tested
+    all_seen_ = false;  // the walk may test other pairs
     const double next = Base::first_possible(last_.high), until = std::min(next, context_.queried.end.low);
     const double between = last_.high + (until - last_.high) / 2;
     end_in_doubt_ = !(last_.high < between && between < until);
@@ -162,11 +166,11 @@ class UnionPair : public PairIntervals<Traits> {
 
   void reach(const Enclosure& end) { last_ = {std::max(last_.low, end.low), std::max(last_.high, end.high)}; }
 
-  /// Follows the contact along stays that surely begin before its end so far. Each walk looks for those that
-  /// end last; the next is for what it passed by, as it begins later than the end was then.
+  /// Extends the contact by intervals that surely start before its end so far. Each walk visits those that
+  /// end last first. A further walk follows for nodes that were skipped, as they start after the end so far.
   void follow() {
     double passed_by = UncertainInterval::inf,
-           forgotten = UncertainInterval::inf;  // the earliest begins of nodes, and of stays
+           forgotten = UncertainInterval::inf;  // the earliest start of nodes, of intervals
     do {
       passed_by = forgotten = UncertainInterval::inf;
       seen_.clear(), all_seen_ = true;
@@ -187,7 +191,7 @@ class UnionPair : public PairIntervals<Traits> {
     } while (passed_by <= last_.high || forgotten <= last_.low);
   }
 
-  /// When the first begins of those that are not joined so far.
+  /// Discards the intervals seen. Returns the earliest start of those that are not part of the contact.
   double forget_seen() {
     double first = UncertainInterval::inf;
     for (const PieceInterval& interval : seen_)
@@ -196,7 +200,7 @@ class UnionPair : public PairIntervals<Traits> {
     return first;
   }
 
-  /// Those too that were seen before the contact reached them: in the order of their begins.
+  /// Joins the intervals that were seen before the contact reached them, in the order of their starts.
   void join_seen() {
     std::sort(seen_.begin(), seen_.end(), [](const UncertainInterval& a, const UncertainInterval& b) {
       return a.begin.high < b.begin.high;
@@ -218,12 +222,12 @@ class UnionPair : public PairIntervals<Traits> {
   bool may_end_it(const PieceInterval& interval) const {
     return is_joined(interval) && interval.end.high >= last_.low;
   }
-  /// Whether it begins before the end is in doubt, or whether it is, and it would end after that.
+  /// Whether it may start before the end of the contact, and would end later.
   bool may_continue_it(const PieceInterval& interval) const {
     return !is_joined(interval) && interval.begin.low <= last_.high && interval.end.high > last_.low;
   }
 
-  /// Gives `use` all stays that may end the contact or continue it. Requires: follow().
+  /// Calls `use` for all intervals that may end the contact or continue it. Requires: follow().
   template <class Use>
   void at_the_end(Use&& use) {
     if (all_seen_) return static_cast<void>(std::for_each(seen_.begin(), seen_.end(), use));
@@ -235,9 +239,9 @@ class UnionPair : public PairIntervals<Traits> {
         });
   }
 
-  /// What leaves a piece through a cut of its outline, and nowhere else, is in a neighbour: whoever begins
-  /// then continues it, and no comparison is needed.
-  bool goes_through_a_cut() {
+  /// A point that leaves a piece across a cut of its outline, and nowhere else, enters a neighbouring
+  /// piece. So an interval that starts then continues the contact, and no comparison is needed.
+  bool continues_across_a_cut() {
     if constexpr (Traits::has_solids) return false;
     int ending = 0;
     bool at_a_cut = false;
@@ -282,16 +286,15 @@ class UnionPair : public PairIntervals<Traits> {
   }
 
   EndpointRounding<Traits> instants_;
-  std::vector<PieceInterval>& seen_;  ///< by the last walk of follow()
-  bool all_seen_ = false;             ///< and known still
-  bool starts_within_ = false;        ///< one in the other
+  std::vector<PieceInterval>& seen_;  ///< in the last walk of follow()
+  bool all_seen_ = false;             ///< seen_ is complete
+  bool starts_inside_ = false;        ///< one object is inside the other
   bool end_in_doubt_ = false;
-  bool last_is_instant_ = false;            ///< when the contact was entered again, alone
-  double met_by_ = UncertainInterval::inf;  ///< by then they certainly touch
-  Instant earliest_{UncertainInterval::inf, UncertainInterval::inf};  ///< of the begins that are known
-  double unknown_from_ = UncertainInterval::inf;  ///< and since when one may be that is not
-  Enclosure last_{-UncertainInterval::inf,
-                  -UncertainInterval::inf};  ///< the end of the contact, as far as it was followed
+  bool last_is_instant_ = false;                ///< contact was entered by one instant alone
+  double contact_by_ = UncertainInterval::inf;  ///< contact has certainly started by then
+  Instant earliest_{UncertainInterval::inf, UncertainInterval::inf};  ///< of the known starts
+  double unknown_from_ = UncertainInterval::inf;                      ///< the earliest unknown start
+  Enclosure last_{-UncertainInterval::inf, -UncertainInterval::inf};  ///< the end of the contact so far
 };
 
 }  // namespace foresee

@@ -14,7 +14,7 @@ class DrawMesh {
   std::uint64_t below(std::uint64_t count) { return random_() % count; }
   /// Between -range and range; a half of a whole number, if the family's are.
   double number(double range);
-  double above(double least, double range) { return least + std::abs(number(range)); }
+  double above(double min, double range) { return min + std::abs(number(range)); }
   SpaceCorner place(double range) { return {number(range), number(range), number(range)}; }
 
   /// Of a, or of b.

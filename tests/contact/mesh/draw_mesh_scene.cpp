@@ -71,7 +71,7 @@ class DrawScene {
     Meeting met = meeting(scene);
     met.velocity *= std::ldexp(1.0, family_.pace);
     for (int j = 0; j < 3; ++j) {
-      // From that moment back to now.
+      // From that time back to now.
       const double bend = b.a[j] - a.a[j], velocity = met.velocity[j] - time * bend;
       const double place = met.place[j] - time * (velocity + time * bend / 2);
       a.x[j] = family_.offset + draw_.number(5), a.v[j] = draw_.number(2);
@@ -96,7 +96,7 @@ class DrawScene {
     }
   }
 
-  /// Where b is seen from a at some moment, and how fast it goes there.
+  /// The relative position and velocity of b at some time.
   struct Meeting {
     Vec<3> place, velocity;
   };

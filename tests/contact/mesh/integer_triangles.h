@@ -60,7 +60,7 @@ std::optional<Span> corner_meets(const Arrow& corner, const Arrow& velocity, con
 std::optional<Span> edge_meets(const Arrow& p, const Arrow& e, const Arrow& q, const Arrow& f,
                                const Arrow& velocity, Span queried);
 
-/// The moments of `queried` at which a corner of one triangle is on the other, or their edges meet: from the
+/// The times of `queried` at which a corner of one triangle is on the other, or their edges meet: from the
 /// first to the last of all. b flies past a.
 std::optional<Span> features_meet(const Facet& a, const Facet& b, const Arrow& velocity, const Span& queried);
 
@@ -71,7 +71,7 @@ bool touch(const Facet& a, const Facet& b);
 bool are_near(const Facet& a, const Facet& b, const Whole& squared);
 
 /// How often does a ray from a corner cross the triangle? None: it meets an edge or runs along the triangle,
-/// so that another ray must tell. Requires: the corner is not on the triangle.
+/// so that another ray must decide. Requires: the corner is not on the triangle.
 std::optional<int> crossings(const Arrow& corner, const Arrow& ray, const Facet& facet);
 
 }  // namespace foresee::oracle

@@ -66,7 +66,7 @@ TEST(MeshContact, IsThatOfRationalNumbers) {
   EXPECT_GE(3 * contacts, cases);
 }
 
-TEST(MeshContact, OfAnyRadiusAndMotionIsRightAtEveryMoment) {
+TEST(MeshContact, OfAnyRadiusAndMotionIsRightAtEveryTime) {
   int cases = 0, contacts = 0;
   for (MeshFamily family : mesh_families())
     for (const auto pairing : {MeshPairing::meshes, MeshPairing::mesh_and_point, MeshPairing::mesh_and_box,
@@ -88,7 +88,7 @@ TEST(MeshContact, OfAnyRadiusAndMotionIsRightAtEveryMoment) {
   EXPECT_GE(3 * contacts, cases);
 }
 
-TEST(MeshContact, EndsThoughTheNextBeginsWithinAnUlp) {
+TEST(MeshContact, EndsThoughTheNextStartsWithinAnUlp) {
   for (MeshFamily family : mesh_families()) {
     if (std::string(family.name) != "across a face") continue;
     family.bent = true;

@@ -58,12 +58,12 @@ bool is_within(const Arrow& corner, const std::vector<Facet>& solid) {
   while (true) {
     const Arrow ray{any(), any(), any()};
     int count = 0;
-    const bool is_told = std::all_of(solid.begin(), solid.end(), [&](const Facet& facet) {
+    const bool is_decided = std::all_of(solid.begin(), solid.end(), [&](const Facet& facet) {
       const std::optional<int> crossed = crossings(corner, ray, facet);
       count += crossed.value_or(0);
       return crossed.has_value();
     });
-    if (is_told) return count % 2 == 1;
+    if (is_decided) return count % 2 == 1;
   }
 }
 
@@ -100,29 +100,29 @@ unsigned sides_of(const Bounds& a, const Bounds& b, const Whole& distance) {
   return sides;
 }
 
-/// Both at one moment, in a unit of that moment.
+/// Both objects at one time, in a unit that depends on the time.
 struct Still {
   std::vector<Facet> a, b;
   std::vector<Bounds> bounds_a, bounds_b;
 
   Still(const std::vector<Facet>& resting, const std::vector<Facet>& flying, const Arrow& velocity,
         const Fraction& time) {
-    const Arrow way = time.above * velocity;
+    const Arrow path = time.above * velocity;
     const auto moved = [&](const Facet& facet, const Arrow& by) {
       const auto at = [&](std::size_t i) { return time.below * facet.corners[i] + by; };
       return Facet({at(0), at(1), at(2)});
     };
     for (const Facet& facet : resting) bounds_a.emplace_back(a.emplace_back(moved(facet, {})));
-    for (const Facet& facet : flying) bounds_b.emplace_back(b.emplace_back(moved(facet, way)));
+    for (const Facet& facet : flying) bounds_b.emplace_back(b.emplace_back(moved(facet, path)));
   }
 };
 
-/// Whether on one side of the other all the way, which is straight: of its bounds, or of a triangle's plane.
-bool stays_beside(const Still& first, const Still& last, std::size_t i, std::size_t j) {
-  const auto stays = [&](const auto& side_at) { return (side_at(first) & side_at(last)) != 0; };
-  return stays([&](const Still& s) { return sides_of(s.bounds_a[i], s.bounds_b[j], 0); }) ||
-         stays([&](const Still& s) { return side_of(s.a[i], s.b[j], 0); }) ||
-         stays([&](const Still& s) { return side_of(s.b[j], s.a[i], 0); });
+/// Whether one is on one side of the other's bounds, or of a triangle's plane, all along its straight path.
+bool remains_beside(const Still& first, const Still& last, std::size_t i, std::size_t j) {
+  const auto remains = [&](const auto& side_at) { return (side_at(first) & side_at(last)) != 0; };
+  return remains([&](const Still& s) { return sides_of(s.bounds_a[i], s.bounds_b[j], 0); }) ||
+         remains([&](const Still& s) { return side_of(s.a[i], s.b[j], 0); }) ||
+         remains([&](const Still& s) { return side_of(s.b[j], s.a[i], 0); });
 }
 
 class Scene {
@@ -139,7 +139,7 @@ class Scene {
   std::optional<RationalInterval> first_contact() {
     meet_surfaces();
     for (const RationalInterval& gap : gaps_between(contacts_, queried_))
-      if (lies_within((gap.begin + gap.end) / 2)) contacts_.push_back(gap);
+      if (is_inside((gap.begin + gap.end) / 2)) contacts_.push_back(gap);
     return first_of(contacts_);
   }
 
@@ -149,7 +149,7 @@ class Scene {
     const Still first(a_, b_, velocity_, queried.begin), last(a_, b_, velocity_, queried.end);
     for (std::size_t i = 0; i < a_.size(); ++i)
       for (std::size_t j = 0; j < b_.size(); ++j) {
-        if (stays_beside(first, last, i, j)) continue;
+        if (remains_beside(first, last, i, j)) continue;
         const bool at_first = touch(first.a[i], first.b[j]);
         const bool at_last = touch(last.a[i], last.b[j]);
         auto met = at_first && at_last ? queried : features_meet(a_[i], b_[j], velocity_, queried);
@@ -159,7 +159,7 @@ class Scene {
       }
   }
 
-  bool lies_within(const Rational& time) const {
+  bool is_inside(const Rational& time) const {
     const Still still(a_, b_, velocity_, fraction_of(time));
     return (a_is_solid_ && holds_one(still.a, still.b)) || (b_is_solid_ && holds_one(still.b, still.a));
   }
@@ -197,7 +197,7 @@ Body box_body(double half_x, double half_y, double half_z) {
 }
 
 std::optional<RationalInterval> first_contact(const Body& a, const Body& b, const SpacePlace& place,
-                                       const SpacePlace& velocity, const RationalInterval& queried) {
+                                              const SpacePlace& velocity, const RationalInterval& queried) {
   return Scene(a, b, place, velocity, queried).first_contact();
 }
 

@@ -26,11 +26,11 @@ Triangles box_between(const SpaceCorner& lower, const SpaceCorner& upper);
 Triangles prism(const std::vector<Corner>& ring, const Corner& middle, double lower, double upper);
 /// A square frame around the z axis: 32 triangles, and a hole through which one can fly.
 Triangles frame(double inner, double outer, double lower, double upper);
-/// Around the origin: 2 * meridians * rings triangles; `radius_of` is asked for each corner. 4 and 1 make an
+/// Around the origin: 2 * meridians * rings triangles; `radius_of` is called for each corner. 4 and 1 make an
 /// octahedron.
 template <class RadiusOf>
 Triangles globe(int meridians, int rings, RadiusOf&& radius_of);
-/// Squares of two triangles each; `height_of` is asked for each corner, row by row.
+/// Squares of two triangles each; `height_of` is called for each corner, row by row.
 template <class HeightOf>
 Triangles terrain(int columns, int rows, double width, HeightOf&& height_of);
 

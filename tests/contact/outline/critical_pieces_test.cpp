@@ -1,4 +1,4 @@
-// Which pieces the exact stage is asked about.
+// The pieces that the exact stage takes.
 #include "contact/outline/critical_pieces.h"
 
 #include <gtest/gtest.h>

@@ -10,7 +10,7 @@ namespace {
 using namespace testing_by_hand;
 
 /// Strips side by side, as far apart as they are wide, all so long and slanted that the boxes of any two
-/// meet. Across them they begin at `first`, at first + 4, …
+/// meet. Across them they start at `first`, at first + 4, …
 OutlinedObject slanted_strips(int count, double first, Corner velocity) {
   OutlinedObject strips{object(2, Shape::point), {}};
   strips.row.layout.law = Law::uniform;
@@ -30,7 +30,7 @@ OutlineScene interleaved(int count, double speed) {
   return {slanted_strips(count, 0, {0, 0}), slanted_strips(count, 2, {speed, -speed}), {.horizon = {0, 10}}};
 }
 
-TEST(ManyPieces, ThatAllMayTouchAreTestedAgainWhenTheyAreAskedForAgain) {
+TEST(ManyPieces, ThatAllMayTouchAreTestedAgainWhenNeededAgain) {
   const auto answer = outline_contact(interleaved(190, 1));
   ASSERT_TRUE(answer.has_value());
   EXPECT_EQ(answer->t, 1);
@@ -70,7 +70,7 @@ class Interrupting final : public Interrupt {
   int checks_ = 0;
 };
 
-TEST(ManyPieces, OfAPairHeedAnInterrupt) {
+TEST(ManyPieces, OfAPairPollAnInterrupt) {
   Interrupting at_once(true);
   EXPECT_THROW(outline_contact(interleaved(200, 1), at_once), Interrupted);
 }

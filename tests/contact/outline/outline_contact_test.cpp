@@ -12,8 +12,8 @@ namespace {
 using namespace testing_by_hand;
 using oracle::Encounter;
 using oracle::Rational;
-using oracle::Region;
 using oracle::RationalInterval;
+using oracle::Region;
 
 Region region_of(const OutlinedObject& o) {
   Region region;
@@ -68,7 +68,7 @@ std::string judged_by_times(const OutlineScene& scene, const std::optional<Conta
   return oracle::judged_by_times(touch, scene.question.horizon.h, answer);
 }
 
-TEST(OutlineContact, OfAnyRadiusAndMotionIsRightAtEveryMoment) {
+TEST(OutlineContact, OfAnyRadiusAndMotionIsRightAtEveryTime) {
   int cases = 0, contacts = 0;
   for (OutlineFamily family : outline_families())
     for (const auto pairing :
@@ -99,7 +99,7 @@ TEST(OutlineContact, OfAnyRadiusAndMotionIsRightAtEveryMoment) {
   EXPECT_GE(4 * contacts, cases);
 }
 
-TEST(OutlineContact, OfRandomPairsIsToldByDoubles) {
+TEST(OutlineContact, OfRandomPairsIsDecidedByDoubles) {
   const OutlineFamily any{.name = "any", .whole = false};
   int contacts = 0, in_doubt = 0;
   for (int seed = 0; seed < 1000; ++seed) {

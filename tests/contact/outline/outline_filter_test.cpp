@@ -1,4 +1,4 @@
-// What plain doubles tell of two outlines: only what is sure by far.
+// The filter of outlines in plain doubles decides only what is far from doubtful.
 #include "contact/outline/outline_filter.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 constexpr double inf = std::numeric_limits<double>::infinity();
 constexpr BoxedPair only_pair[] = {{0, 0, true}};
 
-/// Of two squares, ten wide, of which b moves.
+/// The filter's answer for two squares, ten wide, of which b moves.
 FilterAnswer squares(const Corner& from, const Corner& to, double radius, double bend = 0,
                      bool times_wanted = true) {
   ObjectPieces a, b;
@@ -20,7 +20,7 @@ FilterAnswer squares(const Corner& from, const Corner& to, double radius, double
   return filter_outlines({from, to, 0x1p-40, bend}, a, b, only_pair, Bounded{radius}, times_wanted);
 }
 
-TEST(PlainlyNear, TellsOfTwoAtRest) {
+TEST(OutlineFilter, DecidesTwoAtRest) {
   for (const double x : {-3.0, 0.0, 7.5, 14.0}) {
     const FilterAnswer near = squares({x, 9}, {x, 9}, 5);
     EXPECT_EQ(near.touches, Verdict::yes) << x;
@@ -31,14 +31,14 @@ TEST(PlainlyNear, TellsOfTwoAtRest) {
   EXPECT_TRUE(squares({1, 2}, {1, 2}, 0).all_along) << "one upon the other";
 }
 
-TEST(PlainlyNear, LeavesTouchesOpen) {
+TEST(OutlineFilter, LeavesTouchesOpen) {
   EXPECT_EQ(squares({15, 0}, {15, 0}, 5).touches, Verdict::uncertain);
   EXPECT_EQ(squares({13, 14}, {13, 14}, 5).touches, Verdict::uncertain) << "three and four away";
   EXPECT_EQ(squares({10, 3}, {10, 3}, 0).touches, Verdict::uncertain);
   EXPECT_EQ(squares({-30, 10}, {30, 10}, 0).touches, Verdict::uncertain) << "along a side";
 }
 
-TEST(PlainlyNear, TellsOfThoseThatMove) {
+TEST(OutlineFilter, DecidesThoseThatMove) {
   EXPECT_EQ(squares({-30, 16}, {30, 16}, 5).touches, Verdict::no);
   EXPECT_EQ(squares({-30, 30}, {0, 16}, 5).touches, Verdict::no);
   const FilterAnswer through = squares({-30, 3}, {30, 3}, 5);
@@ -50,7 +50,7 @@ TEST(PlainlyNear, TellsOfThoseThatMove) {
   EXPECT_TRUE(squares({12, 0}, {-12, 1}, 5).all_along) << "near at both ends of a line";
 }
 
-TEST(PlainlyNear, LeavesRoomForWhatIsBesideTheChord) {
+TEST(OutlineFilter, LeavesRoomForWhatIsBesideTheChord) {
   EXPECT_EQ(squares({-30, 18}, {30, 18}, 5, 2).touches, Verdict::no);
   EXPECT_EQ(squares({-30, 18}, {30, 18}, 5, 4).touches, Verdict::uncertain);
   EXPECT_EQ(squares({-30, 13}, {30, 13}, 5, 1).touches, Verdict::yes);
@@ -60,7 +60,7 @@ TEST(PlainlyNear, LeavesRoomForWhatIsBesideTheChord) {
   EXPECT_FALSE(swings.all_along);
 }
 
-TEST(PlainlyNear, TellsNothingOfNumbersThatDoublesDoNotHold) {
+TEST(OutlineFilter, DecidesNothingBeyondTheRangeOfDoubles) {
   const double large = std::numeric_limits<double>::max();
   for (const double far : {large, inf, -inf, std::nan("")}) {
     EXPECT_EQ(squares({far, 0}, {far, 0}, 5).touches, Verdict::uncertain);

@@ -49,7 +49,7 @@ TEST(OutlineGrowth, CountsFromEachReport) {
   expect_begin(
       queried(outlined({growing_square}, 0, 0, 0.25), outlined({growing_square}, 5, 0, 0.5, 8), 10, 10),
       32.0 / 3);
-  // One that has just begun to exist has not grown.
+  // An object that has just started to exist has not grown.
   expect_begin(queried(outlined({growing_square}, 0, 0, 0), outlined({growing_square}, 3, 0, 1, 15), 10, 10),
                17);
 }
@@ -71,7 +71,7 @@ TEST(OutlineGrowth, OfPrismsIsApartAlongZ) {
   expect_begin(queried(prism(0, 0, 0.5, 0.25), prism(6, 4, 0.5, 0.25), 0, 10), 5);
 }
 
-/// Before the end it is smaller: who touches the outline that grows touches the largest.
+/// A growing outline is smaller before the end: an object that touches it touches the largest.
 TEST(OutlineGrowth, IsNeverMoreThanWhatItBecomes) {
   int both = 0, largest_alone = 0;
   for (const OutlineFamily& family : outline_families())
@@ -84,12 +84,12 @@ TEST(OutlineGrowth, IsNeverMoreThanWhatItBecomes) {
       scene.a.row.layout.has_growth = true;
       scene.a.row.growth = unit * (1 + seed % 5) / 16;
       largest.question.within += (end - scene.a.row.t) * scene.a.row.growth * (1 + 0x1p-50);
-      const auto grows = outline_contact(scene), most = outline_contact(largest);
-      ASSERT_TRUE(most || !grows) << family.name << ' ' << seed << '\n' << described(scene);
+      const auto grows = outline_contact(scene), touches_largest = outline_contact(largest);
+      ASSERT_TRUE(touches_largest || !grows) << family.name << ' ' << seed << '\n' << described(scene);
       if (grows) {
-        ASSERT_GE(grows->dt, most->dt);
+        ASSERT_GE(grows->dt, touches_largest->dt);
       }
-      both += grows.has_value(), largest_alone += most && !grows;
+      both += grows.has_value(), largest_alone += touches_largest && !grows;
     }
   EXPECT_GT(both, 20);
   EXPECT_GT(largest_alone, 0);

@@ -46,7 +46,7 @@ class Draw {
     const double any = std::uniform_real_distribution<double>(-range, range)(random_);
     return family_.whole ? std::round(2 * any) / 2 : any;
   }
-  double above(double least, double range) { return least + std::abs(number(range)); }
+  double above(double min, double range) { return min + std::abs(number(range)); }
 
   OutlinedObject object(bool has_outline) {
     OutlinedObject o;

@@ -35,7 +35,7 @@ bool cut(RationalInterval& stretch, const Steady& number, const Rational& low, c
 
 /// When the segment from p along e meets that from q along f, which moves as d does.
 std::optional<RationalInterval> meeting(const Place& p, const Place& e, const Place& q, const Place& f,
-                                 const Place& d, const Place& v, RationalInterval queried) {
+                                        const Place& d, const Place& v, RationalInterval queried) {
   const Place gap{d.x + q.x - p.x, d.y + q.y - p.y};
   const Rational turn = cross(e, f);
   if (turn != 0) {
@@ -85,7 +85,7 @@ bool holds_one(const Region& outer, const Region& inner, const Place& shift) {
   });
 }
 
-/// Gives `take` where each edge begins, and how far it runs.
+/// Calls `take` with the start of each edge and its vector.
 template <class Take>
 void for_each_edge(const Region& region, Take&& take) {
   for (const auto& ring : region)
@@ -97,7 +97,8 @@ void for_each_edge(const Region& region, Take&& take) {
 
 class Scene {
  public:
-  Scene(const Region& a, const Region& b, const Place& place, const Place& velocity, const RationalInterval& queried)
+  Scene(const Region& a, const Region& b, const Place& place, const Place& velocity,
+        const RationalInterval& queried)
       : a_(a), b_(b), place_(place), velocity_(velocity), queried_(queried) {}
 
   std::optional<RationalInterval> first_contact() {
@@ -135,7 +136,7 @@ class Scene {
 }  // namespace
 
 std::optional<RationalInterval> first_contact(const Region& a, const Region& b, const Place& place,
-                                       const Place& velocity, const RationalInterval& queried) {
+                                              const Place& velocity, const RationalInterval& queried) {
   return Scene(a, b, place, velocity, queried).first_contact();
 }
 

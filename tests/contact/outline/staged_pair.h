@@ -1,4 +1,5 @@
-// A scene of outlines as its stages see it: rows, moments, pieces, and space for the tests of one pair.
+// The input of the stages for a scene of outlines: rows, times, pieces, and the memory for the tests of a
+// pair.
 #pragma once
 
 #include <optional>
@@ -36,7 +37,7 @@ struct StagedScene {
   FlatSpace space;
   NeverInterrupt never;
   Steps steps{never};
-  std::optional<PairContext<FlatTraits<2, 1>>> context;  ///< of the pair asked for last
+  std::optional<PairContext<FlatTraits<2, 1>>> context;  ///< of the last pair
 };
 
 }  // namespace foresee::testing_by_hand

@@ -1,5 +1,5 @@
-// Stays against the signs of polynomials at single moments: what is certain holds, what is not possible does
-// not.
+// Uncertain intervals against the signs of polynomials at single times: what is certain holds, and what is
+// not possible does not.
 #include "contact/pieces/uncertain_interval.h"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,8 @@ void expect_right(const std::array<double, N>& p, const SublevelIntervals& insid
   }
 }
 
-/// Halves of whole numbers, so that roots are double, at the moments asked, or nowhere; or any.
+/// Coefficients that are half integers, so that roots are double, at the times tested, or do not exist; or
+/// any.
 template <std::size_t N, class Check>
 void for_each_polynomial(Check&& check) {
   std::mt19937_64 random(7);
@@ -54,18 +55,18 @@ void for_each_polynomial(Check&& check) {
 
 TEST(IntervalUnion, OfALineHoldWhereItsSignSays) {
   for_each_polynomial<2>(
-      [](const auto& p, const auto& bounded) { expect_right(p, times_inside(bounded, lost, length)); });
+      [](const auto& p, const auto& bounded) { expect_right(p, sublevel_intervals(bounded, lost, length)); });
 }
 
 TEST(IntervalUnion, OfAParabolaHoldWhereItsSignSays) {
   for_each_polynomial<3>(
-      [](const auto& p, const auto& bounded) { expect_right(p, times_inside(bounded, lost, length)); });
+      [](const auto& p, const auto& bounded) { expect_right(p, sublevel_intervals(bounded, lost, length)); });
 }
 
 TEST(IntervalUnion, OfAParabolaInDoubtReachAsFarAsItBends) {
   // 2^-301 - 2^900 s^2 is below 0 at 2^-600, whose square is no double.
   const SublevelIntervals inside =
-      times_inside(Coefficients<Bounded, 2>{{{0x1p-301, 0}, {}, {0, 0x1p900}}}, lost, 0x1p-600);
+      sublevel_intervals(Coefficients<Bounded, 2>{{{0x1p-301, 0}, {}, {0, 0x1p900}}}, lost, 0x1p-600);
   ASSERT_EQ(inside.count, 1);
   EXPECT_TRUE(inside.list[0].is_possible());
   EXPECT_FALSE(inside.list[0].is_certain());
@@ -81,7 +82,7 @@ TEST(IntervalUnion, FoundInLeapsHoldWhereTheSignSays) {
         for (std::size_t i = 4; i-- > k;) seen[i] = seen[i] + Bounded{tau, 0} * seen[i + 1];
       return seen;
     };
-    expect_right(p, sublevel_by_leaps(seen_from, lost, {{0, 0}, {length, length}}));
+    expect_right(p, sublevel_by_steps(seen_from, lost, {{0, 0}, {length, length}}));
   });
 }
 
@@ -93,7 +94,7 @@ TEST(IntervalUnion, WhatIsKeptIsInBoth) {
                   2});
   ASSERT_EQ(intervals.end() - intervals.begin(), 2);
   intervals.keep(SublevelIntervals::one({{3.5, 3.75}, {UncertainInterval::inf, UncertainInterval::inf}}));
-  EXPECT_FALSE(intervals.begin()->is_certain());  // it may end before it begins
+  EXPECT_FALSE(intervals.begin()->is_certain());  // it may end before it starts
   EXPECT_TRUE((intervals.begin() + 1)->is_certain());
   intervals.keep(SublevelIntervals::one({{4.5, 4.5}, {5.5, 5.5}}));
   ASSERT_EQ(intervals.end() - intervals.begin(), 1);

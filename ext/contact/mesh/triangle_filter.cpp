@@ -1,4 +1,4 @@
-#include "contact/mesh/space_tests.h"
+#include "contact/mesh/triangle_filter.h"
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ Triple cross(const Triple& a, const Triple& b) {
 double dot(const Triple& a, const Triple& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
-double sum_of_sizes(const Triple& a) {
+double l1_norm(const Triple& a) {
   return std::abs(a[0]) + std::abs(a[1]) + std::abs(a[2]);
 }
 
@@ -30,13 +30,13 @@ struct Corners {
     }
   }
   Triple edge(std::size_t i) const { return difference_of(at[(i + 1) % 3], at[i]); }
-  double size() const { return sum_of_sizes(at[0]) + sum_of_sizes(at[1]) + sum_of_sizes(at[2]); }
+  double size() const { return l1_norm(at[0]) + l1_norm(at[1]) + l1_norm(at[2]); }
 };
 
-/// Time is cut axis after axis.
-class Passing {
+/// The time in which two triangles may touch, cut by one axis after another.
+class TimeCut {
  public:
-  Passing(const Corners& a, const Corners& b, const std::array<Coefficients<Bounded, 2>, 3>& x,
+  TimeCut(const Corners& a, const Corners& b, const std::array<Coefficients<Bounded, 2>, 3>& x,
           const Bounded& radius, const UncertainInterval& queried)
       : a_(a),
         b_(b),
@@ -50,50 +50,50 @@ class Passing {
       size += std::abs(place_[j]) + end_ * (std::abs(x[j][1].value) + end_ * std::abs(x[j][2].value));
       lost += x[j][0].error + end_ * (x[j][1].error + end_ * x[j][2].error);
     }
-    // Sums of three products are off by 2^-51 of their sizes.
+    // The relative error of a sum of three products is 2^-51 of their magnitudes.
     slack_ = 0x1p-44 * (size + radius_) + 2 * lost;
   }
 
-  /// Whether none is left across u x v.
+  /// Cuts the time by the axis u x v. Whether none is left.
   bool are_apart_across(const Triple& u, const Triple& v) {
     const Triple n = cross(u, v);
     const Triple a{dot(n, a_.at[0]), dot(n, a_.at[1]), dot(n, a_.at[2])};
     const Triple b{dot(n, b_.at[0]), dot(n, b_.at[1]), dot(n, b_.at[2])};
-    const auto [min_a, greatest_a] = std::minmax({a[0], a[1], a[2]});
-    const auto [min_b, greatest_b] = std::minmax({b[0], b[1], b[2]});
-    // What underflows in n is no harm either, and in the sums it is less than this.
-    const double slack = slack_ * sum_of_sizes(n) + 0x1p-1000;
+    const auto [min_a, max_a] = std::minmax({a[0], a[1], a[2]});
+    const auto [min_b, max_b] = std::minmax({b[0], b[1], b[2]});
+    // Underflow in n is harmless too; in the sums it is less than this constant.
+    const double slack = slack_ * l1_norm(n) + 0x1p-1000;
     const double swing = dot(n, swing_), at = dot(n, place_), speed = dot(n, speed_);
-    const double low = min_a - greatest_b, high = greatest_a - min_b;
+    const double low = min_a - max_b, high = max_a - min_b;
     // n is off by less than 2^-49 of |u| |v|.
-    const double wide = 2 * slack_ * (sum_of_sizes(u) * sum_of_sizes(v)) + 2 * slack;
+    const double wide = 2 * slack_ * (l1_norm(u) * l1_norm(v)) + 2 * slack;
     within_[count_++] = {low + wide + std::max(swing, 0.0), high - wide + std::min(swing, 0.0), at, speed};
     const double more = radius_ > 0 ? radius_ * length(n) + slack : slack;
     return cut(low - more + std::min(swing, 0.0), high + more + std::max(swing, 0.0), at, speed, slack);
   }
 
-  /// Those across which d may come to lie where the sum ends, in the time that is left. Requires: radius 0.
+  /// The axes along which d may reach a bound of the sum in the time that is left. Requires: radius 0.
   unsigned axes_that_matter() const {
     unsigned axes = 0;
     for (std::size_t i = 0; i < count_; ++i) {
       const Within& within = within_[i];
       const double first = within.at + within.speed * begin_, last = within.at + within.speed * end_;
-      const bool stays = std::min(first, last) >= within.low && std::max(first, last) <= within.high;
-      if (!stays) axes |= 1U << i;
+      const bool is_inside = std::min(first, last) >= within.low && std::max(first, last) <= within.high;
+      if (!is_inside) axes |= 1U << i;
     }
     return axes;
   }
   Interval<double> left() const { return {begin_, end_}; }
 
  private:
-  /// Where n d surely has no say, and n d along the chord.
+  /// The bounds within which n d surely does not matter, and n d along the chord.
   struct Within {
     double low, high, at, speed;
   };
 
   static double length(const Triple& n) {
     const double square = dot(n, n);
-    return square > 0x1p-900 ? std::sqrt(square) : sum_of_sizes(n);
+    return square > 0x1p-900 ? std::sqrt(square) : l1_norm(n);
   }
 
   bool cut(double low, double high, double at, double speed, double slack) {
@@ -105,7 +105,7 @@ class Passing {
 
   const Corners &a_, &b_;
   const double radius_;
-  Triple place_, speed_, swing_;  ///< the chord of d, and how far d is before it in between
+  Triple place_, speed_, swing_;  ///< the chord of d, and the largest difference between chord and d
   double begin_, end_, slack_;
   std::array<Within, 11> within_;
   std::size_t count_ = 0;
@@ -120,15 +120,15 @@ TriangleFilter filter_triangles(const SpacePiece& a, const SpacePiece& b,
                                 const std::array<Coefficients<Bounded, 2>, 3>& x, const Bounded& radius,
                                 const UncertainInterval& queried) {
   const Corners corners_a(a), corners_b(b);
-  Passing passing(corners_a, corners_b, x, radius, queried);
+  TimeCut time(corners_a, corners_b, x, radius, queried);
   for (const Corners* corners : {&corners_a, &corners_b})
-    if (passing.are_apart_across(corners->edge(0), corners->edge(1))) return apart;
+    if (time.are_apart_across(corners->edge(0), corners->edge(1))) return apart;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t k = 0; k < 3; ++k)
-      if (passing.are_apart_across(corners_a.edge(i), corners_b.edge(k))) return apart;
-  Interval<double> left = passing.left();
-  left.end = std::max(left.begin, left.end);  // by a rounding
-  return {left, radius.value > 0 ? all_axes : passing.axes_that_matter()};
+      if (time.are_apart_across(corners_a.edge(i), corners_b.edge(k))) return apart;
+  Interval<double> left = time.left();
+  left.end = std::max(left.begin, left.end);  // rounding may swap them
+  return {left, radius.value > 0 ? all_axes : time.axes_that_matter()};
 }
 
 }  // namespace foresee

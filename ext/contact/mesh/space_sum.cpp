@@ -1,13 +1,12 @@
-#include "contact/mesh/round_parts.h"
+#include "contact/mesh/space_sum.h"
 
 #include "numbers/dyadic.h"
 #include "shape/outline/orientation.h"
 
 namespace foresee {
-
 namespace {
 
-/// 2: unknown.
+/// The sign, or 2 if it is unknown. Bit 0 is set if it is certainly not 0.
 int sign_bits(const Bounded& c) {
   const double error = c.error * (1 + 0x1p-40);
   if (c.value > error) return 1;
@@ -19,7 +18,7 @@ double coordinate(const SpaceCorner& corner, int axis) {
   return axis == 0 ? corner.x : axis == 1 ? corner.y : corner.z;
 }
 
-/// Of component j of u x v, exactly.
+/// The exact sign of component j of u x v.
 int minor_sign(const EdgeVector& u, const EdgeVector& v, int j) {
   const auto seen = [j](const SpaceCorner& corner) {
     return Corner{coordinate(corner, (j + 1) % 3), coordinate(corner, (j + 2) % 3)};
@@ -27,7 +26,7 @@ int minor_sign(const EdgeVector& u, const EdgeVector& v, int j) {
   return turn_sign(seen(*u.from), seen(*u.to), seen(*v.from), seen(*v.to));
 }
 
-/// Which corners of a piece are the farthest along an axis, and against it.
+/// The corners of a piece that are farthest along an axis and against it.
 class Extremes {
  public:
   Extremes(const SpacePiece& piece, const SpaceAxis& axis, const Components<Bounded>& direction)
@@ -58,7 +57,7 @@ class Extremes {
     }
   }
 
-  /// Nothing of a triangle is farther than the rest along its normal.
+  /// Whether the axis is the normal of this triangle: all its corners are at the same distance then.
   bool is_own_normal() const {
     const auto is_edge_vector = [this](const EdgeVector& run, std::size_t i) {
       return run.from == piece_.edge_vectors()[i].from && run.to == piece_.edge_vectors()[i].to;
@@ -66,16 +65,16 @@ class Extremes {
     return axis_.factors == 2 && is_edge_vector(axis_.u, 0) && is_edge_vector(axis_.v, 1);
   }
 
-  /// Requires: the axis is a run, or square to two.
+  /// Requires: the axis is an edge vector or the cross product of two.
   int component_sign(int j) const {
     const int sign = sign_bits(direction_[static_cast<std::size_t>(j)]);
     return sign != 2 ? sign : minor_sign(axis_.u, axis_.v, j);
   }
 
-  /// Whether corner i is farther along the axis than another.
+  /// 1 if corner i is farther along the axis than another, -1 if it is less far, else 0.
   int sign_from(int other, int i) const {
     const SpaceCorner &from = piece_.corner(other), &to = piece_.corner(i);
-    if (is_square_to(from, to)) return 0;
+    if (is_perpendicular_factor(from, to)) return 0;
     const Components<Bounded> gap = gap_between<Bounded>(to, from);
     const Bounded sum = safe_product(direction_[0], gap[0]) + safe_product(direction_[1], gap[1]) +
                         safe_product(direction_[2], gap[2]);
@@ -83,8 +82,8 @@ class Extremes {
     return sign != 2 ? sign : exact_sign_from(from, to);
   }
 
-  /// As it is one of the runs that the axis was made of.
-  bool is_square_to(const SpaceCorner& from, const SpaceCorner& to) const {
+  /// Whether the edge between two corners is a factor of the axis, and so perpendicular to it.
+  bool is_perpendicular_factor(const SpaceCorner& from, const SpaceCorner& to) const {
     const auto is_along = [&](const EdgeVector& run) {
       return (run.from == &from && run.to == &to) || (run.from == &to && run.to == &from);
     };
@@ -131,7 +130,7 @@ RoundPart RoundParts::face_of_triangle(bool of_a, const SpaceCorner& seen_from) 
   const SpacePiece& triangle = one(of_a);
   const EdgeVector &u = triangle.edge_vectors()[0], &v = triangle.edge_vectors()[1];
   RoundPart part{.round = condition(of_a, Kind::slab, 1, {.factors = 2, .u = u, .v = v}, *u.from, seen_from)};
-  // The normal times an edge points inwards.
+  // The cross product of the normal and an edge points inward.
   for (const EdgeVector& run : triangle.edge_vectors())
     add(part,
         condition(of_a, Kind::plane, -1, {.factors = 3, .u = u, .v = v, .w = run}, *run.from, seen_from));
@@ -162,8 +161,8 @@ RoundPart RoundParts::edge(bool of_a, int i, const SpaceCorner& seen_from) const
   return part;
 }
 
-/// With n = u x v, d - (p - q) is so far along u as it is along v x n, in lengths of n, and so far against v
-/// as it is along n x u.
+/// Let n = u x v and g = d - (p - q) = s u - t v + r n. Then s has the sign of g (v x n), and t has that of
+/// g (u x n): the planes bound both.
 RoundPart RoundParts::edges(int i, int k) const {
   const auto [p_from, p_to] = a_.edge(i);
   const auto [q_from, q_to] = b_.edge(k);

@@ -1,46 +1,45 @@
-// Where is d when two pieces in space are at most R from each other and do not overlap? The parts of their
-// Minkowski sum grown by R: what is near a face as seen from a corner, near an edge as seen from an edge or a
-// corner, and near a corner as seen from a corner.
+// Minkowski sum A + (-B) of two convex pieces in space: the planes that bound it (SpaceHull), and the
+// parts of the sum grown by R (RoundParts).
 //
+//   SpaceHull hull(a, b);
+//   hull.for_each([&](const SpacePlanes& planes) { return keep(planes); });       // false: no more
 //   RoundParts(a, b).for_each([](const RoundPart& part) { …; return true; });    // false: no more
 //
-// Two pieces that do not overlap are nearest to each other at two of these (C. Ericson, "Real-Time Collision
-// Detection", 2005, section 5.1.10), and each part lies within R of where they touch: so all parts and the
-// sum itself are all of it. What triangles share is asked of one of them (shape/mesh/triangle_tree.h).
+// Two pieces touch while d is in the sum. Each plane is perpendicular to an axis: a normal of one piece,
+// or the cross product of an edge of each (S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree", SIGGRAPH 1996,
+// section 5). A sum that lies in one plane is also bounded by planes perpendicular to that one, along the
+// edges. Exact signs decide which corners a plane goes through, so all number types have the same planes.
+// Cost: some hundred nanoseconds.
+//
+// Two pieces that do not overlap are nearest to each other at two features (C. Ericson, "Real-Time Collision
+// Detection", 2005, section 5.1.10). So there is a part for each face and corner, edge and edge, edge and
+// corner, and corner and corner. All points of a part are within R of contact, so the sum and all parts
+// together are exactly the grown sum. A feature that triangles share belongs to one of them
+// (shape/mesh/triangle_tree.h).
 #pragma once
 
 #include "contact/mesh/space_condition.h"
 
 namespace foresee {
 
-// Which planes bound the places of d at which two pieces in space touch? These places are the Minkowski sum
-// A + (-B) of two convex pieces.
-//
-//   SpaceHull hull(a, b);
-//   hull.for_each([&](const SpacePlanes& planes) { return keep(planes); });       // false: no more
-//
-// Each plane is square to an axis that is a normal of one piece or square to an edge of each (S. Gottschalk,
-// M. C. Lin, D. Manocha, "OBBTree", SIGGRAPH 1996, section 5); where all of the sum lies in one plane, it is
-// bounded there by planes square to that along the edges. Which corners a plane goes through is decided by
-// exact signs, so that all number types mean the same planes. Cost: some hundred nanoseconds.
-
-/// Both planes that touch the sum and are square to an axis.
+/// Both planes that touch the sum and are perpendicular to an axis.
 struct SpacePlanes {
   SpaceCondition before, beyond;  ///< the axis points from the first to the second
   Components<Bounded> direction;  ///< of the axis
-  bool is_flat;                   ///< they are one: all of the sum lies in it
+  bool is_flat;                   ///< both are the same plane: the sum lies in it
 };
 
-/// Whether the runs are parallel, exactly.
+/// Whether two edge vectors are exactly parallel.
 bool are_parallel(const EdgeVector& u, const EdgeVector& v);
 
-/// The pieces must outlive it.
+/// The planes that bound the Minkowski sum. The pieces must outlive it.
 class SpaceHull {
  public:
   SpaceHull(const SpacePiece& a, const SpacePiece& b) : a_(a), b_(b) {}
 
-  /// Each is made when it comes, as few are needed where the two pass each other. Of two triangles only those
-  /// across the axes wanted: normals, then edges of A with edges of B, and all that lie in one plane.
+  /// Calls `take` for each pair of planes until it returns false. Planes are made one by one, as pieces
+  /// that pass each other need few of them. For two triangles, `axes` has a bit for each axis wanted: both
+  /// normals, then edges of A with edges of B. The planes of a flat sum always follow.
   template <class Take>
   void for_each(Take&& take, unsigned axes = ~0U) const {
     if (a_.is_box() && b_.is_box()) return static_cast<void>(across_box(a_, take));
@@ -65,7 +64,7 @@ class SpaceHull {
     return {.factors = 2, .u = triangle.edge_vectors()[0], .v = triangle.edge_vectors()[1]};
   }
 
-  /// The planes square to an axis. Whether more are wanted, as from all of these.
+  /// Takes the planes perpendicular to an axis. Like the functions below, it returns whether more are wanted.
   template <class Take>
   bool across(const SpaceAxis& axis, Take&& take, bool* is_flat = nullptr) const {
     SpacePlanes planes;
@@ -79,7 +78,7 @@ class SpaceHull {
       if (!across({.factors = 1, .u = run}, take)) return false;
     return true;
   }
-  /// Square to the plane of a triangle, along each edge that lies in it.
+  /// Takes the planes perpendicular to the plane of a triangle, along each edge in that plane.
   template <class Take>
   void along(const SpacePiece& triangle, Take&& take) const {
     const SpaceAxis normal = normal_of(triangle);
@@ -90,18 +89,20 @@ class SpaceHull {
     }
   }
 
-  /// Whether there are such planes: not where the axis is 0.
+  /// Makes the planes perpendicular to an axis. False if the axis is 0.
   bool make(const SpaceAxis& axis, SpacePlanes& planes) const;
 
   const SpacePiece &a_, &b_;
 };
 
+/// A part of the grown sum: within one round set, and within some planes.
 struct RoundPart {
   SpaceCondition round;                    ///< a slab, tube or ball
-  std::array<SpaceCondition, 4> beside{};  ///< and within these planes
+  std::array<SpaceCondition, 4> beside{};  ///< d is within these planes too
   int count = 0;
 };
 
+/// The parts that, together with the sum itself, make up the grown sum. The pieces must outlive it.
 class RoundParts {
  public:
   RoundParts(const SpacePiece& a, const SpacePiece& b) : a_(a), b_(b) {}
@@ -124,7 +125,8 @@ class RoundParts {
   const SpacePiece& one(bool of_a) const { return of_a ? a_ : b_; }
   const SpacePiece& other(bool of_a) const { return of_a ? b_ : a_; }
 
-  /// Faces, edges and corners of one piece as seen from a corner of the other. (Corners once, from B.)
+  /// Takes the parts of faces, edges and corners of one piece with a corner of the other. Pairs of corners
+  /// are taken once, for a corner of B.
   template <class Take>
   bool at_corner(bool of_a, const SpaceCorner& seen_from, Take&& take) const {
     const SpacePiece& piece = one(of_a);
@@ -142,7 +144,7 @@ class RoundParts {
     return true;
   }
 
-  /// What holds of a place seen from one piece, which is the other's corner: for d.
+  /// The condition for d, from one on the position of a corner relative to the other piece.
   static SpaceCondition condition(bool of_a, Kind kind, int sign, const SpaceAxis& axis,
                                   const SpaceCorner& at, const SpaceCorner& seen_from) {
     return of_a ? SpaceCondition{kind, sign, axis, &at, &seen_from}
@@ -157,7 +159,8 @@ class RoundParts {
   RoundPart edge(bool of_a, int i, const SpaceCorner& seen_from) const;
   RoundPart edges(int i, int k) const;
 
-  /// Faces 0 to 2 are the lower ones across each axis, 3 to 5 the upper: if they are there, and once.
+  /// Faces 0 to 2 are the lower ones across each axis, 3 to 5 the upper. In a box without width some do
+  /// not exist or coincide with another.
   static bool is_face(const SpacePiece& box, int i) {
     const int bit = 1 << i % 3;
     return (box.flat() & ~bit) == 0 && (i < 3 || box.flat() == 0);
