@@ -1,4 +1,6 @@
 // An interrupt and a progress handler stop a long computation, on every version of SQLite.
+#include <chrono>
+
 #include "database.h"
 #include "storage/rows/statement.h"
 
@@ -40,10 +42,6 @@ TEST_F(StatementInterruptTest, NoticesAnInterruptAndRecovers) {
 }
 
 TEST_F(StatementInterruptTest, DrivesTheProgressHandler) {
-  static int calls;
-  calls = 0;
-  sqlite3_progress_handler(
-      db.handle(), 1, [](void*) { return ++calls > 20 ? 1 : 0; }, nullptr);
   sqlite3_create_function(
       db.handle(), "forever", 0, SQLITE_UTF8, &interrupt,
       [](sqlite3_context* context, int, sqlite3_value**) {
@@ -54,8 +52,17 @@ TEST_F(StatementInterruptTest, DrivesTheProgressHandler) {
         }
       },
       nullptr, nullptr);
-  EXPECT_EQ(db.rows("SELECT forever()"), "error: interrupted");
-  EXPECT_GT(calls, 20);
+  static int calls;
+  // SQLite calls the handler once per so many of its own instructions: a check per millisecond runs a thousand.
+  for (const int instructions : {1, 1000}) {
+    calls = 0;
+    sqlite3_progress_handler(
+        db.handle(), instructions, [](void*) { return ++calls > 20 ? 1 : 0; }, nullptr);
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(db.rows("SELECT forever()"), "error: interrupted");
+    EXPECT_GT(calls, 20);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(2)) << "some 20 milliseconds";
+  }
 }
 
 TEST_F(StatementInterruptTest, CostsLittleACheck) {

@@ -186,7 +186,10 @@ class ExactPair {
     const std::size_t number = polynomials_.number_of(primitive);
     if (inside_.size() <= number) inside_.resize(number + 1);
     std::optional<TimeIntervals>& known = inside_[number];
-    if (!known) known = foresee::sublevel_intervals(polynomials_.polynomial(number), {begin_, end_});
+    if (!known) {
+      polynomials_.step();  // a piece may have tens of thousands of conditions
+      known = foresee::sublevel_intervals(polynomials_.polynomial(number), {begin_, end_});
+    }
     return *known;
   }
 

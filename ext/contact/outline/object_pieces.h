@@ -35,6 +35,7 @@ class ObjectPieces {
 
   std::size_t count() const { return pieces_ ? pieces_->count() : 1; }
   ConvexPiece piece(std::size_t i) const;
+  std::size_t corner_count(std::size_t i) const { return pieces_ ? pieces_->corners(i).size() : 4; }
   const Box<2>& box(Node node) const { return pieces_ ? pieces_->tree().box(node) : box_; }
   bool is_leaf(Node node) const { return !pieces_ || pieces_->tree().is_leaf(node); }
   std::size_t item(Node leaf) const { return pieces_ ? pieces_->tree().item(leaf) : 0; }

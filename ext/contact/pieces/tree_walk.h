@@ -160,8 +160,10 @@ class TreeWalk {
     const Interval<double>& near = nodes.near;
     if (!wanted(near)) return;
     if (a_.is_leaf(nodes.a) && b_.is_leaf(nodes.b)) {
-      steps_.costly(64);  // where exact signs are needed
-      return visit(a_.item(nodes.a), b_.item(nodes.b), near);
+      const std::size_t a = a_.item(nodes.a), b = b_.item(nodes.b);
+      // Each edge of the two is a condition, whose sign may have to be found exactly.
+      steps_.costly(static_cast<unsigned>(8 * (a_.corner_count(a) + b_.corner_count(b))));
+      return visit(a, b, near);
     }
     Nodes one = nodes, other = nodes;
     if (splits_a(nodes.a, nodes.b))

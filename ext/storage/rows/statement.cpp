@@ -125,6 +125,18 @@ std::span<const std::byte> Statement::Run::blob(int column) {
   return {bytes, size};
 }
 
+namespace {
+
+/// SQLite calls a progress handler once per N of its instructions; a usual N is a thousand. A poll about once per millisecond
+/// runs as many, in a few microseconds.
+std::string thousand_instructions() {
+  std::string sql = "SELECT count(*) FROM (VALUES(0)";
+  for (int i = 1; i < 200; ++i) sql += ",(0)";
+  return sql + ")";
+}
+
+}  // namespace
+
 void StatementInterrupt::finalize() noexcept {
   sqlite3_finalize(statement_);
   statement_ = nullptr;
@@ -135,8 +147,12 @@ void StatementInterrupt::finalize() noexcept {
 void StatementInterrupt::poll() {
   sqlite3_stmt* statement = std::exchange(statement_, nullptr);
   int rc = SQLITE_OK;
-  if (statement == nullptr)
-    rc = sqlite3_prepare_v3(db_, "SELECT 1", -1, SQLITE_PREPARE_PERSISTENT, &statement, nullptr);
+  const auto prepare = [&](const std::string& sql) {
+    return sqlite3_prepare_v3(db_, sql.c_str(), -1, SQLITE_PREPARE_PERSISTENT, &statement, nullptr);
+  };
+  if (statement == nullptr) rc = prepare(thousand_instructions());
+  // The host may limit the length of statements, or forbid functions.
+  if (rc == SQLITE_ERROR || rc == SQLITE_AUTH || rc == SQLITE_TOOBIG) rc = prepare("SELECT 1");
   if (rc == SQLITE_OK) {
     sqlite3_step(statement);
     rc = sqlite3_reset(statement);

@@ -104,8 +104,9 @@ class Statement::Run {
 // Polls for sqlite3_interrupt() during a long computation, on every version of SQLite.
 //
 // sqlite3_is_interrupted() needs SQLite 3.41. Stepping a statement reports an interrupt on all versions and
-// also calls the application's progress handler. Each check reads the clock; the statement is stepped about
-// once per millisecond. Cost: about 30 ns per check.
+// also calls the application's progress handler: a handler for every N instructions of SQLite about once per
+// N microseconds. Each check reads the clock; the statement is stepped about once per millisecond. Cost: about
+// 30 ns per check.
 //
 // A connection cannot be closed while a statement exists. The owner calls finalize() before that, at the
 // latest when SQLite disconnects its table.

@@ -2,6 +2,9 @@
 // interrupt.
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "contact/outline/staged_pair.h"
 
 namespace foresee {
@@ -73,6 +76,29 @@ class Interrupting final : public Interrupt {
 TEST(ManyPieces, OfAPairPollAnInterrupt) {
   Interrupting at_once(true);
   EXPECT_THROW(outline_contact(interleaved(200, 1), at_once), Interrupted);
+}
+
+/// A wheel with this many teeth: the piece within has a corner at each.
+OutlinedObject wheel(int teeth) {
+  Ring ring;
+  for (int i = 0; i < teeth; ++i)
+    for (const double part : {0.0, 0.5}) {
+      const double angle = 2 * std::numbers::pi * (i + part) / teeth, r = part > 0 ? 1000 : 1001;
+      ring.insert(ring.end(), {r * std::cos(angle), r * std::sin(angle)});
+    }
+  return {object(2, Shape::point), outline_of({{ring}})};
+}
+
+// A tooth and the piece within the other wheel have thousands of conditions: each such pair counts as many steps.
+TEST(ManyPieces, OfManyCornersHeedAnInterruptAsOften) {
+  constexpr int teeth = 2000;
+  OutlineScene scene;
+  scene.a = scene.b = wheel(teeth);
+  scene.b.row.x[0] = 1990, scene.b.row.x[1] = 700, scene.b.row.v[0] = -10, scene.b.row.v[1] = 1;
+  scene.question.horizon = {0, 100};
+  Interrupting counting(false);
+  ASSERT_TRUE(outline_contact(scene, counting).has_value());
+  EXPECT_GT(counting.checks(), 40) << "2 where each pair of pieces counts as many steps";
 }
 
 TEST(ManyPieces, ArePassedOneAfterAnotherInFewSteps) {
