@@ -127,8 +127,8 @@ std::span<const std::byte> Statement::Run::blob(int column) {
 
 namespace {
 
-/// SQLite calls a progress handler once per N of its instructions; a usual N is a thousand. A poll about once per millisecond
-/// runs as many, in a few microseconds.
+/// SQLite calls a progress handler once per N of its instructions; a usual N is a thousand. A poll about once
+/// per millisecond runs as many, in a few microseconds.
 std::string thousand_instructions() {
   std::string sql = "SELECT count(*) FROM (VALUES(0)";
   for (int i = 1; i < 200; ++i) sql += ",(0)";

@@ -90,7 +90,7 @@ OutlinedObject wheel(int teeth) {
 }
 
 // A tooth and the piece within the other wheel have thousands of conditions: each such pair counts as many steps.
-TEST(ManyPieces, OfManyCornersHeedAnInterruptAsOften) {
+TEST(ManyPieces, OfManyCornersPollAnInterruptAsOften) {
   constexpr int teeth = 2000;
   OutlineScene scene;
   scene.a = scene.b = wheel(teeth);

@@ -2,7 +2,6 @@
 // as a prism. An outline is the union of its pieces. Laws that meshes share: form_laws_test.cpp.
 #include <gtest/gtest.h>
 
-#include "contact/contact_factories.h"
 #include "contact/form_laws.h"
 
 namespace foresee {

@@ -1,9 +1,7 @@
-// Meshes for tests, as texts and as they are.
+// Meshes for tests, as texts and as they are stored.
 #pragma once
 
 #include <string>
-
-#include "shape/mesh/mesh.h"
 
 namespace foresee {
 

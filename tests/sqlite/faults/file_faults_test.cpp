@@ -2,9 +2,9 @@
 // fails or does its work, and whoever opens the file next finds a sound table: as it was, or as it should be.
 #include <filesystem>
 
-#include "sqlite/database.h"
 #include "fault_steps.h"
 #include "faulty_files.h"
+#include "sqlite/database.h"
 
 namespace foresee::testing {
 namespace {

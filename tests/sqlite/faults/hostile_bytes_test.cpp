@@ -2,9 +2,9 @@
 // or the right rows; never a crash, a hang or a wrong row.
 #include <vector>
 
-#include "sqlite/database.h"
 #include "sanitized.h"
 #include "scenes.h"
+#include "sqlite/database.h"
 
 namespace foresee::testing {
 namespace {

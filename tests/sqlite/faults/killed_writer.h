@@ -10,8 +10,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "sqlite/database.h"
 #include "scenes.h"
+#include "sqlite/database.h"
 
 namespace foresee::testing {
 
