@@ -27,7 +27,7 @@ TEST(StorageFormatDoc, NamesTheConstantsWithTheirValues) {
                                                      {"entries_at", NodeFormat::entries_at},
                                                      {"checksum_size", NodeFormat::checksum_size},
                                                      {"page_reserve", NodeFormat::page_reserve},
-                                                     {"least_capacity", NodeFormat::min_capacity}};
+                                                     {"min_capacity", NodeFormat::min_capacity}};
   std::map<std::string, std::size_t> found;
   const std::string text = page();
   const std::regex constant(R"(`(\w+)` (?:\||=) ?(\d+))");
