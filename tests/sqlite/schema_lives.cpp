@@ -6,7 +6,7 @@ namespace foresee::testing {
 namespace {
 
 /// Of a twin table: the columns that its moving_objects table declares, behind the id.
-constexpr const char* columns_of[] = {"x", "x, y", "x, vx", "x, r, +name", "x, y, shape"};
+constexpr const char* column_lists[] = {"x", "x, y", "x, vx", "x, r, +name", "x, y, shape"};
 
 /// The outline of a triangle, as SQL writes it.
 std::string triangle(int size) {
@@ -142,7 +142,7 @@ void SchemaLife::change_schema() {
     case 0:
     case 1:
     case 2: {
-      const std::string name = new_name("stu"), columns = columns_of[below(5)];
+      const std::string name = new_name("stu"), columns = column_lists[below(5)];
       run("CREATE VIRTUAL TABLE " + name + " USING moving_objects(id, " + columns + ")",
           "CREATE TABLE " + name + "(id INTEGER PRIMARY KEY, " + without_plus(columns) + ")");
       return;
