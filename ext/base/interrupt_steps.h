@@ -1,9 +1,9 @@
-// How does a long loop or sort heed an interrupt? It counts its steps, and asks now and then.
+// Counts the steps of a long loop or sort, and polls an interrupt every 16384 of them.
 //
 //   Steps steps(interrupt);
 //   std::sort(ids.begin(), ids.end(), [&](auto a, auto b) { return steps(), a < b; });
 //
-// Requires: what is sorted may be left in any order by the exception. Cost: a nanosecond a step.
+// Requires: the exception may leave the range that is being sorted in any order. Cost: 1 ns per step.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ class Steps {
   void operator()() {
     if (++steps_ % between == 0) interrupt_.check();
   }
-  /// What takes as long as so many steps, and is none.
+  /// Counts work that takes as long as `steps` steps; taken() does not include it.
   void costly(unsigned steps) {
     costly_ += steps;
     if (costly_ < between) return;
@@ -33,7 +33,7 @@ class Steps {
 
   Interrupt& interrupt_;
   std::uint64_t steps_ = 0;
-  unsigned costly_ = 0;  ///< since it was asked last about these
+  unsigned costly_ = 0;  ///< costly work since the last poll for it, in steps
 };
 
 }  // namespace foresee

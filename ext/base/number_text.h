@@ -1,4 +1,4 @@
-// A number as messages show it: as few digits as tell it from its neighbours.
+// The shortest text of a number that reads back to the same double, as messages show it.
 //
 //   shown(0.1) == "0.1"    shown(-3.0) == "-3"    shown(1e300) == "1e+300"    shown(HUGE_VAL) == "inf"
 #pragma once

@@ -1,4 +1,4 @@
-// Two objects by row number: what candidates and hits are.
+// A pair of objects by row numbers: the type of join candidates and results.
 #pragma once
 
 #include <compare>
@@ -6,7 +6,7 @@
 
 namespace foresee {
 
-/// Row numbers of two objects, the first among the bodies a, the second among the bodies b (or a again).
+/// Row numbers of two objects: one of the bodies a, one of the bodies b (of a again in a self-join).
 struct Pair {
   std::uint32_t a;
   std::uint32_t b;

@@ -1,12 +1,12 @@
-// Vector registers for kernels (base/simd.h), as wide as the instructions for which they are compiled. Where
-// compilers do not find vector code by themselves, it is written down with these. Everything here is local to
-// the file that includes it.
+// SIMD registers of doubles for kernels (base/simd.h), as wide as the instruction set of the file allows.
+//
+// For loops that compilers do not vectorize automatically. All here is local to the file that includes it.
 #pragma once
 
 namespace foresee {
 namespace {
 
-/// As many numbers as a register holds.
+/// Doubles per register.
 #if defined(__AVX512F__)
 constexpr int register_width = 8;
 #elif defined(__AVX2__)
@@ -16,7 +16,7 @@ constexpr int register_width = 2;
 #endif
 using Register [[gnu::vector_size(8 * register_width), gnu::aligned(8), gnu::may_alias]] = double;
 
-// Clang takes what a reference to Some stands for to be aligned: lanes must be.
+// Clang assumes that a reference to Register is aligned: lanes must be.
 inline void store(double* at, const Register& value) {
   *reinterpret_cast<Register*>(at) = value;
 }
@@ -24,8 +24,8 @@ inline const Register& load(const double* at) {
   return *reinterpret_cast<const Register*>(at);
 }
 
-/// What each of some rows has at `place`. Put together in a register: many small stores would hold up the
-/// wide loads that follow.
+/// The value at `place` of each of `register_width` rows, gathered in a register. Many narrow stores would
+/// stall the wide loads that follow.
 inline Register column(const double* const* row, long place) {
 #if defined(__AVX512F__)
   return Register{row[0][place], row[1][place], row[2][place], row[3][place],

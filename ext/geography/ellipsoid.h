@@ -1,4 +1,4 @@
-// The shape of the Earth, and directions on it in degrees.
+// The WGS84 ellipsoid, position reports of ships, and directions in degrees.
 #pragma once
 
 #include <cmath>
@@ -8,14 +8,14 @@
 
 namespace foresee {
 
-// How something moves over the ground.
+// Motion over the ground.
 
 struct Course {
   double speed;    ///< metres per second
   double degrees;  ///< clockwise from north
 };
 
-/// A report of a ship: where, and how it moves if that is known.
+/// A position report of a ship: its place, and its motion if known.
 struct Fix {
   LatLon place;
   std::optional<Course> course;
@@ -48,16 +48,16 @@ inline Direction unit_direction(double degrees) {
   }
 }
 
-/// The power of two that brings numbers of this size near 1: computed so far from the ends of a double's
-/// range, and scaled back by std::ldexp, a result is finite wherever a double holds it.
+/// The exponent of the power of two that scales numbers of this magnitude to about 1. Scaled so, a
+/// computation cannot over- or underflow on its way; after std::ldexp back, the result is finite wherever a
+/// double holds it.
 inline int exponent_of(double magnitude) {
   int exponent = 0;
   std::frexp(magnitude, &exponent);
   return exponent;
 }
 
-/// An angle of any size as a course: in [0, 360), and never -0. A small negative angle plus 360 rounds to
-/// 360.
+/// Any angle as a course in [0, 360), never -0. (A small negative angle plus 360 rounds to 360.)
 inline double full_turn(double degrees) {
   const double half_turn = std::remainder(degrees, 360);
   const double course = half_turn < 0 ? half_turn + 360 : half_turn + 0.0;

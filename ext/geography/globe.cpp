@@ -17,7 +17,7 @@ double dot(const Vector& a, const Vector& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// What is east, north and up at a place, and how the Earth is curved there.
+/// The directions east, north and up at a place, and the Earth's curvature there.
 struct Horizontal {
   Vector east, north, up;
   double across, along;  ///< radii of curvature, across the meridian and along it
@@ -77,12 +77,12 @@ OnGlobe to_globe(const Flight& flight) {
 }
 
 Flight from_globe(const OnGlobe& point) {
-  // + 0.0: on the axis the longitude is 0, whichever zeros x and y are.
+  // + 0.0: on the axis the longitude is 0 for every sign of the zeros x and y.
   const double x = point.x[0] + 0.0, y = point.x[1] + 0.0, z = point.x[2] + 0.0, p = std::hypot(x, y);
   if (!(std::hypot(p, z) >= min_radius))
     throw Error("x, y, z are " + shown(std::hypot(p, z)) +
                 " m from the centre of the Earth: heights are meant from 100 km on");
-  // Of the reduced latitude: tan = z / p, and so on.
+  // Start of the iteration: the reduced latitude, tan = z / p.
   const double squashed = semi_minor / semi_major;
   const double second = eccentricity_squared / (1 - eccentricity_squared);
   double reduced = std::atan2(z, p * squashed), lat = 0;
@@ -98,7 +98,7 @@ Flight from_globe(const OnGlobe& point) {
   const double across = semi_major / std::sqrt(1 - eccentricity_squared * sine * sine);
   Flight flight;
   flight.fix.place = {lat * degree, std::atan2(y, x) * degree};
-  // Along the vertical, which neither the pole nor the equator makes a division by nothing.
+  // Measured along the vertical: this form divides by zero neither at a pole nor at the equator.
   flight.height = p * cosine + z * sine - across * (1 - eccentricity_squared * sine * sine);
   if (!std::isfinite(flight.height))
     throw Error("x, y, z are " + shown(x) + ", " + shown(y) + ", " + shown(z) +

@@ -11,9 +11,9 @@
 namespace foresee {
 namespace {
 
-/// How much longer across than on the Earth a way is on the plane. The reduced length has lost its last
-/// digits where it is short; there distance (1 - K distance^2 / 6) is closer, with the curvature K at the
-/// origin.
+/// The factor by which the projection stretches lengths across the direction to the origin. A short reduced
+/// length has lost its last digits; distance (1 - K distance^2 / 6) is then closer, with the curvature K at
+/// the origin.
 double stretch(double distance, double reduced_length, const LatLon& origin) {
   if (distance > 3000) return distance / reduced_length;
   const double sine = unit_direction(origin.lat).sine, flat = 1 - eccentricity_squared * sine * sine;
@@ -21,15 +21,15 @@ double stretch(double distance, double reduced_length, const LatLon& origin) {
   return 1 + curvature * distance * distance / 6;
 }
 
-/// By how much a geodesic turns against the meridians. Within a millimetre its azimuths are mostly rounding.
+/// The meridian convergence along a geodesic. Azimuths of one under a millimetre are mostly rounding.
 double convergence(const Geodesic& line, const LatLon& from, const LatLon& to) {
   if (line.distance >= 1e-3) return line.azimuth_there - line.azimuth;
   const double lon = std::remainder(to.lon, 360) - std::remainder(from.lon, 360);
   return std::remainder(lon, 360) * unit_direction((from.lat + to.lat) / 2).sine;
 }
 
-/// Neighbouring geodesics meet again opposite the origin: at the end of half a meridian, and on the equator
-/// somewhat before. Within a metre of there the reduced length is mostly rounding.
+/// Neighbouring geodesics meet again opposite the origin: at the end of half a meridian, on the equator
+/// somewhat earlier. Within a metre of that place the reduced length is mostly rounding.
 bool is_opposite(const Geodesic& line) {
   return line.distance > 0.999 * greatest_distance || (line.distance > 3000 && !(line.reduced_length >= 1));
 }
@@ -39,7 +39,7 @@ bool is_opposite(const Geodesic& line) {
 OnPlane to_plane(const Fix& fix, const LatLon& origin) {
   const Geodesic line = geodesic_between(origin, fix.place);
   const Direction bearing = unit_direction(line.azimuth);
-  // + 0.0: the origin itself is at 0, not at -0.
+  // + 0.0: the origin itself has coordinates 0, not -0.
   OnPlane point{line.distance * bearing.sine + 0.0, line.distance * bearing.cosine + 0.0, {}};
   if (!fix.course) return point;
   if (is_opposite(line))
