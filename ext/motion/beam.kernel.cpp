@@ -1,19 +1,19 @@
-// The loops of beams(): a kernel (base/simd.h). No branches, so that compilers use vector instructions.
+// Kernel (base/simd.h) that computes beams (beam.h): loops without branches, which compilers vectorize.
 //
-// How the bounds are made safe
+// Error analysis of the bounds
 // ----------------------------
 // As in swept_box.cpp: with S = reach and M = |x| + |v| S + |a| S^2, the computed ends of the chord are off
-// by at most 5u M, and so is every place of the path that they stand for. The bow |a| T^2 / 8 is computed
-// with four roundings from a T that is itself off by at most 4u S: another 2u M at most. Adding it to the
+// by at most 5u M, and so is every place of the path that they stand for. The sagitta |a| T^2 / 8 is computed
+// with four roundings from a T that is itself off by 4u S: this adds 2u M at most. Adding it to the
 // chord and rounding the travel lose u M each, the last sum u (M + size), the three sums before it 3u size:
 // 10u M + 4u size in all. 24u (M + size) + (S + 4) 2^-1020 is more than twice that, underflow and the
-// roundings of the bound itself included. What rests is off by the same sums only: u |x| + 4u size.
+// roundings of the bound itself included. An object at rest is off by the same sums only: u |x| + 4u size.
 //
-// Where an object lives for a part of the horizon, its travel is off by the roundings of a quotient of at
-// most 64: the moving box is wrong by a relative 2^-40 of the travel at most, which is added.
+// If an object exists for only a part of the horizon, its travel has the roundings of a quotient of at most
+// 64. The moving box is then wrong by at most a relative 2^-40 of the travel, which is added.
 //
-// What overflows anywhere makes M infinite or NaN, and with it the extent of the box: then both ends are
-// infinite. lesser() and greater() pass on a second argument that is NaN.
+// Any overflow makes M infinite or NaN, and with it the extent of the box: then both ends are infinite. If
+// the second argument of lesser() or greater() is NaN, they return it.
 #include "base/lane_math.h"
 #include "base/simd.h"
 #include "motion/beam_lanes.h"
@@ -22,10 +22,10 @@ namespace foresee {
 namespace {
 
 constexpr double u = 0x1p-53, forever = __builtin_inf();
-constexpr double shortest_part = 1.0 / 64;  // of the horizon; shorter lives stand still
-constexpr std::size_t block = 8;            // lanes at a time: the widest register's
+constexpr double shortest_part = 1.0 / 64;  // of the horizon; the box of a shorter life does not move
+constexpr std::size_t block = 8;            // lanes per step: those of the widest register
 
-/// from, to, reach, parts, begin and end of what has t and until; life_of() of life_interval.h, side by side.
+/// Computes from, to, reach, parts, begin and end from t and until, as life_of() of life_interval.h does.
 template <int D>
 void find_lives(BeamLanes<D>& lanes, std::size_t count, double now, double h) {
   const double unit = h > 0 ? h : 1, min_end = h > 0 ? 0 : 1;
@@ -46,7 +46,7 @@ void find_lives(BeamLanes<D>& lanes, std::size_t count, double now, double h) {
     }
 }
 
-/// lower, upper and travel, from motions and lives; `bent` where there is acceleration.
+/// Computes lower, upper and travel from motions and lives; `bent`: with acceleration.
 template <int D, bool bent>
 void find_beams(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D]) {
   for (int k = 0; k < D; ++k)

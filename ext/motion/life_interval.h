@@ -1,4 +1,4 @@
-// When does an object exist during the horizon?
+// The part of a horizon during which an object exists.
 #pragma once
 
 #include <algorithm>
@@ -8,10 +8,10 @@
 
 namespace foresee {
 
-/// When an object exists during the horizon, as time since its own t.
+/// The intersection of an object's [t, until] with the horizon, as time since t.
 struct LifeInterval {
   double begin, end;
-  double reach;  ///< no moment of the horizon is farther from the object's own t
+  double reach;  ///< upper bound of the distance in time between the object's t and any time of the horizon
   bool none;
 };
 

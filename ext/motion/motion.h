@@ -1,7 +1,7 @@
-// One object's motion, and the moments that a question asks about.
+// The motion of one object, and the time interval (horizon) of a query.
 //
 // At time s the centre is x + v (s - t) + a (s - t)^2 / 2 on each axis (eq. 1 of the GPCD paper); the object
-// exists during the closed span [t, until].
+// exists during the closed interval [t, until].
 #pragma once
 
 #include <Eigen/Core>
@@ -12,18 +12,18 @@ namespace foresee {
 
 // Vectors of one to three axes, in the scene's own unit of length.
 
-/// An array, not a vector in Eigen's sense: `*`, `<` and `max` go axis by axis, as boxes need.
+/// An Eigen array, not a vector: `*`, `<` and `max` are element-wise, as boxes need.
 template <int D>
 using Vec = Eigen::Array<double, D, 1>;
 
-/// The moments that a question asks about: the closed interval [now, now + h], its end being the exact real
-/// sum. Requires: now finite; h finite and >= 0.
+/// The closed time interval [now, now + h] of a query; its end is the exact real sum. Requires: now finite;
+/// h finite and >= 0.
 struct Horizon {
   double now = 0;
   double h = 0;
 };
 
-/// One object's motion as numbers of its own: what is not declared is at rest, from time 0, for ever.
+/// The motion of one object. Columns that are not declared have defaults: at rest, from time 0, unbounded.
 template <int D>
 struct Motion {
   double t;

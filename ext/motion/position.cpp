@@ -7,7 +7,7 @@
 namespace foresee {
 namespace {
 
-/// moment - t as head + tail, exactly (Knuth's two-sum); where head overflows there is no tail.
+/// time - t as head + tail, exactly (Knuth's two-sum); the tail is 0 if the head overflows.
 struct Elapsed {
   double head, tail;
 };
@@ -20,7 +20,7 @@ Elapsed elapsed(double time, double t) {
   return {head, std::isfinite(tail) ? tail : 0.0};
 }
 
-/// A product that no double need hold: fraction * 2^exponent.
+/// fraction * 2^exponent: a product that may exceed a double's range.
 struct Scaled {
   double fraction = 1;
   int exponent = 0;
@@ -33,7 +33,7 @@ struct Scaled {
   }
 };
 
-/// The sum, infinite only where no double holds it.
+/// The sum; infinite only if no double holds it.
 double sum_of(std::initializer_list<Scaled> terms) {
   int greatest = std::numeric_limits<int>::min();
   for (const Scaled& term : terms)
@@ -44,7 +44,7 @@ double sum_of(std::initializer_list<Scaled> terms) {
   return std::ldexp(sum, sum == 0 ? 0 : greatest);
 }
 
-/// Place and velocity along one axis where a term overflows, or the time itself.
+/// Position and velocity on one axis where a term or the elapsed time overflows.
 void place_far(double x, double v, double a, double time, double t, double& place, double& velocity) {
   const double half = 0.5 * time - 0.5 * t;  // of the elapsed time
   const Scaled one;
