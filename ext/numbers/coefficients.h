@@ -1,4 +1,4 @@
-// Polynomials in time by their coefficients, over any number type: power k of the time at place k.
+// Coefficients of a polynomial in time over any number type: index k belongs to the k-th power.
 #pragma once
 
 #include <array>

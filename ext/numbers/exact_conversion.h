@@ -1,5 +1,4 @@
-// Conversions that let one piece of code compute with DoubleDouble, with doubles that know their errors, and
-// with exact numbers.
+// Exact conversion of doubles, and of differences of doubles, to DoubleDouble, Bounded or Dyadic.
 #pragma once
 
 #include "numbers/double_double.h"

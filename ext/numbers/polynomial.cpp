@@ -7,7 +7,7 @@
 namespace foresee {
 namespace {
 
-/// Requires: b divides a; both reduced, so that its mantissa divides a's.
+/// Requires: b divides a; both are reduced, so that b's mantissa divides a's.
 Dyadic exact_quotient(const Dyadic& a, const Dyadic& b) {
   return {a.mantissa() / b.mantissa(), a.exponent() - b.exponent()};
 }
@@ -18,7 +18,7 @@ Dyadic power(const Dyadic& base, int exponent) {
   return result;
 }
 
-/// a becomes its remainder, times the divisor's leading coefficient for every step.
+/// Replaces a by its pseudo-remainder: multiplied by the divisor's leading coefficient in every step.
 template <class Coefficients>
 void pseudo_divide(Coefficients& a, int degree_a, const Coefficients& b, int degree_b) {
   for (int k = degree_a; k >= degree_b; --k) {
@@ -72,7 +72,7 @@ Dyadic discriminant(const Polynomial& p) {
 }
 
 Polynomial common_divisor(Polynomial a, Polynomial b) {
-  // Subresultant remainders: coefficients grow in proportion, and no divisors have to be searched.
+  // Subresultant remainder sequence: coefficients grow linearly, and no common factors have to be searched.
   if (a.degree < b.degree) std::swap(a, b);
   Dyadic g(1.0), h(1.0);
   while (b.degree > 0) {
@@ -91,7 +91,7 @@ Polynomial common_divisor(Polynomial a, Polynomial b) {
 
 bool surely_coprime(const Polynomial& p, const Polynomial& q) {
   Residues a(p), b(q);
-  // A common divisor's leading coefficient divides both; where it may vanish there is no proof.
+  // The leading coefficient of a common divisor divides both; if it may vanish, there is no proof.
   if (a.degree < p.degree && b.degree < q.degree) return false;
   if (a.degree < b.degree) std::swap(a, b);
   while (b.degree > 0) {

@@ -1,14 +1,15 @@
-// The roots of a quadratic whose discriminant is positive, without cancellation.
+// Roots of a quadratic with a positive discriminant, computed without cancellation.
 #pragma once
 
 #include <array>
 
 namespace foresee {
 
-/// c2 times one root, and c0 divided by the other. `d` = c1^2 - 4 c0 c2; its sign and that of c1 are known.
+/// Returns c2 times one root, which is c0 divided by the other. `d` = c1^2 - 4 c0 c2; its sign and that of c1
+/// are known.
 template <class N, std::size_t Size>
 N product_of_root(const std::array<N, Size>& c, const N& d) {
-  // -b and the root of D with one sign: nothing cancels.
+  // -b and the root of D have the same sign: nothing cancels.
   const N root = sqrt(d);
   return half_of(c[1].sign() >= 0 ? -c[1] - root : root - c[1]);
 }

@@ -8,8 +8,7 @@
 namespace foresee {
 namespace {
 
-/// What roots and the moments between them are found among: in order of time, each with the polynomial's
-/// sign.
+/// Times in increasing order, each with the polynomial's sign: roots lie at them or between neighbours.
 struct Waypoints {
   struct Waypoint {
     AlgebraicRoot* root;
@@ -21,7 +20,8 @@ struct Waypoints {
   void add(AlgebraicRoot* root, int sign) { list[count++] = {root, sign}; }
 };
 
-/// Sign of the discriminant; the coefficients or `discriminant` are made sharper where that takes integers.
+/// The sign of the discriminant `d`. If 128 bits do not decide, `d` comes from the exact coefficients, and the
+/// enclosures of the coefficients are sharpened.
 int discriminant_of(LazyPolynomial& polynomial, Midrad128& d) {
   const auto& c = polynomial.rough();
   d = c[1] * c[1] - (c[0] * c[2]).scaled(2);
@@ -90,7 +90,7 @@ AlgebraicRoot& root_between(LazyPolynomial& polynomial, AlgebraicRoot& before, A
     root.recognize();
     return root;
   }
-  // So near to a neighbour that 128 bits do not tell them apart.
+  // The root is so near to a neighbour that 128 bits do not separate them.
   for (int bits = first_length;; bits *= 2) {
     const Dyadic left = before.enclosure(bits).high(), right = after.enclosure(bits).low();
     const auto sign_at = [&](const Dyadic& x) {
@@ -125,7 +125,7 @@ Roots zeros_within(LazyPolynomial& polynomial, const QueriedInterval& queried) {
 
 namespace {
 
-/// The ends, the zeros of the slope, and between them the roots.
+/// The ends of the interval, the zeros of the slope, and the roots between them.
 Waypoints waypoints_of(LazyPolynomial& polynomial, const QueriedInterval& queried) {
   const Roots turns = zeros_within(polynomial.slope(), queried);
   Waypoints waypoints;
@@ -140,14 +140,15 @@ Waypoints waypoints_of(LazyPolynomial& polynomial, const QueriedInterval& querie
   return waypoints;
 }
 
-/// 12 C(i, k) / C(n, k): from the powers of y on [0, 1] to Bernstein's form, times 12.
+/// 12 C(i, k) / C(n, k): converts powers of y on [0, 1] to the Bernstein basis, times 12.
 constexpr int bernstein_weight(int n, int i, int k) {
   constexpr int choose[5][5] = {
       {1, 0, 0, 0, 0}, {1, 1, 0, 0, 0}, {1, 2, 1, 0, 0}, {1, 3, 3, 1, 0}, {1, 4, 6, 4, 1}};
   return 12 * choose[i][k] / choose[n][k];
 }
 
-/// Never 0 on the whole of it, told from Bernstein's coefficients: their sign, or 0 where they do not tell.
+/// The common sign of the Bernstein coefficients, and so of the polynomial on the whole interval; 0 if they
+/// have none.
 int constant_sign(LazyPolynomial& polynomial, const QueriedInterval& queried) {
   const int n = polynomial.degree();
   const Midrad128 width = queried.end.at - queried.begin.at;
@@ -176,7 +177,7 @@ TimeIntervals sublevel_intervals(LazyPolynomial& polynomial, const QueriedInterv
   if (constant < 0) intervals.push_back({&queried.begin, &queried.end});
   if (constant != 0) return intervals;
   const Waypoints waypoints = waypoints_of(polynomial, queried);
-  // Between two neighbours there is no root, so the polynomial is at most 0 there if it is at both.
+  // There is no root between two neighbours, so the polynomial is at most 0 between them if it is at both.
   for (int i = 0; i < waypoints.count; ++i) {
     if (waypoints.list[i].sign > 0) continue;
     int last = i;
