@@ -1,10 +1,10 @@
-// The boxes of forms as they lie, for whoever asks about row after row: a form and heading that was just
-// asked about is not turned again.
+// Cache of the bounding boxes of rotated forms, by form number and heading.
 //
 //   ExtentsCache known;
 //   known.of(3, *hull, 37.5)              // as hull->extents(37.5); throws as that does
 //
-// Requires: a number always means the same form. Memory: some megabytes at most.
+// It saves rotating a form again for the next row of the same form and heading. Requires: a number always
+// means the same form. Memory: some megabytes at most.
 #pragma once
 
 #include <cstdint>

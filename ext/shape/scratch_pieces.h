@@ -1,4 +1,4 @@
-// The pieces of one turned form that nobody else keeps: for whoever asks about row after row
+// Scratch storage of one thread for the pieces of one rotated form that the shared cache does not keep
 // (turned_forms.h).
 //
 //   ScratchPieces<ConvexPieces> own;
@@ -11,7 +11,7 @@ namespace foresee {
 
 template <class Pieces>
 struct ScratchPieces {
-  std::shared_ptr<const void> form = nullptr;  ///< kept, so that no other has its address
+  std::shared_ptr<const void> form = nullptr;  ///< kept alive, so that no other form gets its address
   double heading = 0;
   std::unique_ptr<const Pieces> pieces = nullptr;
 

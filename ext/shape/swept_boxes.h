@@ -1,5 +1,4 @@
-// Where can the objects of a scene be during the horizon, and what do they cover for certain at one moment?
-// motion/swept_box.h, asked about rows.
+// Swept boxes of the rows of a scene over a horizon, and core boxes at one time (motion/swept_box.h).
 #pragma once
 
 #include <algorithm>
@@ -12,27 +11,25 @@
 
 namespace foresee {
 
-// Do all objects exist for as long as the horizon asks about them? Who need not look at single lives saves
-// that.
+// Tests whether all objects exist for the whole horizon: then no tests of single lives are needed.
 //
 //   all_exist_at_start(ships, {.now = 600, .h = 300}, interrupt)
 //
 // Cost: one pass over the rows, up to the first body that does not; none where the layout says it.
 
-/// Whether every body that exists during the horizon is there when it begins.
+/// Whether every body that exists during the horizon exists at its start.
 bool all_exist_at_start(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt);
 
-/// Whether every body that exists during the horizon does so at each of its moments.
+/// Whether every body that exists during the horizon exists during all of it.
 bool all_exist_throughout(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt);
 
-/// The box around object i as of t, seen from its position.
+/// The extents of object i as of t, relative to its position.
 template <int D>
 Extents<D> extents_of(const Bodies& bodies, std::size_t i) {
   return extents_of<D>(bodies.layout.shape, bodies.row(i), bodies.at);
 }
 
-/// The same at the last moment of the horizon at which the object exists, when it is largest: rounded
-/// outward.
+/// The same at the last time of the horizon at which the object exists, when it is largest; rounded outward.
 template <int D>
 Extents<D> largest_extents(const Bodies& bodies, std::size_t i, const Horizon& horizon) {
   const Extents<D> extents = extents_of<D>(bodies, i);
@@ -52,8 +49,8 @@ Box<D> swept_box(const Bodies& bodies, std::size_t i, const Horizon& horizon, co
                       grown(largest_extents<D>(bodies, i, horizon), margin));
 }
 
-/// A box that lies within the shape of object i at the moment `now`: what is in it touches the object. Empty
-/// where the object does not exist then, and where no double vouches for one.
+/// A box inside object i at time `now`: every point of the box touches the object. Empty if the object does
+/// not exist then, or if rounding leaves no such box.
 template <int D>
 Box<D> core_box(const Bodies& bodies, std::size_t i, double now) {
   return core_box<D>(motion_of<D>(bodies, i), now, core_of<D>(bodies.layout.shape, bodies.row(i), bodies.at));

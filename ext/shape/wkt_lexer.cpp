@@ -21,7 +21,7 @@ char upper(char c) {
   return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
-/// So many characters of it, in UTF-8, as a message can hold, and none behind a zero byte.
+/// The first characters, in UTF-8, as many as a message can hold, up to a zero byte.
 std::string quoted(std::string_view found) {
   found = found.substr(0, found.find('\0'));
   std::size_t characters = 0, last = 0;
@@ -89,7 +89,7 @@ double WktLexer::number() {
   std::string_view left = rest();
   const bool plus = left.starts_with('+');
   if (plus) left.remove_prefix(1);
-  // Of what from_chars reads as a number, words are none here.
+  // from_chars also reads words, such as "inf", as numbers; they are refused here.
   const std::size_t sign = !plus && left.starts_with('-') ? 1 : 0;
   if (left.size() <= sign || !(is_digit(left[sign]) || left[sign] == '.')) expected("a number");
   double number = 0;

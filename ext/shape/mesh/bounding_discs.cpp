@@ -21,14 +21,14 @@ Vec<3> doubles_of(const std::array<float, 3>& a) {
   return Vec<3>(a[0], a[1], a[2]);
 }
 
-/// How far the corners below a node reach.
+/// The reach of the corners below a node.
 struct Reach {
   double low = 0, high = 0;  ///< along the normal
-  double square = 0;         ///< of the distance from the line along it
+  double square = 0;         ///< of the distance from the line along the normal
 };
 
-/// The sum of the normals below each node, as long as the triangles are large: whichever way round they run,
-/// as few of them cancel each other as may be.
+/// The sum of the normals below each node, weighted by area. Normals are flipped where they would cancel,
+/// because triangles may run either way round.
 std::vector<Vec<3>> normals_of(const BoxTree<3>& tree, std::span<const Triangle> triangles,
                                std::span<const SpaceCorner> corners) {
   const std::size_t count = triangles.size();
@@ -64,7 +64,7 @@ BoundingDiscs::BoundingDiscs(const BoxTree<3>& tree, std::span<const Triangle> t
   std::vector<Reach> reaches(discs_.size());
   for (std::size_t i = 0; i < triangles.size(); ++i)
     for (const std::uint32_t corner : triangles[i])
-      for (std::size_t node = tree.leaf(i) + 1; node > 0; node /= 2) {  // and whatever is above it
+      for (std::size_t node = tree.leaf(i) + 1; node > 0; node /= 2) {  // and all its ancestors
         const BoundingDisc& disc = discs_[node - 1];
         Reach& reach = reaches[node - 1];
         const Vec<3> gap = place_of(corners[corner]) - doubles_of(disc.middle);
@@ -77,7 +77,7 @@ BoundingDiscs::BoundingDiscs(const BoxTree<3>& tree, std::span<const Triangle> t
     const auto& [low, high, square] = reaches[node];
     disc.middle = floats_of(doubles_of(disc.middle) + (low + high) / 2 * doubles_of(disc.normal));
     disc.half = static_cast<float>((high - low) / 2 + slack_);
-    // What is left of two squares that cancel, too: their roots are no longer than the mesh.
+    // The slack also covers two squares that cancel: their roots are at most the size of the mesh.
     disc.radius = static_cast<float>(std::sqrt(std::max(square, 0.0) + slack_ * slack_) + slack_);
   }
   take_boxes(tree);

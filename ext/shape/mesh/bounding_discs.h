@@ -1,14 +1,16 @@
-// How flat is what lies below a node of a tree of triangles? Round plates around them: surfaces are thin
-// where they do not lie along the axes, too, as boxes do not tell.
+// Bounding discs of the nodes of a triangle tree: thin round slabs around surfaces, oriented along their
+// normal.
 //
-//   const BoundingDiscs discs(tree, triangles, corners);            // once a mesh
+// Boxes along the axes are thick around a surface that is not parallel to an axis; discs are thin there too.
+//
+//   const BoundingDiscs discs(tree, triangles, corners);            // once per mesh
 //   const BoundingDiscs rotated(discs, corners, tree_of_turned, turned_corners);        // about the z axis
-//   if (discs.are_there()) discs.of(node).half              // half as thick as the plate
+//   if (discs.are_there()) discs.of(node).half              // half the thickness of the disc
 //
-// All corners below a node lie at most `half` from the plane through `middle` that `normal` is square to, and
-// at most `radius` from the line along it, whatever roundings took: the normal is as long as 1 up to 2^-22.
-// There are none of meshes so large or so small that floats do not hold them. Cost: some hundred nanoseconds
-// a triangle; turned, some ten.
+// Every corner below a node is at most `half` from the plane through `middle` perpendicular to `normal`. It
+// is at most `radius` from the line along `normal`. Both bounds include rounding; the length of the normal is
+// 1 up to 2^-22. A mesh that is too large or too small for floats has no discs. Cost: some hundred
+// nanoseconds per triangle; some ten after a rotation.
 #pragma once
 
 #include <array>
@@ -22,19 +24,19 @@ namespace foresee {
 
 /// A cache line.
 struct alignas(64) BoundingDisc {
-  std::array<float, 3> lower, upper;  ///< the box around it, rounded outward
+  std::array<float, 3> lower, upper;  ///< the bounding box, rounded outward
   std::array<float, 3> middle, normal;
   float half, radius;
-  float size;  ///< of the box, roughly: the sum of its sides
+  float size;  ///< of the box, approximately: the sum of its sides
 };
 
 class BoundingDiscs {
  public:
   BoundingDiscs() = default;
-  /// `triangles`: item i of the tree is triangle i.
+  /// Requires: item i of the tree is triangle i.
   BoundingDiscs(const BoxTree<3>& tree, std::span<const Triangle> triangles,
                 std::span<const SpaceCorner> corners);
-  /// Of the tree of a mesh turned. Requires: its corners are those of `known`, turned, each rounded once.
+  /// The discs of a rotated mesh. Requires: its corners are those of `known`, rotated, each rounded once.
   BoundingDiscs(const BoundingDiscs& known, std::span<const SpaceCorner> corners, const BoxTree<3>& tree,
                 std::span<const SpaceCorner> turned);
 
@@ -46,7 +48,7 @@ class BoundingDiscs {
   void take_boxes(const BoxTree<3>& tree);
 
   std::vector<BoundingDisc> discs_;
-  double slack_ = 0;  ///< more than roundings to floats can take from a length
+  double slack_ = 0;  ///< upper bound of what rounding to floats takes from a length
 };
 
 }  // namespace foresee

@@ -94,7 +94,7 @@ class MeshReader : WktLexer {
     return {x, y, coordinate()};
   }
 
-  /// The second or third.
+  /// The second or third coordinate.
   double coordinate() {
     const std::string_view left = rest();
     if (left.starts_with(',') || left.starts_with(')')) fail("corners of a mesh have three numbers: x y z");
@@ -106,13 +106,13 @@ class MeshReader : WktLexer {
     expected(", or )");
   }
 
-  /// The face that has just been read, so many corners of which are written.
+  /// Throws for the face that has just been read, which has `written` corners.
   [[noreturn]] void fail_face(std::size_t written, const std::string& what) const {
     const std::size_t kept = std::min<std::size_t>(written, 3);
     throw Error("face " + std::to_string((corners_.size() - kept) / 3 + 1) + ' ' + what);
   }
 
-  /// As many as there may be have been read: counts the others by their parentheses, two a face.
+  /// Throws after the maximum number of triangles: counts the others by their parentheses, two per face.
   [[noreturn]] void refuse_triangles() {
     const std::string_view left = rest();
     const auto others = static_cast<std::size_t>(std::count(left.begin(), left.end(), '(')) / 2;
@@ -120,7 +120,7 @@ class MeshReader : WktLexer {
                 std::to_string(max_triangles) + ": simplify the mesh");
   }
 
-  std::vector<SpaceCorner> corners_;  ///< three a triangle
+  std::vector<SpaceCorner> corners_;  ///< three per triangle
 };
 
 }  // namespace
@@ -148,7 +148,7 @@ const char* word_of(Mesh::Kind kind) {
 
 std::string write_mesh(const Mesh& mesh) {
   const FloatEnvironment environment;
-  std::vector<std::string> corners;  // each is in some six triangles
+  std::vector<std::string> corners;  // formatted once: each is in some six triangles
   corners.reserve(mesh.corners().size());
   for (const SpaceCorner& corner : mesh.corners()) corners.push_back(shown(corner));
   std::string text = word_of(mesh.kind()) + std::string(" Z");

@@ -1,11 +1,10 @@
-// A mesh that many rows share, and what is found of it once somebody asks: its triangles under a tree of
-// boxes.
+// A mesh that many rows share, with its triangle tree, which is built on demand.
 //
 //   const auto building = std::make_shared<const SharedMesh>(read_mesh(text));
 //   building->pieces();                  // made at the first call, by whichever thread comes first
-//   building->rotated(37.5)           // throws where the mesh, turned so, is none
+//   building->rotated(37.5)           // throws if the rotated mesh is not valid
 //
-// Never changes: several threads and statements may hold one.
+// Immutable: several threads and statements may hold one.
 #pragma once
 
 #include <mutex>
@@ -30,8 +29,8 @@ class SharedMesh final : public Form {
     std::call_once(cut_, [this] { pieces_ = TriangleTree(mesh_); });
     return pieces_;
   }
-  /// Turned by `heading` degrees (turned_mesh.h). Throws Error if that is no mesh, or beyond the largest
-  /// double. Requires: -360 <= heading <= 360.
+  /// The mesh rotated by `heading` degrees (turned_mesh.h). Throws Error if the result is not a valid mesh,
+  /// or beyond the largest double. Requires: -360 <= heading <= 360.
   Mesh rotated(double heading) const {
     if (heading == 0) return mesh_;
     Mesh rotated = turned(mesh_, heading);

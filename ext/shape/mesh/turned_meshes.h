@@ -1,11 +1,11 @@
-// What do the meshes of many rows look like, as they lie?
+// The rotated meshes of many rows, shared by rows of the same mesh and heading.
 //
 //   const TurnedMeshes meshes(drones, source, interrupt);               // looks every number up
 //   ScratchPieces<TriangleTree> own;
 //   if (const TriangleTree* hull = meshes.triangles(row, own)) …             // turned by the row's heading
 //
-// Cost (turned_forms.h): a look-up a row; later a microsecond a heading and some 200 ns a corner, once as a
-// rule.
+// Cost (turned_forms.h): a look-up per row; on demand a microsecond per heading and some 200 ns per corner,
+// as a rule once.
 #pragma once
 
 #include "shape/mesh/mesh_rows.h"

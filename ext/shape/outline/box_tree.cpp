@@ -17,7 +17,7 @@ BoxTree<D>::BoxTree(std::span<const Box<D>> boxes)
 
 namespace {
 
-/// Deals the boxes to the leaves, from the root downwards.
+/// Assigns boxes to leaves, from the root downwards.
 template <int D>
 class LeafAssignment {
  public:
@@ -36,7 +36,7 @@ class LeafAssignment {
  private:
   using Place = std::vector<std::uint32_t>::iterator;
 
-  /// The boxes from `first` on, as many as the node has leaves. As deep as the tree is.
+  /// Assigns the boxes from `first` on, as many as the node has leaves. Recursive, as deep as the tree.
   void assign(std::size_t node, Place first) {
     const std::size_t first_leaf = boxes_.size() - 1;
     if (node >= first_leaf) {
@@ -64,9 +64,9 @@ class LeafAssignment {
   Vec<D> middle_of(std::uint32_t box) const { return boxes_[box].lower / 2 + boxes_[box].upper / 2; }
 
   std::span<const Box<D>> boxes_;
-  std::vector<std::uint32_t> assigned_;  ///< boxes, those of each node side by side
+  std::vector<std::uint32_t> assigned_;  ///< indices of boxes, those of each node adjacent
   std::vector<std::uint32_t> order_;
-  std::vector<std::uint32_t> leaves_;  ///< below each node
+  std::vector<std::uint32_t> leaves_;  ///< number of leaves below each node
 };
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace foresee {
 
 namespace {
 
-/// The midpoint of a ball, within 2^-105 of it relatively.
+/// The midpoint of a ball, with a relative error of at most 2^-105.
 DoubleDouble in_two_doubles(const Midrad128& ball) {
   const double high = ball.rounded();
   return {high, (ball.middle() - Midrad128(high)).rounded()};
@@ -42,8 +42,8 @@ double Turn::rounded_sum(double a, double b) {
   const double size = std::abs(ac.high) + std::abs(bs.high);
   const DoubleDouble rough = sum(ac.high, bs.high);
   const double rest = rough.low + (ac.low + bs.low + (a * c.low + b * s.low));
-  // Sine and cosine are off by 2^-100 of them, what is rounded here by 2^-102 of the size: unless a sine or a
-  // product is so small that its digits end before.
+  // The relative error of sine and cosine is 2^-100, that of the roundings here 2^-102 of the size, unless a
+  // sine or a product is so small that it loses digits.
   const double error = 0x1p-98 * size;
   const double low = rough.high + (rest - error), high = rough.high + (rest + error);
   const bool all_digits = std::abs(degrees_) > 0x1p-900 && size > 0x1p-900 && size < 0x1p900;

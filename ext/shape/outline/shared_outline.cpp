@@ -6,7 +6,7 @@ namespace foresee {
 
 Outline SharedOutline::rotated(double heading) const {
   if (heading == 0) return outline_;
-  std::call_once(touched_, [this] { edge_touch_ = edge_touch_of(outline_); });
+  std::call_once(checked_, [this] { edge_touch_ = edge_touch_of(outline_); });
   Outline turned_outline = turned(outline_, heading);
   check_turned(outline_, edge_touch_, turned_outline, heading);
   return turned_outline;

@@ -1,11 +1,10 @@
-// An outline that many rows share, and what is found of it once somebody asks: its convex pieces, and whether
-// it may be turned.
+// An outline that many rows share, with its convex pieces and its rotations, which are checked on demand.
 //
 //   const auto hull = std::make_shared<const SharedOutline>(read_outline(text));
 //   hull->pieces();                      // cut at the first call, by whichever thread comes first
-//   hull->rotated(37.5)               // throws where the outline, turned so, is none
+//   hull->rotated(37.5)               // throws if the rotated outline is not valid
 //
-// Never changes: several threads and statements may hold one.
+// Immutable: several threads and statements may hold one.
 #pragma once
 
 #include <mutex>
@@ -28,8 +27,8 @@ class SharedOutline final : public Form {
     std::call_once(cut_, [this] { pieces_ = convex_pieces(outline_); });
     return pieces_;
   }
-  /// Turned by `heading` degrees (outline_rotation.h). Throws Error if that is no outline, or beyond the largest double.
-  /// Requires: -360 <= heading <= 360.
+  /// The outline rotated by `heading` degrees (outline_rotation.h). Throws Error if the result is not a valid
+  /// outline, or beyond the largest double. Requires: -360 <= heading <= 360.
   Outline rotated(double heading) const;
   ConvexPieces rotated_pieces(double heading) const { return turned_pieces(pieces(), rotated(heading)); }
 
@@ -45,7 +44,7 @@ class SharedOutline final : public Form {
 
  private:
   Outline outline_;
-  mutable std::once_flag cut_, touched_;
+  mutable std::once_flag cut_, checked_;
   mutable ConvexPieces pieces_;
   mutable std::optional<Flaw> edge_touch_;
 };

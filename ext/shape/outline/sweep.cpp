@@ -24,7 +24,7 @@ SweepEdges::SweepEdges(const Outline& outline) {
   }
 }
 
-/// At the place from which both are crossed.
+/// Compares at the place from which the sweep line crosses both edges.
 bool SweepLine::Below::operator()(const Crossed& one, const Crossed& other) const {
   const SweepEdge &a = (*edges)[one.edge], &b = (*edges)[other.edge];
   if (before(b.left, a.left)) {

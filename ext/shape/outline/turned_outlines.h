@@ -1,11 +1,11 @@
-// What do the outlines of many rows look like, as they lie?
+// The rotated outlines of many rows, shared by rows of the same outline and heading.
 //
 //   const TurnedOutlines outlines(ships, source, interrupt);      // looks every number up
 //   ScratchPieces<ConvexPieces> own;
 //   if (const ConvexPieces* hull = outlines.pieces(row, own)) …        // turned by the row's heading
 //
-// Cost (turned_forms.h): a look-up a row; later a microsecond a heading, some 50 ns a corner and 200 where it
-// is not convex, once as a rule.
+// Cost (turned_forms.h): a look-up per row; on demand a microsecond per heading and some 50 ns per corner,
+// 200 if the outline is not convex, as a rule once.
 #pragma once
 
 #include "shape/outline/outline_rows.h"

@@ -69,21 +69,21 @@ std::string shown_turned(const Flaw& flaw, const Outline& outline, double headin
     return turned + "its rings part at (" + shown(flaw.place) + "): write it as a corner of both rings";
   if (flaw.kind == Flaw::Kind::few_corners || flaw.kind == Flaw::Kind::no_area)
     return turned + name_of_ring(outline, ring_of(outline, flaw.a)) +
-           " encloses no area: its corners are closer than a double tells";
-  return turned + "its " + both_edges(flaw, outline) + " touch: they are closer than a double tells";
+           " encloses no area: its corners are closer than doubles resolve";
+  return turned + "its " + both_edges(flaw, outline) + " touch: they are closer than doubles resolve";
 }
 
 namespace {
 
-/// Ends the sweep.
+/// Thrown to end the sweep at the first flaw.
 struct FlawFound {
   Flaw flaw;
 };
 
-/// Looks for flaws, meeting by meeting.
+/// Checks every meeting of a sweep for flaws.
 class Validity {
  public:
-  /// Requires: rings of three corners or more.
+  /// Requires: rings of at least three corners.
   explicit Validity(const Outline& outline)
       : outline_(outline),
         edges_(outline),
@@ -113,15 +113,15 @@ class Validity {
   /// One of two edges by which a ring visits a place.
   struct Spoke {
     EdgeNumber edge;
-    std::uint32_t visit;  ///< the ring's corner there, or a number of the edge that passes
+    std::uint32_t visit;  ///< number of the ring's corner there, or of the edge that passes
   };
 
-  /// Between two edges; the one that is written first is `a`.
+  /// Throws a flaw between two edges; the one written first becomes `a`.
   [[noreturn]] static void fail(Flaw::Kind kind, EdgeNumber a, EdgeNumber b, const Corner& place = {}) {
     throw FlawFound{{kind, std::min(a, b), std::max(a, b), place}};
   }
 
-  /// Edges that go the same way from here: wherever two overlap, they do from where the second begins.
+  /// Edges in the same direction from here: any two that overlap do so from the start of the second.
   void check_overlap(const Meeting& m) const {
     for (std::size_t i = 0; i + 1 < m.leaving.size(); ++i) {
       const EdgeNumber a = m.leaving[i], b = m.leaving[i + 1];
@@ -137,7 +137,7 @@ class Validity {
     });
   }
 
-  /// The edges around a place, counterclockwise from straight down.
+  /// The edges around a place, counterclockwise from the downward direction.
   std::vector<Spoke> spokes_of(const Meeting& m) const {
     std::vector<Spoke> spokes;
     const auto size = static_cast<std::uint32_t>(edges_.size());
@@ -149,7 +149,7 @@ class Validity {
     return spokes;
   }
 
-  /// Several rings in one place, or one ring twice.
+  /// Checks a place that several rings visit, or one ring twice.
   void check_touch(const Meeting& m) {
     std::vector<Spoke> spokes = spokes_of(m);
     check_nesting(spokes);
@@ -166,7 +166,7 @@ class Validity {
     edge_touch_ = Flaw{Flaw::Kind::edge_touch, passing->edge, other.edge, m.place};
   }
 
-  /// Visits that do not cross are like brackets: the last that was opened is the first that is closed.
+  /// Visits that do not cross nest like brackets: the last one opened is the first one closed.
   static void check_nesting(const std::vector<Spoke>& spokes) {
     std::vector<Spoke> open;
     for (const Spoke& spoke : spokes) {
@@ -175,7 +175,7 @@ class Validity {
       else
         open.push_back(spoke);
     }
-    // Of those left, the visit whose spokes are nearest has one spoke of another between them.
+    // Among the remaining visits, the one with the nearest spokes has a spoke of another visit between them.
     std::map<std::uint32_t, std::size_t> opened;
     std::size_t nearest = open.size(), at = 0;
     for (std::size_t i = 0; i < open.size(); ++i) {
@@ -185,7 +185,7 @@ class Validity {
     if (!open.empty()) fail(Flaw::Kind::cross, open[at].edge, open[at + 1].edge);
   }
 
-  /// Edges that become neighbours here.
+  /// Checks edges that become neighbours here for crossings.
   void check_crossings(const Meeting& m) const {
     if (m.leaving.empty()) return check_crossing(m.below, m.above);
     check_crossing(m.below, m.leaving.front());
@@ -195,13 +195,14 @@ class Validity {
   void check_crossing(EdgeNumber one, EdgeNumber other) const {
     if (one == no_edge || other == no_edge) return;
     const SweepEdge &a = edges_[one], &b = edges_[other];
-    const auto parted = [](const SweepEdge& edge, const SweepEdge& by) {
+    const auto separated = [](const SweepEdge& edge, const SweepEdge& by) {
       return orientation(by.left, by.right, edge.left) * orientation(by.left, by.right, edge.right) < 0;
     };
-    if (parted(a, b) && parted(b, a)) fail(Flaw::Kind::cross, one, other);
+    if (separated(a, b) && separated(b, a)) fail(Flaw::Kind::cross, one, other);
   }
 
-  /// Where the ring of an edge begins: what does it lie in? `below` is the next edge below.
+  /// Called at the leftmost corner of a ring: finds and checks the ring around it. `below`: the next edge
+  /// below.
   void check_ring(EdgeNumber edge, EdgeNumber below) {
     const std::uint32_t ring = edges_[edge].ring;
     if (within_[ring] != unknown) return;
@@ -221,8 +222,8 @@ class Validity {
 
   const Outline& outline_;
   const SweepEdges edges_;
-  std::vector<std::uint32_t> ring_of_part_;  ///< of each ring, that which encloses its part
-  std::vector<std::uint32_t> within_;        ///< of each ring, the least ring around it, or nothing
+  std::vector<std::uint32_t> ring_of_part_;  ///< per ring: the outer ring of its part
+  std::vector<std::uint32_t> within_;        ///< per ring: the innermost ring around it, or nothing
   std::optional<Flaw> edge_touch_;
 };
 

@@ -93,11 +93,11 @@ class OutlineReader : WktLexer {
     expected(", or )");
   }
 
-  /// More than there may be have been read: counts the others by the commas before them, as rings are closed.
-  /// `begun`: of how many the comma has been read.
-  [[noreturn]] void refuse_corners(std::size_t begun) {
-    std::size_t corners = outline_.corners().size() + begun;
-    bool closed = begun == 0;
+  /// Throws after the maximum number of corners: counts the others by the commas before them, since rings are
+  /// closed. `pending`: the number of corners whose comma has been read.
+  [[noreturn]] void refuse_corners(std::size_t pending) {
+    std::size_t corners = outline_.corners().size() + pending;
+    bool closed = pending == 0;
     for (const char c : rest()) {
       if (c == ',') ++corners, closed = false;
       if (c == ')' && !closed) --corners, closed = true;

@@ -85,7 +85,7 @@ TEST(MeshCheck, ATurnMayNeitherJoinCornersNorFlattenTriangles) {
   EXPECT_EQ(turned_flaw(thin, -270), "");
   EXPECT_EQ(turned_flaw(thin, 45),
             "turned by 45 degrees its face 1 (0 0 0, 4 0 0, 1 1e-30 0) has no area between its corners: they "
-            "are closer than a double tells");
+            "are closer than doubles resolve");
 }
 
 TEST(TurnedMesh, TurnsAroundTheUprightAxis) {

@@ -204,7 +204,7 @@ TEST(Validity, ATurnMayCloseAGapOfAnUlp) {
     const std::string message = flaw_turned(outline, heading);
     if (message.empty()) continue;
     ++refused;
-    EXPECT_NE(message.find("touch: they are closer than a double tells"), std::string::npos) << message;
+    EXPECT_NE(message.find("touch: they are closer than doubles resolve"), std::string::npos) << message;
     EXPECT_FALSE(is_sound(turned(outline, heading)));
   }
   EXPECT_GT(refused, 20);
