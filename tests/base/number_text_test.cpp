@@ -7,7 +7,7 @@
 namespace foresee {
 namespace {
 
-TEST(Shown, HasAsFewDigitsAsTellANumberFromItsNeighbours) {
+TEST(Shown, HasTheFewestDigitsThatReadBackToTheSameNumber) {
   EXPECT_EQ(shown(0.1), "0.1");
   EXPECT_EQ(shown(0.1 + 0.2), "0.30000000000000004");
   EXPECT_EQ(shown(-3), "-3");

@@ -1,5 +1,5 @@
-// Geodesics walked step by step: in space, by the rule that who goes straight on over a surface is
-// accelerated along its normal alone. Runge and Kutta's fourth order in long doubles; no angles, no series.
+// Reference geodesics by numerical integration: a path in space whose acceleration is normal to the
+// ellipsoid. The Runge-Kutta method of fourth order in long doubles; no angles, no series.
 #pragma once
 
 #include <array>
@@ -29,10 +29,10 @@ inline Point on_ellipsoid(const LatLon& place) {
   return {n * std::cos(lat) * std::cos(lon), n * std::cos(lat) * std::sin(lon), n * (1 - e2) * std::sin(lat)};
 }
 
-/// The straight way between two places: what they differ by, where they are close.
+/// The length of the chord between two places, which is close to their distance if they are near.
 inline double metres_between(const LatLon& a, const LatLon& b) {
-  const Point way = sum(on_ellipsoid(a), -1, on_ellipsoid(b));
-  return static_cast<double>(std::sqrt(product(way, way)));
+  const Point chord = sum(on_ellipsoid(a), -1, on_ellipsoid(b));
+  return static_cast<double>(std::sqrt(product(chord, chord)));
 }
 
 struct Step {
@@ -57,11 +57,11 @@ struct Walked {
 };
 
 inline Walked walked(const LatLon& from, double azimuth, double distance) {
-  const Real lat = from.lat / radian, lon = from.lon / radian, way = azimuth / radian;
+  const Real lat = from.lat / radian, lon = from.lon / radian, course = azimuth / radian;
   const Point east{-std::sin(lon), std::cos(lon), 0},
       north{-std::sin(lat) * std::cos(lon), -std::sin(lat) * std::sin(lon), std::cos(lat)};
-  Step at{on_ellipsoid(from), sum({0, 0, 0}, std::cos(way), north), 0, 1};
-  at.v = sum(at.v, std::sin(way), east);
+  Step at{on_ellipsoid(from), sum({0, 0, 0}, std::cos(course), north), 0, 1};
+  at.v = sum(at.v, std::sin(course), east);
   constexpr int steps = 2000;
   const Real h = static_cast<Real>(distance) / steps;
   const auto moved = [](const Step& s, Real by, const Step& d) {
@@ -76,9 +76,9 @@ inline Walked walked(const LatLon& from, double azimuth, double distance) {
   const Real turned = std::atan2(at.x[1], at.x[0]);
   const Point to_east{-std::sin(turned), std::cos(turned), 0},
       to_north{-std::sin(there) * std::cos(turned), -std::sin(there) * std::sin(turned), std::cos(there)};
-  const Real course = std::atan2(product(at.v, to_east), product(at.v, to_north));
+  const Real arrival = std::atan2(product(at.v, to_east), product(at.v, to_north));
   return {{static_cast<double>(there * radian), static_cast<double>(turned * radian)},
-          static_cast<double>(course * radian),
+          static_cast<double>(arrival * radian),
           static_cast<double>(at.reduced)};
 }
 

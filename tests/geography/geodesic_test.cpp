@@ -1,5 +1,5 @@
-// Geodesics against a differential equation that shares nothing with the series of the product, and against
-// published figures.
+// Geodesics, checked against a differential equation that shares no code with the series of the product, and
+// against published figures.
 #include "geography/geodesic.h"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,7 @@ TEST(Geodesic, LeadsWhereStepsAlongItLead) {
   }
 }
 
-TEST(Geodesic, BetweenTwoPlacesIsTheWayFromOneToTheOther) {
+TEST(Geodesic, BetweenTwoPlacesLeadsFromOneToTheOther) {
   Random random(2);
   for (int i = 0; i < 2000; ++i) {
     const LatLon from{random.in(-90, 90), random.in(-180, 180)};

@@ -1,5 +1,5 @@
-// The plane about an origin: distances and bearings from there, velocities as differences of places show
-// them.
+// The projection to a plane: distances and bearings from the origin, velocities against differences of
+// places.
 #include "geography/plane.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(Plane, KeepsDistanceAndBearingFromItsOrigin) {
   }
 }
 
-/// A velocity is where one is a little later less where one was a little earlier, both walked in long
+/// A velocity is the difference of the places a little later and a little earlier, both integrated in long
 /// doubles.
 TEST(Plane, VelocityIsWhatDifferencesOfPlacesShow) {
   Random random(2);
@@ -67,7 +67,7 @@ TEST(Plane, LeadsBackToTheReport) {
     const Fix back = from_plane(to_plane({place, course}, origin), origin);
     EXPECT_NEAR(metres_between(back.place, place), 0, 1e-8) << i;
     EXPECT_NEAR(back.course->speed, course.speed, 1e-9 * course.speed) << i;
-    // A course is told from north, which turns quickly near a pole.
+    // A course is measured from north, which turns quickly near a pole.
     EXPECT_NEAR(degrees_between(back.course->degrees, course.degrees) * std::cos(place.lat / 57.3), 0, 1e-8)
         << i << ' ' << distance;
   }
@@ -91,7 +91,7 @@ TEST(Plane, KnowsCoursesOfAnySize) {
   EXPECT_EQ(zero.v, full.v);
 }
 
-TEST(Plane, WhoDoesNotMoveHasNoCourse) {
+TEST(Plane, AnObjectAtRestHasNoCourse) {
   const Fix fix = from_plane({1000, 2000, {{0, 0}}}, {54, 8});
   EXPECT_EQ(fix.course->speed, 0);
   EXPECT_TRUE(std::isnan(fix.course->degrees));

@@ -1,5 +1,5 @@
-// From degrees to metres and back, where formulas divide by nothing: poles, their neighbourhood, the date
-// line, places opposite the origin, and speeds at either end of a double's range.
+// Conversions from degrees to metres and back, where formulas divide by zero. Cases: poles and their
+// neighbourhood, the date line, places opposite the origin, and speeds at either end of a double's range.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -54,7 +54,7 @@ LatLon any_place(Random& random, const LatLon& origin) {
   return {any_latitude(random), any_longitude(random)};
 }
 
-/// Velocities in space, which no convention about the longitude of a pole divides.
+/// Compares velocities in space, which do not depend on a convention for the longitude of a pole.
 double off(const Fix& a, const Fix& b) {
   const auto va = to_globe({a}).motion->v, vb = to_globe({b}).motion->v;
   return std::hypot(va[0] - vb[0], va[1] - vb[1], va[2] - vb[2]);

@@ -1,4 +1,4 @@
-// The five manoeuvres, and that a set of changed motions holds each of them.
+// The five manoeuvres; a set of changed motions contains each of them.
 #include "motion/manoeuvre.h"
 
 #include <gtest/gtest.h>
@@ -47,7 +47,7 @@ TEST(Manoeuvre, ChangesWhatItSays) {
   EXPECT_EQ(pushed.a, (std::array<double, 3>{1.3, 0.4, 0}));
 }
 
-TEST(Manoeuvre, IsAsOfTheMomentOfTheChange) {
+TEST(Manoeuvre, IsAsOfTheTimeOfTheChange) {
   OwnMotion motion;
   motion.x = {1, 0, 0}, motion.v = {2, 0, 0}, motion.a = {1, 0, 0};
   const OwnMotion from = motion_from(motion, 4);
@@ -80,9 +80,9 @@ TEST(MotionSet, HoldsEachOfItsMotions) {
       there += n[axis] * (one.x[j] - base.x[j] + one.v[j] * s + 0.5 * one.a[j] * s * s);
       speed += n[axis] * one.v[j];
     }
-    const double most =
+    const double bound =
         set.place.support(n) + set.velocity.support(n) * tau + 0.5 * set.acceleration.support(n) * tau * tau;
-    EXPECT_LE(there, most + 1e-13 * (1 + std::abs(most))) << name_of(manoeuvre);
+    EXPECT_LE(there, bound + 1e-13 * (1 + std::abs(bound))) << name_of(manoeuvre);
     if (manoeuvre != Manoeuvre::delay) {
       EXPECT_LE(speed, set.velocity.support(n));
     }

@@ -32,7 +32,7 @@ TEST(Position, CarriesTheElapsedTimeExactly) {
   EXPECT_NEAR(state_at(fast, 1e9).x[0], -1, 1e-6);
 }
 
-TEST(Position, StaysAtRestThroughAnyTime) {
+TEST(Position, AtRestIsTheSameAtAnyTime) {
   const Motion<1> rock{.t = -1.7e308, .x = Vec<1>(5.0), .v = Vec<1>(0.0), .a = Vec<1>(0.0), .until = inf};
   EXPECT_EQ(state_at(rock, 1.7e308).x[0], 5);
 }

@@ -1,5 +1,5 @@
-// Doubles that know how wrong they may be: the exact number is within the bound, and the bound is not much
-// more than the roundings.
+// Doubles with an error bound: the exact number is within the bound, and the bound is not much larger than
+// the roundings.
 #include "numbers/bounded.h"
 
 #include <gtest/gtest.h>

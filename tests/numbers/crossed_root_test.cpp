@@ -1,5 +1,4 @@
-// The Newton step with an error radius: what it names is the instant rounded once, and what it cannot name is
-// NaN.
+// The Newton step with an error radius: a known instant is the exact one rounded once, all others are NaN.
 #include "numbers/crossed_root.h"
 
 #include <gtest/gtest.h>

@@ -11,7 +11,7 @@ namespace {
 using namespace judge;
 
 constexpr double largest = std::numeric_limits<double>::max();
-constexpr double least = 5e-324;
+constexpr double smallest = 5e-324;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 TEST(Dyadic, HoldsEveryDoubleExactly) {
@@ -22,7 +22,7 @@ TEST(Dyadic, HoldsEveryDoubleExactly) {
     EXPECT_EQ(rounded(Dyadic(x)), x);
   }
   EXPECT_EQ(Dyadic(-0.0).sign(), 0);
-  EXPECT_EQ(Dyadic(-least).sign(), -1);
+  EXPECT_EQ(Dyadic(-smallest).sign(), -1);
 }
 
 TEST(Dyadic, SumsAndProductsAreExact) {
@@ -75,7 +75,7 @@ TEST(Dyadic, MagnitudeIsTheFloorOfTheBinaryLogarithm) {
     EXPECT_LT(size, power_of_two(a.magnitude() + 1));
   }
   EXPECT_EQ(Dyadic(-8.0).magnitude(), 3);
-  EXPECT_EQ(Dyadic(least).magnitude(), -1074);
+  EXPECT_EQ(Dyadic(smallest).magnitude(), -1074);
 }
 
 TEST(Dyadic, RoundsToTheNearestDouble) {
@@ -106,16 +106,16 @@ TEST(Dyadic, RoundsTiesToEvenAndNothingElse) {
 TEST(Dyadic, RoundsToInfinityFromHalfAnUlpBeyondTheLargest) {
   const Dyadic half_ulp = Dyadic::power_of_two(970), limit = Dyadic(largest) + half_ulp;
   EXPECT_EQ(rounded(limit), infinity);
-  EXPECT_EQ(rounded(limit - Dyadic(least)), largest);
+  EXPECT_EQ(rounded(limit - Dyadic(smallest)), largest);
   EXPECT_EQ(rounded(-limit), -infinity);
   EXPECT_EQ(rounded(Dyadic::power_of_two(100000)), infinity);
 }
 
-TEST(Dyadic, RoundsToZeroUpToHalfTheLeastDouble) {
+TEST(Dyadic, RoundsToZeroUpToHalfTheSmallestDouble) {
   const Dyadic half = Dyadic::power_of_two(-1075);
   EXPECT_EQ(rounded(half), 0);
-  EXPECT_EQ(rounded(half + half.scaled(-200)), least);
-  EXPECT_EQ(rounded(half + half + half), 2 * least);
+  EXPECT_EQ(rounded(half + half.scaled(-200)), smallest);
+  EXPECT_EQ(rounded(half + half + half), 2 * smallest);
   EXPECT_EQ(rounded(Dyadic::power_of_two(-1076)), 0);
   EXPECT_EQ(rounded(-Dyadic::power_of_two(-100000)), 0);
   EXPECT_FALSE(std::signbit(rounded(-half)));
@@ -146,7 +146,7 @@ TEST(Integer, WithoutLastCutsTowardsZero) {
 }
 
 /// Whose lowest word is 1: >> of Boost 1.74 makes it positive.
-TEST(Integer, CutNegativeNumbersStayNegative) {
+TEST(Integer, CutNegativeNumbersRemainNegative) {
   const Integer number = -((Integer(5) << 128) + 1);
   EXPECT_EQ(without_last(number, 3), -(Integer(5) << 125));
 }

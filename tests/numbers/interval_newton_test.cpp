@@ -1,5 +1,4 @@
-// Closing in on the one root between two numbers: it is never lost, and the bracket ends as narrow as the
-// numbers are long.
+// The interval Newton method: the root is never lost, and the bracket ends as narrow as the length allows.
 #include "numbers/interval_newton.h"
 
 #include <gtest/gtest.h>

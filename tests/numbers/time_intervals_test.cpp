@@ -1,4 +1,4 @@
-// When a polynomial is at most 0, beside its exact sign at many times: those of its roots, and those between.
+// The intervals on which a polynomial is at most 0, against its exact sign at its roots and between them.
 #include "numbers/time_intervals.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace judge;
 
-/// The times asked about, by two numbers.
+/// A queried interval of two numbers.
 struct Span {
   Dyadic low, high;
   AlgebraicRoot begin{low}, end{high};
@@ -134,8 +134,8 @@ TEST(TimeIntervals, TouchingIsInside) {
   }
 }
 
-/// A dip of 2^-300 below 0 is an interval, one that ends 2^-300 above is none.
-TEST(TimeIntervals, TouchingIsToldFromAlmostTouching) {
+/// A minimum of 2^-300 below 0 gives an interval, one of 2^-300 above 0 does not.
+TEST(TimeIntervals, TouchingDiffersFromAlmostTouching) {
   const Dyadic little = Dyadic::power_of_two(-300);
   for (const int factor_degree : {0, 1, 2})
     for (const int side : {-1, 0, 1}) {

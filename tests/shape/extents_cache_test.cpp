@@ -1,4 +1,4 @@
-// Forms are turned once for many rows.
+// The cache of extents rotates a form once for many rows.
 #include "shape/extents_cache.h"
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ TEST(ExtentsCache, TurnAFormOnceForAllRowsOfAHeading) {
   EXPECT_EQ(other.turned, 10);
 }
 
-TEST(ExtentsCache, OfMoreHeadingsThanAreKeptAreAskedForAgain) {
+TEST(ExtentsCache, OfMoreHeadingsThanAreKeptAreComputedAgain) {
   const Counted form;
   ExtentsCache known;
   for (int round = 0; round < 2; ++round)

@@ -1,4 +1,4 @@
-// Everything below a node lies within its box and its plate, as it was written and turned.
+// Every corner below a node lies within its box and its bounding disc, before and after a rotation.
 #include "shape/mesh/bounding_discs.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ using Node = BoxTree<3>::Node;
 
 /// Some of them slender or in one plane, all `size` from the origin or so.
 Mesh drawn_mesh(std::mt19937_64& random, std::uint32_t triangles, double size) {
-  const auto number = [&random](double most) {
-    return std::uniform_real_distribution<double>(-most, most)(random);
+  const auto number = [&random](double bound) {
+    return std::uniform_real_distribution<double>(-bound, bound)(random);
   };
   const double flat = random() % 3 == 0 ? 0 : 1, slender = random() % 3 == 0 ? 1e-9 : 0.2;
   std::vector<SpaceCorner> corners;
@@ -37,7 +37,7 @@ long double along(const BoundingDisc& disc, const SpaceCorner& corner) {
          static_cast<long double>(disc.normal[1]) * (corner.y - static_cast<long double>(disc.middle[1])) +
          static_cast<long double>(disc.normal[2]) * (corner.z - static_cast<long double>(disc.middle[2]));
 }
-/// Of the distance from the line along the normal.
+/// The square of the distance from the line along the normal.
 long double square_beside(const BoundingDisc& disc, const SpaceCorner& corner) {
   const long double place[] = {corner.x, corner.y, corner.z};
   long double gap[3], square = 0, length = 0;

@@ -1,4 +1,4 @@
-// Texts of meshes: what they mean, and what is said of texts that are none.
+// The reader and writer of meshes as well-known text, and the errors of invalid texts.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -10,7 +10,7 @@
 namespace foresee {
 namespace {
 
-/// What the reader says of the text; "" if it reads it.
+/// The error of the reader for this text; "" if it reads it.
 std::string refusal(std::string_view text) {
   try {
     read_mesh(text);

@@ -1,4 +1,4 @@
-// Meshes for tests, as texts and as they are stored.
+// Meshes for tests, as texts and as objects.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ constexpr const char* tetrahedron =
     "POLYHEDRALSURFACE Z(((0 0 0, 0 1 0, 1 0 0, 0 0 0)), ((0 0 0, 1 0 0, 0 0 1, 0 0 0)), "
     "((0 0 0, 0 0 1, 0 1 0, 0 0 0)), ((1 0 0, 0 1 0, 0 0 1, 1 0 0)))";
 
-/// A surface of so many triangles that hang together like a fan, as a text that begins with `word`.
+/// A surface of `triangles` connected triangles in the form of a fan, as a text that starts with `word`.
 std::string fan(const std::string& word, std::size_t triangles);
 
 }  // namespace foresee

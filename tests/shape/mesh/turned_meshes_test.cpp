@@ -1,4 +1,4 @@
-// The meshes of many rows: looked up once, turned when asked for, by several threads too.
+// The rotated meshes of many rows: looked up once, rotated on demand, also by several threads.
 #include "shape/mesh/turned_meshes.h"
 
 #include <gtest/gtest.h>

@@ -84,17 +84,17 @@ std::vector<RationalPoint> points_between(const RationalRing& ring, const Ration
   return points;
 }
 
-enum class Lies { apart, within, crossing };
+enum class Relation { apart, within, crossing };
 
-/// How a simple ring lies to another.
-Lies lies(const RationalRing& ring, const RationalRing& other) {
+/// The relation of a simple ring to another.
+Relation relation_of(const RationalRing& ring, const RationalRing& other) {
   for (const RationalEdge& e : edges_of(ring))
     for (const RationalEdge& f : edges_of(other))
-      if (cross(e, f) || touches(e, f).size() > 1) return Lies::crossing;
+      if (cross(e, f) || touches(e, f).size() > 1) return Relation::crossing;
   int inside = 0, outside = 0;
   for (const RationalPoint& point : points_between(ring, other))
     ++(where(point, other) == Where::inside ? inside : outside);
-  return inside == 0 ? Lies::apart : outside == 0 ? Lies::within : Lies::crossing;
+  return inside == 0 ? Relation::apart : outside == 0 ? Relation::within : Relation::crossing;
 }
 
 /// Of the rings a to b of an outline, the first is around the others, which are apart.
@@ -102,7 +102,7 @@ bool is_sound_part(const std::vector<RationalRing>& rings, std::size_t begin, st
   for (std::size_t i = begin; i < end; ++i)
     for (std::size_t j = begin; j < end; ++j) {
       if (i == j || i == begin) continue;
-      if (lies(rings[i], rings[j]) != (j == begin ? Lies::within : Lies::apart)) return false;
+      if (relation_of(rings[i], rings[j]) != (j == begin ? Relation::within : Relation::apart)) return false;
     }
   return true;
 }
@@ -166,17 +166,17 @@ bool is_sound(const Outline& outline) {
   if (!std::all_of(rings.begin(), rings.end(), is_simple)) return false;
   for (std::size_t i = 0; i < rings.size(); ++i)
     for (std::size_t j = 0; j < rings.size(); ++j)
-      if (i != j && lies(rings[i], rings[j]) == Lies::crossing) return false;
+      if (i != j && relation_of(rings[i], rings[j]) == Relation::crossing) return false;
   for (std::size_t part = 0; part < outline.parts(); ++part) {
     const std::size_t begin = outline.part_start(part), end = outline.part_start(part + 1);
     if (!is_sound_part(rings, begin, end)) return false;
     // Another part lies apart, or within a hole.
     for (std::size_t other = 0; other < outline.parts(); ++other) {
       const RationalRing& ring = rings[outline.part_start(other)];
-      if (other == part || lies(ring, rings[begin]) == Lies::apart) continue;
+      if (other == part || relation_of(ring, rings[begin]) == Relation::apart) continue;
       if (std::none_of(rings.begin() + static_cast<std::ptrdiff_t>(begin) + 1,
                        rings.begin() + static_cast<std::ptrdiff_t>(end),
-                       [&](const RationalRing& hole) { return lies(ring, hole) == Lies::within; }))
+                       [&](const RationalRing& hole) { return relation_of(ring, hole) == Relation::within; }))
         return false;
     }
   }

@@ -1,4 +1,5 @@
-// The judge of outlines: rational numbers, every edge against every other, nothing of what it judges.
+// Reference implementation of outline validity: rational numbers, every edge against every other, no shared
+// code.
 #pragma once
 
 #include <boost/multiprecision/cpp_int.hpp>
@@ -31,7 +32,7 @@ enum class Where { outside, boundary, inside };
 Where where(const RationalPoint& point, const RationalRing& ring);
 Where where(const RationalPoint& point, const Outline& outline);
 
-/// Whether it is an outline by the rules of validity.h.
+/// Whether the outline is valid by the rules of validity.h.
 bool is_sound(const Outline& outline);
 
 }  // namespace foresee

@@ -53,11 +53,11 @@ struct AllAbout {
 
 /// Everything that is computed about an outline.
 AllAbout all_about(const std::string& text) {
-  const Outline outline = read_outline(text), lies = turned(outline, 37.3);
+  const Outline outline = read_outline(text), posed = turned(outline, 37.3);
   check_outline(outline);
-  check_turned(outline, lies, 37.3);
-  AllAbout all{write_outline(outline), write_outline(lies), {}};
-  const ConvexPieces pieces = turned_pieces(convex_pieces(outline), lies);
+  check_turned(outline, posed, 37.3);
+  AllAbout all{write_outline(outline), write_outline(posed), {}};
+  const ConvexPieces pieces = turned_pieces(convex_pieces(outline), posed);
   for (std::size_t p = 0; p < pieces.count(); ++p)
     all.corners.insert(all.corners.end(), pieces.corners(p).begin(), pieces.corners(p).end());
   return all;

@@ -9,8 +9,8 @@ namespace foresee {
 
 namespace {
 
-int drawn(std::mt19937_64& random, int least, int greatest) {
-  return least + static_cast<int>(random() % static_cast<unsigned>(greatest - least + 1));
+int drawn(std::mt19937_64& random, int lowest, int highest) {
+  return lowest + static_cast<int>(random() % static_cast<unsigned>(highest - lowest + 1));
 }
 
 /// The boundaries of a set of cells, with the cells to the left. Where two meet in a corner only, the ring
@@ -88,7 +88,7 @@ bool contains(const std::vector<Corner>& ring, double x, double y) {
   return inside;
 }
 
-/// The least ring around a hole encloses its part.
+/// The innermost ring around a hole encloses its part.
 std::vector<Rings> parts_of(const std::vector<std::vector<Corner>>& rings) {
   std::vector<Rings> parts;
   for (const auto& ring : rings)
@@ -106,7 +106,7 @@ std::vector<Rings> parts_of(const std::vector<std::vector<Corner>>& rings) {
   return parts;
 }
 
-/// Without corners at which it goes straight on, if asked.
+/// The ring without corners at which it goes straight on.
 std::vector<Corner> simplified(const std::vector<Corner>& ring) {
   std::vector<Corner> kept;
   for (std::size_t i = 0; i < ring.size(); ++i) {

@@ -1,4 +1,4 @@
-// The outlines of many rows: looked up once, turned when asked for, by several threads too.
+// The rotated outlines of many rows: looked up once, rotated on demand, also by several threads.
 #include "shape/outline/turned_outlines.h"
 
 #include <gtest/gtest.h>
@@ -81,7 +81,7 @@ TEST(TurnedOutlines, OfMoreHeadingsThanThereIsRoomForAreMadeAgainAndAreTheSame) 
     for (std::size_t p = 0; p < one.count(); ++p)
       ASSERT_TRUE(std::equal(one.corners(p).begin(), one.corners(p).end(), other.corners(p).begin()));
     made_again += &one == own.pieces.get();
-    EXPECT_EQ(few.pieces(i, own), &one) << "asked again it is there still";
+    EXPECT_EQ(few.pieces(i, own), &one) << "the same pieces at a second read";
   }
   EXPECT_LE(few.memory(), before + budget);
   EXPECT_GT(all.memory(), before + 4 * budget);
@@ -122,7 +122,7 @@ TEST(TurnedOutlines, ManyThreadsGetTheSamePieces) {
   EXPECT_EQ(seen[0], seen[2]);
 }
 
-TEST(TurnedOutlines, AreMadeAnewForOtherRows) {
+TEST(TurnedOutlines, AreMadeAgainForOtherRows) {
   auto rows = row(1, 90);
   Shelf shelf;
   NeverInterrupt never;

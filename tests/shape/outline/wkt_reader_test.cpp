@@ -9,7 +9,7 @@
 namespace foresee {
 namespace {
 
-/// What the reader says of the text; "" if it reads it.
+/// The error of the reader for this text; "" if it reads it.
 std::string refusal(std::string_view text) {
   try {
     read_outline(text);
@@ -137,7 +137,7 @@ TEST(WktReader, QuotesFortyCharactersAtMost) {
             "at character 1: expected POLYGON or MULTIPOLYGON, found 'ab'");
 }
 
-TEST(WktReader, TheMostCornersAreRead) {
+TEST(WktReader, TheMaximumOfCornersIsRead) {
   EXPECT_EQ(read_outline("POLYGON(" + ring_of(65536) + ")").corners().size(), 65536u);
   EXPECT_EQ(read_outline("POLYGON(" + ring_of(65533) + ", " + ring_of(3) + ")").corners().size(), 65536u);
 }
