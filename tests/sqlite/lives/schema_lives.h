@@ -14,7 +14,7 @@
 #include <random>
 #include <string>
 
-#include "sqlite/old_statements.h"
+#include "sqlite/lives/old_statements.h"
 
 namespace foresee::testing {
 

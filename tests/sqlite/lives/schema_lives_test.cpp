@@ -1,6 +1,6 @@
 // Random lives of tables and watches whose creation, renaming and dropping is rolled back, on two connections
 // that keep every statement prepared. FORESEE_LONG=1 runs a hundred thousand statements.
-#include "sqlite/schema_lives.h"
+#include "sqlite/lives/schema_lives.h"
 
 #include <cstdlib>
 

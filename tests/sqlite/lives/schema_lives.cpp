@@ -1,4 +1,4 @@
-#include "sqlite/schema_lives.h"
+#include "sqlite/lives/schema_lives.h"
 
 #include <sstream>
 

@@ -1,7 +1,7 @@
 // A driver that keeps its statements prepared, as Python's does by default: each holds the virtual tables
 // that it was compiled for, also those that SQLite has replaced since. What a transaction left in such a
 // table must not reach the one that stands in its place.
-#include "sqlite/old_statements.h"
+#include "sqlite/lives/old_statements.h"
 
 #include "sqlite/database.h"
 
