@@ -42,11 +42,11 @@ QueriedTable only_table(sqlite3* db, const std::optional<std::string>& schema) {
   for (const VisibleTable& table : tables) {
     if (!table.holds_moving_objects || !in_schema(table, schema)) continue;
     if (only)
-      throw Error("tbl is missing, and there is more than one table to ask" +
+      throw Error("tbl is missing, and there is more than one table to query" +
                   list_of(tables, schema.has_value()));
     only = &table;
   }
-  if (!only) throw Error("there is no table to ask" + list_of(tables, schema.has_value()));
+  if (!only) throw Error("there is no table to query" + list_of(tables, schema.has_value()));
   return {only->name, only->schema};
 }
 

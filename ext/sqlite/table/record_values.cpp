@@ -67,7 +67,7 @@ int type_as_number(sqlite3_value* value) {
 const char* rule_for_null(Quantity quantity) {
   switch (quantity) {
     case Quantity::reference_time:
-      return "a declared reference time is needed; write the moment at which the position holds";
+      return "a declared reference time is needed; write the time at which the position holds";
     case Quantity::mass:
       return "a force needs a mass; write a number greater than 0";
     default:
@@ -76,7 +76,7 @@ const char* rule_for_null(Quantity quantity) {
 }
 
 const char* rule_for_infinity(Quantity quantity) {
-  return quantity == Quantity::until ? "not a finite number; write NULL for ever"
+  return quantity == Quantity::until ? "not a finite number; write NULL for no end"
                                      : "not a finite number; write a finite one";
 }
 
@@ -157,7 +157,7 @@ void Values::require_motion_to_last(std::int64_t id) const {
   const double until = record_[static_cast<std::size_t>(at_.until)];
   if (until < t)
     refuse("until", id, shown(until),
-           "before the reference time " + shown(t) + "; write that or more, or NULL for ever");
+           "before the reference time " + shown(t) + "; write that or more, or NULL for no end");
 }
 
 void Values::require_finite_acceleration(std::int64_t id) const {

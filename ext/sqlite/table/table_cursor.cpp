@@ -58,7 +58,7 @@ void TableCursor::seek_object(sqlite3_value* value) {
 void TableCursor::require_handle_word(sqlite3_value* word) const {
   if (text_of(word) != handle_word)
     throw Error(table_.name +
-                " MATCH: a table of moving objects has no text to search; ask predictive_join or "
+                " MATCH: a table of moving objects has no text to search; query predictive_join or "
                 "another of foresee's functions");
 }
 

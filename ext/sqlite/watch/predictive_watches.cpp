@@ -70,7 +70,7 @@ ListedWatch read_watch(Connection& connection, const QualifiedName& name, bool c
     require_listed(tables.a, name.table);
     if (tables.b) require_listed(*tables.b, name.table);
     if (is_lost(watch.state, tables))
-      watch.fault = "not up to date: read by the join, and computed anew at the next commit";
+      watch.fault = "not up to date: read by the join, and recomputed at the next commit";
   } catch (const StoreError& error) {
     const int code = error.code & 0xff;
     if (code != SQLITE_ERROR && code != SQLITE_CORRUPT) throw;

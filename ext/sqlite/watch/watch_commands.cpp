@@ -14,7 +14,7 @@ double time_of(const WatchTable& table, sqlite3_value* now) {
   const int type = sqlite3_value_numeric_type(now);
   const double time = sqlite3_value_double(now);
   if ((type == SQLITE_INTEGER || type == SQLITE_FLOAT) && std::isfinite(time)) return time;
-  throw Error(table.name.table + ": 'advance' needs a moment, as in INSERT INTO " + table.name.table + "(" +
+  throw Error(table.name.table + ": 'advance' needs a time, as in INSERT INTO " + table.name.table + "(" +
               table.name.table + ", now) VALUES('advance', 1260.0); not " + shown(now));
 }
 

@@ -42,7 +42,7 @@ TEST_F(AvoidInSql, ChangesNothingWhereNothingIsClear) {
   EXPECT_EQ(
       db.error_of("UPDATE ships SET (t, x, y, vx, vy) = (SELECT t, x, y, vx, vy FROM predictive_avoid(60, "
                   "'ships', 1, 50, 'turn', 0, 1) WHERE clear ORDER BY abs(k) LIMIT 1) WHERE id = 1"),
-      "ships.t of row 1 is NULL: a declared reference time is needed; write the moment at which the position "
+      "ships.t of row 1 is NULL: a declared reference time is needed; write the time at which the position "
       "holds");
   EXPECT_EQ(db.rows("SELECT t, x, y, vx, vy FROM ships WHERE id = 1"), "0.0|0.0|0.0|0.0|10.0");
 }

@@ -13,17 +13,17 @@ struct JoinTables : ::testing::Test {
 
 TEST_F(JoinTables, MayBeLeftOutWhereThereIsOne) {
   EXPECT_EQ(pairs("predictive_join(20)"),
-            "error: predictive_join: there is no table to ask (there is no moving_objects table here; make "
+            "error: predictive_join: there is no table to query (there is no moving_objects table here; make "
             "one with "
             "CREATE VIRTUAL TABLE ships USING moving_objects(id, x, y, vx, vy))");
   build_ships(db);
   db.exec("CREATE TABLE notes(x); CREATE VIRTUAL TABLE boxes USING rtree(id, x0, x1)");
   EXPECT_EQ(pairs("predictive_join(20)"), "1|2");
   build_crates(db);
-  EXPECT_EQ(pairs("predictive_join(20)"),
-            "error: predictive_join: tbl is missing, and there is more than one table to ask (moving_objects "
-            "tables "
-            "here: 'ships', 'crates')");
+  EXPECT_EQ(
+      pairs("predictive_join(20)"),
+      "error: predictive_join: tbl is missing, and there is more than one table to query (moving_objects "
+      "tables here: 'ships', 'crates')");
 }
 
 TEST_F(JoinTables, AreFoundInTempAndAttachedSchemas) {

@@ -1,6 +1,6 @@
 // Making, renaming and dropping tables within savepoints that are taken back: what is left is what was there,
 // as with any table, whatever waited in memory.
-#include "database.h"
+#include "sqlite/database.h"
 
 namespace foresee::testing {
 namespace {

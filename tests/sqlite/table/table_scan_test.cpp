@@ -68,10 +68,9 @@ TEST_F(TableScan, TheCommandColumnIsHidden) {
 TEST_F(TableScan, FunctionsGetTheTablesNumber) {
   EXPECT_EQ(db.rows("SELECT typeof(ships), ships > 0 FROM main.ships WHERE ships MATCH 'foresee-handle'"),
             "integer|1");
-  EXPECT_EQ(
-      db.rows("SELECT ships FROM ships WHERE ships MATCH 'storm'"),
-      "error: ships MATCH: a table of moving objects has no text to search; ask predictive_join or another of"
-      " foresee's functions");
+  EXPECT_EQ(db.rows("SELECT ships FROM ships WHERE ships MATCH 'storm'"),
+            "error: ships MATCH: a table of moving objects has no text to search; query predictive_join or "
+            "another of foresee's functions");
 }
 
 // --- writes beneath a scan ---------------------------------------------------------------------------------

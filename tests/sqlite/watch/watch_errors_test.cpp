@@ -28,7 +28,7 @@ TEST_F(WatchErrors, StatementsThatCannotBeMeantSayWhatToWrite) {
   for (const char* clock : {"UPDATE alerts SET now = 9", "INSERT INTO alerts(now) VALUES(9)"})
     starts(clock,
            "alerts: the clock moves by a command; write INSERT INTO alerts(alerts, now) VALUES('advance', 9");
-  starts("INSERT INTO alerts(alerts) VALUES('advance')", "alerts: 'advance' needs a moment");
+  starts("INSERT INTO alerts(alerts) VALUES('advance')", "alerts: 'advance' needs a time");
   starts("INSERT INTO alerts(alerts) VALUES('retreat')", "alerts: no command 'retreat'; known are 'advance'");
   const std::string create = "CREATE VIRTUAL TABLE w USING predictive_watch";
   starts(create, "w: no table is named");
