@@ -1,10 +1,10 @@
-// What one database connection knows of foresee: which moving_objects tables are connected, their decoded
-// scenes, and the memory that joins compute in.
+// State that foresee keeps per database connection: the connected moving_objects tables, their decoded scenes,
+// and the memory in which joins compute.
 //
 // One Connection lives in the modules' pAux and dies with the last of them. Tables come and go with every
 // schema change (VACUUM, ALTER); a table's decoded scene lives as long as the table is connected and is valid
-// for one ContentVersion. Beside the scene asked for last, as many stay as have room together; a question
-// keeps those that it reads in any case.
+// for one ContentVersion. The scene used last is always kept, and others as far as the memory limit
+// allows; a query keeps those that it reads in any case.
 #pragma once
 
 #include <algorithm>
@@ -46,9 +46,9 @@ class Connection {
   void rename(std::int64_t number, const std::string& table);
   void leave(std::int64_t number) noexcept;
 
-  /// Lets go of our own statements that are at rest. To be called when SQLite disconnects a table-valued
-  /// function, as leave() does for a table: sqlite3_close() disconnects all, then refuses while a statement
-  /// is left, and a question may outlive the tables that it reads.
+  /// Finalizes foresee's own statements that are at rest. Must be called when SQLite disconnects a
+  /// table-valued function, as leave() does for a table. sqlite3_close() disconnects all, then refuses while a
+  /// statement is left, and a query may outlive the tables that it reads.
   void finalize() noexcept;
 
   struct OpenTable {
@@ -69,8 +69,8 @@ class Connection {
   /// connected yet, as many as R*Tree assumes without statistics.
   double likely_objects(const QueriedTable& name) const;
 
-  // Scans that are open, by what they read: SQLite may connect a table anew while a scan of its older self
-  // goes on, and both have one store.
+  // Scans that are open, by what they read: SQLite may reconnect a table while a scan of its older instance
+  // goes on, and both share one store.
   void scan_opened(const Store* store, TableCursor& cursor) { cursors_[store].push_back(&cursor); }
   void scan_closed(const Store* store, TableCursor& cursor) noexcept;
   std::span<TableCursor* const> cursors(const Store* store) const noexcept;
@@ -87,7 +87,7 @@ class Connection {
   /// look-up.
   static std::shared_ptr<Scene> load_object(const OpenTable& table, std::int64_t id);
 
-  /// PRAGMA threads: how many a computation may use beside the caller's; 0 unless somebody asks for more.
+  /// PRAGMA threads: how many a computation may use beside the caller's; 0 unless the application sets more.
   std::size_t helper_threads() const {
     return static_cast<std::size_t>(std::max(0, sqlite3_limit(db_, SQLITE_LIMIT_WORKER_THREADS, -1)));
   }

@@ -1,4 +1,4 @@
-// Is a text a date? Moments are numbers, and who has dates is told how to make numbers of them.
+// Recognizes date texts. Times are numbers, so the error message for a date says how to convert it.
 #pragma once
 
 #include <optional>

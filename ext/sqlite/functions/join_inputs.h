@@ -1,4 +1,4 @@
-// What is a join asked by? The inputs of predictive_join by their names, and the JoinQuestion that they make.
+// Inputs of predictive_join by their names, and the JoinQuestion that they make.
 //
 //   const JoinInputs inputs{.h = 600, .tbl = {.table = "ships", .schema = {}}, .within = 926};
 //   Join join(join_question(call, inputs), call.connection().interrupt());
@@ -39,11 +39,10 @@ struct QueriedIds {
   std::optional<std::int64_t> a = {}, b = {};
 };
 
-/// The question by these inputs, with the scenes as they are now and `now` where it was left out; order,
-/// times and outputs are the caller's to add. A question about one id comes back as one about that object and
-/// those near it, looked up in the tree, unless another method was asked for. The call is told what was used
-/// for inputs that were left out; the method is 'auto' then, since one statement may go two ways (a = ? OR t
-/// < ?).
+/// The JoinQuestion of these inputs, with the scenes as they are now and `now` where it was left out. The
+/// caller adds order, times and outputs. A query about one id becomes one about that object and those near it,
+/// looked up in the tree, unless another method was given. The call records the values used for inputs that
+/// were left out. The method is 'auto' then, since one statement may use two methods (a = ? OR t < ?).
 JoinQuestion join_question(const FunctionCall& call, const JoinInputs& inputs, const QueriedIds& ids = {});
 
 }  // namespace foresee

@@ -1,4 +1,4 @@
-// A question that SQL asks as a table: what predictive_join and its sisters have in common.
+// Table-valued functions: the virtual table that predictive_join and the other functions share.
 //
 //   const TableFunction positions = {
 //       .name = "predictive_position",
@@ -9,7 +9,7 @@
 //       .estimate = estimate_positions,
 //       .start = [](const FunctionCall& call) -> std::unique_ptr<FunctionRows> { … }};
 //
-// All functions are read-only, need no CREATE, and may be used in views and triggers that nobody vouches for.
+// All functions are read-only, need no CREATE, and may be used in views and untrusted triggers.
 // An input can be given by place or by name in WHERE. Rows are pulled one at a time; whatever start() or
 // next() throws becomes the statement's error, led by the function's name.
 //

@@ -1,15 +1,15 @@
-// What does SQLite find under a table's name? Asked once, and again only when a schema has changed.
+// Cache of table look-ups: SQLite resolves a name once, and again only after a schema change.
 //
 //   const QueriedTable name{.table = "ships", .schema = {}};
 //   lookups.number_of(name)          // what the table announced itself as, or nothing
 //   lookups.keep(name, 7, "main")    // and where it was: next time its number is known
 //
-// SQLite is asked by SELECT "ships" FROM "ships" WHERE "ships" MATCH 'foresee-handle', which a
+// The look-up is SELECT "ships" FROM "ships" WHERE "ships" MATCH 'foresee-handle', which a
 // moving_objects table answers with its number. What is kept is a witness: a statement that reads the schema
-// in which the table was found. SQLite compiles it anew whenever that schema has changed, and all statements
-// when temp changes or a database is detached; as long as it has not, the name means the same table. A
-// witness begins to read that database, as the table would, but keeps no table connected: one whose database
-// is detached goes with the next statement of any kind, and its memory with it.
+// in which the table was found. SQLite recompiles it whenever that schema has changed, and all statements when
+// temp changes or a database is detached. Until then the name means the same table. A witness starts to read
+// that database, as the table would, but keeps no table connected. A table whose database is detached goes
+// with the next statement of any kind, and its memory with it.
 //
 // finalize() must be called when SQLite disconnects a table-valued function: a connection that is being
 // closed disconnects all tables and then refuses while a statement is left. Cost: about a microsecond.
@@ -41,12 +41,12 @@ class TableLookups {
   /// The number that is kept, if it is certain that the name still means that table; else nothing. Runs its
   /// witness, so SQLite may disconnect tables meanwhile.
   std::optional<std::int64_t> kept_number(const QueriedTable& name);
-  /// The next number_of(name) need not ask SQLite; where nothing can be kept it asks. Requires:
+  /// The next number_of(name) needs no look-up by SQLite, except where nothing can be kept. Requires:
   /// number_of(name) has just said so of a table in `schema`.
   void keep(const QueriedTable& name, std::int64_t number, const std::string& schema);
   /// The next time SQLite resolves the name from the start.
   void forget(const QueriedTable& name) noexcept;
-  /// Lets go of all statements that are not running.
+  /// Finalizes all statements that are not running.
   void finalize() noexcept;
 
  private:

@@ -1,4 +1,4 @@
-// Which tables does this connection see, and which of them hold moving objects?
+// Lists the tables that a connection sees, and which of them hold moving objects.
 //
 // Read from each schema's sqlite_master in the order in which SQLite resolves a bare name: temp, main, then
 // the attached databases. Cost: one scan of each schema.

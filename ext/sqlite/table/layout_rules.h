@@ -1,6 +1,6 @@
-// Which layout do the declared motion columns make, and do they go together?
+// Rules of declared motion columns: the layout that they make, and the combinations that are refused.
 //
-// Throws Error for every mixture that is no table (docs/sql_reference.md#columns); the message quotes an
+// Throws Error for every combination that no table can have (docs/sql_reference.md#columns); the message quotes an
 // argument and says what to add or to leave out.
 #pragma once
 

@@ -1,8 +1,8 @@
 // One moving_objects table as this connection sees it: SQLite's handle, its storage, and its open cursors.
 //
-// Writes beneath a scan are safe: before the first change every cursor in mid-scan notes the ids that it has
-// yet to visit and reads each object as it is when its turn comes; objects deleted meanwhile are passed over,
-// new ones are not visited.
+// Writes during a scan are safe. Before the first change every open cursor notes the ids that it has yet to
+// visit, and later reads each object in its current state. Objects deleted meanwhile are skipped, and new ones
+// are not visited.
 #pragma once
 
 #include <cstdint>

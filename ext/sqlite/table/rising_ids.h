@@ -1,11 +1,11 @@
-// Does a statement ask for ids in rising order, and which will it ask for next?
+// Detects that a statement looks ids up in rising order, and predicts the next ones to fetch.
 //
-//   RisingIds rising;                          // one a statement
+//   RisingIds rising;                          // one per statement
 //   if (const auto first = rising.next(42)) store.fetch_ahead(*first, RisingIds::batch);
 //
 // Rising means each id a little above the one before it, as in a list or where another table is joined by its
-// key. Then the ids to come are named batch by batch, each shortly before it is asked for. Cost: some
-// comparisons an id.
+// key. Then the ids to come are named batch by batch, each shortly before it is looked up. Cost: some
+// comparisons per id.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ class RisingIds {
  public:
   static constexpr std::int64_t batch = 16;  ///< ids
 
-  /// `id` is asked for now. The first id of a batch to come, if it is time to fetch that.
+  /// `id` is looked up now. The first id of a batch to come, if it is time to fetch that.
   std::optional<std::int64_t> next(std::int64_t id) {
     const std::uint64_t gap = static_cast<std::uint64_t>(id) - static_cast<std::uint64_t>(last_);
     const bool rises = last_ < id && gap <= widest_gap && id <= limit;

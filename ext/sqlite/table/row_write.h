@@ -1,7 +1,7 @@
-// What does INSERT, UPDATE or DELETE do to a moving_objects table? The body of xUpdate.
+// INSERT, UPDATE and DELETE on a moving_objects table: the body of xUpdate.
 //
-// Everything that can be refused is refused before the first change, so the conflict clauses mean what they
-// mean for an ordinary table: OR IGNORE passes over the row, OR REPLACE deletes the object that has the id.
+// Every refusal comes before the first change, so the conflict clauses act as for an ordinary table. OR IGNORE
+// skips the row, and OR REPLACE deletes the object that has the id.
 #pragma once
 
 #include <cstdint>

@@ -1,11 +1,11 @@
-// Which objects has a transaction changed, and which pairs are they in now?
+// Finds the objects that a transaction has changed, and their current pairs.
 //
 //   const ChangedObjects changed = changed_objects(tables.a, state.stamp);
 //   PairSearch search(connection, tables, question_of(tables, state, {clock, h}));
 //   search.pairs_of(Side::a, changed.ids, [&](std::span<const JoinRow> rows) { … });
 //
-// Guarantee: every pair of one of these objects that touches during the question's horizon comes, within one
-// table in either order, and once for each of its objects that is asked about. Cost: a probe of the other
+// Guarantee: reports every pair of these objects that is in contact within the horizon, once for each of its
+// changed objects. Within one table a pair comes in either order. Cost: a probe of the other
 // side's tree for each object, or where they are many a join of them with all.
 #pragma once
 

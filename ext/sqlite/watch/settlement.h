@@ -1,21 +1,21 @@
-// One watch takes over what a transaction has changed: the difference between its stored pairs and the pairs
-// that there are now, written as rows and told in its log.
+// Incremental update of one watch: writes the difference between its stored pairs and the current pairs as
+// rows and in its log.
 //
 //   Settlement(connection, rows).settle();               // before COMMIT, or after CREATE
 //
-// Known are all pairs whose first contact begins in [clock, known_to]; those beyond the horizon wait.
+// Known are all pairs whose first contact starts in [clock, known_to]; those beyond the horizon wait.
 //
 //   changed objects   their old pairs are range reads, their new ones searched for (pair_search.h)
 //   the clock         rows that are due are shown, queried for their next contact, or taken out; when the
 //                     horizon passes known_to, a join looks ahead for what starts or ends beyond it, the
 //                     further the fewer of the pairs that wait are dropped again unseen
-//   anew              where it cannot be told what has changed, or the clock goes back or far ahead: the join
-//                     of all against all rows
+//   recomputation     where the changes are unknown, or the clock goes back or far ahead: the join of all
+//                     against all rows
 //
 // Only what differs is written. Guarantee: afterwards the rows that are held are those of predictive_join at
-// the clock, their times bit for bit. Cost: some twenty microseconds a changed object, and as much for each
+// the clock, their times bit for bit. Cost: some twenty microseconds per changed object, and as much for each
 // row that differs, of which SQLite has most; a join where it looks ahead. Memory: the changed objects and
-// their pairs, and where it computes anew all pairs.
+// their pairs, or all pairs where it recomputes.
 #pragma once
 
 #include <cmath>
