@@ -53,7 +53,7 @@ PRIVATE = {
     "contact/pieces/endpoint_rounding.h": "with union_pair.h it would have 386 lines",
     "contact/pieces/pair_intervals.h": "with union_pair.h it would have 393 lines",
     "sqlite/functions/function_plan.h": "planning of a call, apart from the virtual table; both in one file exceed 300 lines",
-    "sqlite/names/table_lookups.h": "the cache of table look-ups has a test and an interface of its own, apart from the connection's state",
+    "sqlite/names/table_lookups.h": "the cache of table look-ups has a contract of its own, apart from the connection's state",
     "sqlite/table/layout_rules.h": "the rules of declared columns, apart from parsing; both in one file exceed 300 lines",
     "sqlite/table/record_values.h": "conversion of SQL values into a record, apart from the table's life cycle",
     "sqlite/table/row_write.h": "the body of xUpdate, apart from the other methods; both in one file exceed 300 lines",

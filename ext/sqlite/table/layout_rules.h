@@ -1,7 +1,7 @@
 // Rules of declared motion columns: the layout that they make, and the combinations that are refused.
 //
-// Throws Error for every combination that no table can have (docs/sql_reference.md#columns); the message quotes an
-// argument and says what to add or to leave out.
+// Throws Error for every combination that no table can have (docs/sql_reference.md#columns); the message
+// quotes an argument and says what to add or to leave out.
 #pragma once
 
 #include <string>
