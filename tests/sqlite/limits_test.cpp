@@ -50,7 +50,7 @@ TEST(Limits, AuxiliaryColumnsThatTakeMoreVariablesThanAllowedAreAClearError) {
   EXPECT_EQ(db.error_of("INSERT INTO ships(id, t, x, y) VALUES(1000, 0, 0, 0)"),
             "ships: its auxiliary columns need 3 SQL variables, but this connection allows 2; raise "
             "SQLITE_LIMIT_VARIABLE_NUMBER, or declare fewer columns");
-  EXPECT_NE(db.error_of("UPDATE ships SET name = 'x' WHERE id = 1").find("takes 5 SQL variables"),
+  EXPECT_NE(db.error_of("UPDATE ships SET name = 'x' WHERE id = 1").find("need 5 SQL variables"),
             std::string::npos);
   db.exec("UPDATE ships SET x = 1000 WHERE id = 1");  // which leaves them alone
   EXPECT_EQ(db.rows("SELECT count(*), max(x) FROM ships"), "200|1000.0");
