@@ -1,4 +1,4 @@
-// Is a number of the question in order? If not, an Error that says what it must be and what it is.
+// Checks of the numbers that a query is given; each throws an Error that states the rule and the value.
 #pragma once
 
 #include <string>
@@ -16,7 +16,7 @@ void require_positive(const char* name, double value);
 /// "now must be a finite number, not inf"
 void require_finite(const char* name, double value);
 
-/// "x0 must be a finite number, or left out for no bound, not inf"; an infinity of the other sign is no
+/// "x0 must be a finite number, or left out for no bound, not inf"; an infinity of the other sign means no
 /// bound.
 void require_lower_bound(const char* name, double value);
 void require_upper_bound(const char* name, double value);

@@ -1,7 +1,7 @@
-// What is searched for objects: a whole scene, or a tree as it was at one moment.
+// The objects that a query searches: all objects of a scene, or a snapshot of a tree.
 //
-//   SearchTarget ships{"ships", scene, nullptr};             // every object is looked at
-//   SearchTarget quays{"quays", nullptr, snapshot};          // nodes are read as the question needs them
+//   SearchTarget ships{"ships", scene, nullptr};             // every object is tested
+//   SearchTarget quays{"quays", nullptr, snapshot};          // nodes are read as the query needs them
 //
 // Both give the same rows. Exactly one of the two is set.
 #pragma once
@@ -15,7 +15,7 @@
 namespace foresee {
 
 struct SearchTarget {
-  std::string name;  ///< what messages call it
+  std::string name;  ///< of the table, for messages
   std::shared_ptr<const Scene> scene;
   std::shared_ptr<NodeSource> tree;
 

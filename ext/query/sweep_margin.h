@@ -1,4 +1,4 @@
-// How far do swept boxes grow for what counts as touching?
+// Margin by which swept boxes are inflated, from the distance at which a pair counts as touching.
 #pragma once
 
 #include <cmath>
@@ -9,8 +9,8 @@
 
 namespace foresee {
 
-/// Each side's swept boxes grow by half the reach, rounded up: two grown boxes meet wherever the pair can
-/// touch.
+/// Half the reach, rounded up, for the swept boxes of each side: two inflated boxes intersect wherever the
+/// pair can touch.
 template <int D>
 Vec<D> margin_of(const Contact::Reach& reach) {
   auto half = [](double whole) {

@@ -9,7 +9,7 @@ ContactStage::ContactStage(const JoinQuestion& question, Interrupt& interrupt)
   contact_->set_interrupt(interrupt);
 }
 
-// The exact arithmetic may take some ten microseconds a pair, so a batch is asked in slices that can be
+// Exact arithmetic may take tens of microseconds per pair, so a batch is decided in slices that can be
 // interrupted.
 template <class Work>
 void ContactStage::in_slices(std::size_t count, Work work) {
@@ -26,7 +26,7 @@ void ContactStage::query(const Candidates& candidates, std::vector<Pair>& batch,
   const bool all_times = slab.from == -inf && slab.before == inf && question_.queries_all_times();
   const bool times_matter = !all_times || question_.wants.contact || question_.order != JoinOrder::any;
   const std::size_t before = hits.pairs.size();
-  // Where some are left out or not reached, only the others need an end.
+  // Where some hits may be left out or never read, write() computes the ends of the others only.
   hits.with_ends = all_times && question_.order == JoinOrder::any && question_.wants.ends;
   if (candidates.touching() && !hits.with_ends) {
     if (queries_start(slab)) take_touching(batch, hits);
@@ -60,7 +60,7 @@ void ContactStage::take_touching(std::vector<Pair>& batch, Hits& hits) const {
 
 namespace {
 
-/// Of each pair the smaller id first. Which it is cannot be foretold, so there is no branch.
+/// Puts the smaller id of each pair first. Without a branch, which would be mispredicted.
 void order_by_id(const std::vector<std::int64_t>& ids, std::vector<Pair>& pairs) {
   for (Pair& pair : pairs) {
     const std::uint32_t a = pair.a, b = pair.b;
@@ -79,7 +79,7 @@ void ContactStage::keep_queried_pairs(std::vector<Pair>& batch) const {
     if (!question_.b) order_by_id(a.ids, batch);
     return;
   }
-  // Within one scene the id asked for may stand in the other column of a pair: then it is another question's.
+  // Within one scene the requested id may stand in the other column; that pair belongs to another query.
   std::erase_if(batch, [&](Pair pair) {
     return (!question_.b && a.ids[pair.a] >= b.ids[pair.b]) ||
            (question_.only_a && a.ids[pair.a] != *question_.only_a) ||
@@ -148,8 +148,8 @@ void ContactStage::answer(const Candidates& candidates, std::vector<Pair>& batch
 
 namespace {
 
-/// Rows of pairs that all have the same times; within one scene the smaller id first. Which that is cannot be
-/// foretold, so there is no branch, and in words that compilers do not turn into one.
+/// Rows of pairs that all have the same times; within one scene the smaller id first. A branch would be
+/// mispredicted; the expression is one that compilers do not turn into a branch.
 template <bool within>
 void write_rows(std::span<const Pair> pairs, const std::int64_t* ids_a, const std::int64_t* ids_b,
                 const ContactTimes& times, JoinRow* rows) {

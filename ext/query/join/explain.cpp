@@ -19,14 +19,14 @@ namespace {
 constexpr const char* test_names[paper_stage_count] = {"projection overlap", "centre point", "time interval",
                                                        "trajectory intersection"};
 
-/// In a tile: pairs of the objects that it needs.
+/// All queried pairs; in a tile, the pairs of the objects that it needs.
 std::uint64_t queried_pairs(const JoinQuestion& question) {
   const auto pairs = [&](std::uint64_t a, std::uint64_t b) { return question.b ? a * b : a * (a - 1) / 2; };
   if (question.own) return pairs(question.own->needed_a, question.own->needed_b);
   return pairs(question.a->size(), question.b ? question.b->size() : 0);
 }
 
-/// A question's stages, and what they have counted so far.
+/// The stages of one join, and their counts so far.
 class Explanation {
  public:
   Explanation(const JoinQuestion& question, Interrupt& interrupt)
@@ -92,14 +92,14 @@ class Explanation {
   bool next_candidates(std::vector<Pair>& pairs) {
     const double begin = thread_seconds();
     const bool more = candidates_->next(pairs);
-    // A table joined with itself as two: no object meets itself.
+    // A table joined with itself as two sides: an object and itself are not a pair.
     if (question_.a == question_.b) std::erase_if(pairs, [](const Pair& pair) { return pair.a == pair.b; });
     candidates_count_.after += pairs.size();
     candidates_count_.seconds += thread_seconds() - begin;
     return more;
   }
 
-  /// In slices that can be interrupted: a pair may take some ten microseconds.
+  /// In slices that can be interrupted: a pair may take tens of microseconds.
   void decide_exactly(const std::vector<Pair>& pairs) {
     const double begin = thread_seconds();
     for (std::size_t i = 0; i < pairs.size(); i += slice) {
@@ -122,7 +122,7 @@ class Explanation {
     hits_.clear();
   }
 
-  /// Of the pairs whose boxes touch, those whose outlines or meshes do. No index vouches for these.
+  /// Counts the pairs whose outlines or meshes touch, of those whose boxes do. An index certifies boxes only.
   void refine() {
     const double begin = thread_seconds();
     std::vector<Pair> touching;
@@ -137,13 +137,13 @@ class Explanation {
     refinement_count_.seconds += thread_seconds() - begin;
   }
 
-  /// `step`: of docs/gpcd.md.
+  /// `step`: the name of the step in docs/gpcd.md.
   static ExplainRow row(const char* stage, const char* step, const StageCount& count,
                         const std::string& detail) {
     return {stage, count.before, count.after, count.seconds, detail.empty() ? step : detail + "; " + step};
   }
 
-  /// It keeps all.
+  /// The count of a refinement that is left out: it keeps all pairs.
   StageCount left_out() const { return {.before = exact_count_.after, .after = exact_count_.after}; }
 
   std::string exact_detail() const {

@@ -14,7 +14,7 @@
 namespace foresee {
 namespace {
 
-/// A question about one id: that row with all rows of the other side; an unknown id has no pairs.
+/// For a query of one id: that row with all rows of the other side; an unknown id has no pairs.
 std::unique_ptr<Candidates> one_row(const Scene& scene, std::int64_t id, Side side, std::size_t others,
                                     Interrupt& interrupt) {
   const auto found = std::find(scene.ids.begin(), scene.ids.end(), id);

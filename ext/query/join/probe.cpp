@@ -22,7 +22,7 @@ template <int D>
 void walk(const Scene& one, NodeSource& tree, const Horizon& horizon, const Contact::Reach& reach,
           Interrupt& interrupt, const std::function<bool(std::int64_t)>& keep, Scene& near) {
   const Bodies body = one.bodies();
-  // The object's box grows by one half of the reach, those in the tree by the other.
+  // The object's box is inflated by one half of the reach, those in the tree by the other.
   const Vec<D> margin = margin_of<D>(reach);
   WindowWalk<D> found(tree, moving_box<D>(body, 0, horizon, margin), horizon, margin, interrupt);
   for (LeafHits hits; found.next(hits);)

@@ -18,7 +18,7 @@ void SortedHits::add(const Hits& hits, Interrupt& interrupt) {
 bool SortedHits::precedes(const Found& l, const Found& r) const {
   if (l.t != r.t) return l.t < r.t;
   if (question_.order != JoinOrder::by_t_and_ids) {
-    if (l.dt != r.dt) return l.dt < r.dt;  // rounding keeps order: both rise
+    if (l.dt != r.dt) return l.dt < r.dt;  // rounding is monotonic: both ascend
     return l.pair.a != r.pair.a ? l.pair.a < r.pair.a : l.pair.b < r.pair.b;
   }
   const Scene& a = *question_.a;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The best k so far.
+/// The k nearest rows so far.
 class Best {
  public:
   explicit Best(std::int64_t k) : k_(static_cast<std::uint64_t>(k)) {}
@@ -32,8 +32,8 @@ class Best {
     std::push_heap(rows_.begin(), rows_.end(), before);
   }
 
-  /// Whatever is farther than this has no place. One double more than the last distance: what rounds to it
-  /// may still come before it by its id.
+  /// No object farther than this is a row. One double above the largest distance: an object whose distance
+  /// rounds to that may still precede it by its id.
   double reach() const {
     return rows_.size() == k_ ? std::nextafter(rows_.front().distance, infinity) : infinity;
   }
@@ -49,7 +49,7 @@ class Best {
   }
 
   std::uint64_t k_;
-  std::vector<NearestRow> rows_;  ///< a heap with the worst on top
+  std::vector<NearestRow> rows_;  ///< a heap with the last row on top
 };
 
 template <int D>

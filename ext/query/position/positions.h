@@ -1,10 +1,10 @@
-// Where is everything at a moment? predictive_position as a library call.
+// Positions and velocities of all objects at one time. predictive_position as a library call.
 //
 //   Positions positions(ships, 700);
 //   while (auto row = positions.next()) use(row->id, row->x[0]);
 //
-// Guarantee: every object that exists at the moment comes exactly once, in the scene's order; the others do
-// not come. Cost: one evaluation an object, when it is pulled.
+// Guarantee: every object that exists at that time comes exactly once, in the scene's order; the others do
+// not come. Cost: one evaluation per object, when it is pulled.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ struct PositionRow {
   std::array<double, 3> x, v;  ///< as many as the scene has axes
 };
 
-/// The scene's object number i at `time`; nothing if it does not exist then.
+/// The scene's object number i at `time`; empty if it does not exist then.
 /// Requires: `bodies` are the scene's, and the floating-point environment is a FloatEnvironment.
 std::optional<PositionRow> position_of(const Scene& scene, const Bodies& bodies, std::size_t i, double time);
 
@@ -30,7 +30,7 @@ class Positions {
   /// Throws Error unless `time` is finite.
   Positions(std::shared_ptr<const Scene> scene, double time);
 
-  /// The next object; nothing once there are none left.
+  /// The next object; empty at the end.
   std::optional<PositionRow> next();
 
  private:

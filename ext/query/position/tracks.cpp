@@ -12,7 +12,7 @@
 namespace foresee {
 namespace {
 
-constexpr double max_times = 9007199254740992;  // 2^53: up to there a double counts
+constexpr double max_times = 9007199254740992;  // 2^53: a double counts exactly up to it
 
 void require_valid(const TrackTimes& instants) {
   require_finite("t0", instants.t0);
@@ -20,7 +20,7 @@ void require_valid(const TrackTimes& instants) {
   require_order("t0", instants.t0, "t1", instants.t1);
   require_positive("step", instants.step);
   if (!(instants.t1 / instants.step - instants.t0 / instants.step < max_times))
-    throw Error("step is too small: from t0 to t1 there may be fewer than 2^53 moments");
+    throw Error("step is too small: from t0 to t1 there may be fewer than 2^53 times");
 }
 
 std::vector<std::size_t> rows_by_id(const std::vector<std::int64_t>& ids, Interrupt& interrupt) {

@@ -10,7 +10,7 @@
 namespace foresee {
 namespace {
 
-/// What every box meets that has the corners asked for.
+/// A box that intersects every box with queried corners.
 template <int D>
 Box<D> met_by_all(const std::vector<QueriedCorners>& queried) {
   constexpr double inf = std::numeric_limits<double>::infinity();
@@ -38,7 +38,7 @@ void require_valid_sweep(const SweepQuestion& question) {
 class Sweep::Leaves {
  public:
   virtual ~Leaves() = default;
-  /// Appends the rows of one leaf; false once there is none left.
+  /// Appends the rows of one leaf; false at the end.
   virtual bool next(std::vector<SweepRow>& rows) = 0;
 };
 

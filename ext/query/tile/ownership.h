@@ -1,4 +1,5 @@
-// Which candidates does a join's tile own? One byte an object, one operation a candidate.
+// Filter of candidates by the tile of a join that owns them: one byte per object, one operation per
+// candidate.
 //
 //   auto candidates = owned_candidates(make_gpcd_grid<2>(boxes, nullptr, interrupt), ownership);
 //
@@ -13,10 +14,10 @@
 
 namespace foresee {
 
-/// How the tile sees the objects of both sides, by row number.
+/// Marks of the objects of both sides, by row number.
 struct Ownership {
   std::vector<TileMarks> a, b;             ///< b: empty where both sides are one scene
-  std::size_t needed_a = 0, needed_b = 0;  ///< objects
+  std::size_t needed_a = 0, needed_b = 0;  ///< number of needed objects
 
   bool owns(const Pair& pair) const {
     const TileMarks other = b.empty() ? a[pair.b] : b[pair.b];

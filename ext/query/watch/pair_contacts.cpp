@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t batch_size = 1024;
 
-/// Pairs that somebody brings: there is nothing to look for.
+/// Stands for pairs that the caller gives: no search.
 class NoCandidates final : public Candidates {
  public:
   bool next(std::vector<Pair>&) override { return false; }

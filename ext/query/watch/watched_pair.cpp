@@ -5,7 +5,7 @@
 namespace foresee {
 namespace {
 
-/// Both are held: the row stays where it says the same.
+/// Requires: both are held. The stored row stays if it states the same.
 PairChange compare_held(const WatchedPair& before, const WatchedPair& after, const WatchClock& clock) {
   PairChange change{.row = after};
   const double before_t = clock.shown(before.told), now = clock.shown(after.t);

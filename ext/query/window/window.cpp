@@ -46,7 +46,7 @@ Vec<D> vector_of(const std::array<double, 3>& values) {
   return Eigen::Map<const Vec<D>>(values.data());
 }
 
-/// Leaf by leaf; the rows of a batch are decoded into one buffer.
+/// Reads one leaf after another; the rows of a batch are decoded into one buffer.
 template <int D>
 class WindowOfTree final : public ObjectCandidates {
  public:
@@ -96,8 +96,8 @@ class WindowOfTree final : public ObjectCandidates {
   }
 
  private:
-  /// Where its centre is within the faces, any shape touches the window; of an outline or a mesh, which may
-  /// lie beside its centre, the box must be. False where that is not certain.
+  /// Whether the object is certainly inside the window at `now`. It is if its centre is within the faces; for
+  /// an outline or a mesh, which need not contain its centre, the box must be within them.
   [[gnu::flatten]] bool is_inside(const double* record) const {
     const Motion<D> motion = reader_.motion(record);
     if (is_zone_ || now_ < motion.t || motion.until < now_) return false;
@@ -119,7 +119,7 @@ class WindowOfTree final : public ObjectCandidates {
   std::vector<double> rows_;
   std::vector<std::int64_t> ids_;
   Bodies bodies_;
-  RowForms forms_;  ///< of the rows of this batch, where the layout has any
+  RowForms forms_;  ///< of the rows of this batch, if the layout has outlines or meshes
 };
 
 }  // namespace
@@ -147,7 +147,7 @@ void require_axis(const WindowFaces& faces, int axis) {
   require_finite(("wv" + letter).c_str(), faces.velocity[j]);
 }
 
-/// What the objects do not have must be left out.
+/// Throws Error for a bound or a velocity on an axis that the objects do not have.
 void require_no_axis(const WindowQuestion& question, int axis) {
   const auto j = static_cast<std::size_t>(axis);
   const std::string letter(1, "xyz"[axis]);
@@ -170,7 +170,7 @@ void require_only_zone(const WindowQuestion& question) {
   }
 }
 
-/// Of what may touch the window: a zone lies within its box.
+/// Faces around all that may touch the window: for a zone those of its bounding box.
 WindowFaces faces_around(const WindowQuestion& question) {
   WindowFaces faces = question.faces;
   if (!question.zone) return faces;
@@ -225,7 +225,7 @@ std::span<const WindowRow> Window::next() {
   return rows_;
 }
 
-/// What is inside at `now` touches from then on; only an end needs to be computed.
+/// Adds the objects inside the window at `now`: they touch from then on, and only an end has to be computed.
 void Window::take_inside() {
   const double now = question_.now, nan = std::numeric_limits<double>::quiet_NaN();
   for (const std::uint32_t row : batch_.inside)
