@@ -1,4 +1,4 @@
-// Nobody who asks a computation to stop: what a test passes where it interrupts nothing.
+// Interrupt that never stops a computation, for tests that interrupt nothing.
 #pragma once
 
 #include "base/error.h"

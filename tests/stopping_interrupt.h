@@ -1,4 +1,4 @@
-// Who asks a computation to stop, at a check that the test chooses.
+// Interrupt that stops a computation at a check that the test chooses.
 //
 //   StopAt stop(3);                                      // three checks pass, the fourth throws Interrupted
 //   EXPECT_THROW(PaperGrid<2>(boxes, stop), Interrupted);

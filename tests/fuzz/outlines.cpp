@@ -1,7 +1,7 @@
 // Hostile outlines as text: numbers on a small grid and of any size, rings that cross and touch, and texts
-// that are cut, doubled and spoilt. A message or an outline will do; what is an outline must read back the
-// same, be cut into pieces of its area, and lie turned as an outline or be refused. A crash or a hang will
-// not do.
+// that are cut, doubled and corrupted. The result must be a message or an outline. An outline must read back
+// the same and be cut into pieces of its area. Its rotated form must be an outline or be refused. A crash or
+// a hang is a failure.
 #include <cstring>
 #include <string>
 
@@ -80,9 +80,9 @@ void run(FuzzBytes& bytes) {
     check_outline(outline);
     const ConvexPieces pieces = convex_pieces(outline);
     require_tiling(pieces, outline, text);
-    const Outline lies = turned(outline, heading);
-    check_turned(outline, lies, heading);
-    require_tiling(turned_pieces(pieces, lies), lies, text);
+    const Outline rotated = turned(outline, heading);
+    check_turned(outline, rotated, heading);
+    require_tiling(turned_pieces(pieces, rotated), rotated, text);
   } catch (const Error& error) {
     require(std::strlen(error.what()) < 400, "a long message", text);
   }

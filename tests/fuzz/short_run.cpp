@@ -1,9 +1,9 @@
 // A fuzzer's short run as a test: the same inputs on every machine, whatever the compiler.
 //
 //   short_run_nodes 0 1000 regressions/nodes_*     # these files, then inputs 0 to 999
-//   short_run_nodes 737 738                        # only the last one that it named before it failed
+//   short_run_nodes 737 738                        # only the input that it named last before it failed
 //
-// libFuzzer's own run depends on addresses, so it is another one each time: it is for long runs.
+// libFuzzer's own run depends on addresses, so it differs each time: it is for long runs.
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>

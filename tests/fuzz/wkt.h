@@ -1,4 +1,4 @@
-// What the fuzzers of outlines and meshes share: coordinates, texts that are spoilt, and what must hold.
+// Shared by the fuzzers of outlines and meshes: coordinates, corrupted texts, and checks of turned shapes.
 #pragma once
 
 #include <cmath>
@@ -18,7 +18,7 @@ inline void require(bool holds, const char* what, const std::string& text) {
   std::abort();
 }
 
-/// On a small grid, an ulp beside it, or of any size.
+/// A coordinate on a small grid, an ulp beside it, or of any size.
 inline std::string fuzz_coordinate(FuzzBytes& bytes) {
   switch (bytes.in_range(0, 9)) {
     case 0: {

@@ -1,4 +1,4 @@
-// Seeded scenes as something to search: as a scene, and as a tree over pages in memory.
+// Search targets from seeded scenes: each as a scene, and as a tree over pages in memory.
 #pragma once
 
 #include "query/join_cases.h"
@@ -7,7 +7,7 @@
 
 namespace foresee::testing {
 
-/// A snapshot of nothing but itself: the pages do not change while a test asks.
+/// Needs no snapshot: the pages do not change while a test queries them.
 inline std::shared_ptr<NodeSource> tree_of(const RandomScene& scene) {
   struct Held {
     explicit Held(const RandomScene& scene) : model(scene.layout, 5, 8) { model.load(scene); }

@@ -1,5 +1,5 @@
-// Time slabs: whatever the horizon is cut into, the rows are those of the plain answer, in the order asked
-// for.
+// Time slabs: however the horizon is cut, the rows are those of the join without slabs, in the requested
+// order.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,7 +34,7 @@ bool are_in_order(const std::vector<JoinRow>& rows, JoinOrder order) {
   });
 }
 
-/// Every order of the grid, which asks slab by slab, beside the plain answer.
+/// Every order of the grid, which joins one slab after another, gives the rows of the join without slabs.
 void expect_all_orders(JoinQuestion question, const std::string& what) {
   question.method = JoinMethod::scan;
   const auto scanned = numbers_of(rows_of(question));
@@ -50,7 +50,7 @@ void expect_all_orders(JoinQuestion question, const std::string& what) {
     }
 }
 
-/// One layout in twelve, beginning with `first`: all of them are asked, but not about everything.
+/// One layout in twelve, from number `first` on: every layout is tested, but not in every test.
 std::vector<Layout> some_layouts(std::size_t first) {
   const std::vector<Layout> all = all_layouts();
   std::vector<Layout> some;
@@ -79,8 +79,8 @@ TEST(JoinSlabs, GiveThePlainAnswerAtTheEdgesOfTime) {
       }
 }
 
-/// Its t is rounded to infinity; dt tells when.
-TEST(JoinSlabs, HoldWhatBeginsAfterTheLastDouble) {
+/// Its t is rounded to infinity; dt is the finite time.
+TEST(JoinSlabs, HoldContactsThatStartAfterTheLastDouble) {
   JoinQuestion question{.a = scene_of({.axes = 1, .law = Law::uniform, .has_t = true}, {1, 2, 3},
                                       {1e308, 0, 1, 1e308, 1.2e308, 0, 1e308, 1e300, 0}),
                         .now = 1e308,
@@ -89,7 +89,7 @@ TEST(JoinSlabs, HoldWhatBeginsAfterTheLastDouble) {
   EXPECT_EQ(rows_of(question).size(), 2u);
 }
 
-TEST(JoinSlabs, LeaveOutTimesThatAreNotAskedFor) {
+TEST(JoinSlabs, LeaveOutTimesThatAreNotQueried) {
   for (double now : {0.0, 0.7, -3.0}) {
     RandomScene scene = random_scene({.layout = {.axes = 2, .law = Law::uniform, .shape = Shape::ball},
                                       .kind = SceneKind::clustered,
@@ -162,7 +162,7 @@ struct CountingInterrupt final : Interrupt {
   std::size_t checks = 0;
 };
 
-TEST(JoinSlabs, GiveTheEarliestRowsWithoutLookingAtLaterOnes) {
+TEST(JoinSlabs, GiveTheEarliestRowsWithoutComputingLaterOnes) {
   const RandomScene scene = random_scene({.layout = discs, .count = 5000, .seed = 11});
   JoinQuestion question = question_about(scene);
   question.h = 100, question.queried_dt = after_now, question.order = JoinOrder::by_t;
@@ -186,12 +186,12 @@ TEST(TimeSlabs, FollowOneAnotherAndCoverTheHorizon) {
         EXPECT_EQ(slab->from, end);
         EXPECT_LT(slab->from, slab->before);
         EXPECT_GE(slab->horizon.now, now);
-        EXPECT_TRUE(count == 0 || slab->horizon.now < slab->from) << "what rounds to it begins earlier";
+        EXPECT_TRUE(count == 0 || slab->horizon.now < slab->from) << "times that round to it start earlier";
         EXPECT_GE(slab->horizon.now + slab->horizon.h, std::min(slab->before, now + 10));
         end = slab->before;
       }
       EXPECT_EQ(end, inf);
-      EXPECT_EQ(count, instant ? 8u : 7u);  // 0.1, 0.8, then 2 each; what is left is short
+      EXPECT_EQ(count, instant ? 8u : 7u);  // 0.1, 0.8, then 2 each; the remainder is short
     }
 }
 

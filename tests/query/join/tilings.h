@@ -1,4 +1,4 @@
-// Rectangles that cover the plane without overlap, cut where it hurts.
+// Random tilings: rectangles that cover the plane without overlap, cut at critical places.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace foresee::testing {
 
-/// The x and y by which tiles decide; y: nothing on one axis.
+/// The intervals in x and y by which tiles decide; y is empty on one axis.
 struct FlatBox {
   double lower[2] = {0, 0}, upper[2] = {0, 0};
 };

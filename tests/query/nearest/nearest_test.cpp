@@ -1,4 +1,5 @@
-// Nearest: ranks by the real distance rounded once, ties by id, whatever is searched.
+// k nearest neighbours: rows are ranked by the real distance rounded once, ties by id, in scenes and in
+// trees.
 #include "query/nearest/nearest.h"
 
 #include <gtest/gtest.h>
@@ -102,7 +103,7 @@ TEST_P(NearestOfEveryLayout, RanksEveryObjectByItsExactDistance) {
         EXPECT_TRUE(last < distance || (last == distance && last_id < id)) << id;
         last = distance, last_id = id;
         if (id % 4 != 0) continue;
-        // Exact contact of two points agrees: within the next double they meet, within the one before not.
+        // Exact contact of two points agrees: they touch within the next double, not within the one before.
         EXPECT_EQ(approaches(scene, question, std::nextafter(distance, infinity), id).size(), 1u) << distance;
         if (distance == 0) continue;
         EXPECT_EQ(approaches(scene, question, std::nextafter(distance, 0), id).size(), 0u) << distance;
@@ -130,7 +131,7 @@ TEST_P(NearestOfEveryLayout, TreeAgreesWithScan) {
 INSTANTIATE_TEST_SUITE_P(AxesLawShapeTimes, NearestOfEveryLayout, ::testing::ValuesIn(varied_layouts()));
 
 TEST(Nearest, EqualDistancesComeById) {
-  // Eight mirror images of one motion: different numbers on the way, the same distance.
+  // Eight mirror images of one motion: different intermediate numbers, the same distance.
   const Layout layout{.axes = 2, .law = Law::uniform};
   std::vector<double> rows;
   std::vector<std::int64_t> ids;
@@ -152,7 +153,7 @@ TEST(Nearest, EqualDistancesComeById) {
   }
 }
 
-TEST(Nearest, ADistanceIsTheNearestDoubleWhereDoublesCannotTell) {
+TEST(Nearest, ADistanceIsTheNearestDoubleWhereDoubleArithmeticCannotDecide) {
   const Layout layout{.axes = 2, .law = Law::uniform};
   // Passes the point at 1e-30 and 1e20 a second: no digit of the distance is left in double-double.
   const SearchTarget ships{"ships", scene_of(layout, {1}, {-1e20, 1e-30, 1e20, 0}), nullptr};

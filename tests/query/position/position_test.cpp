@@ -15,7 +15,7 @@ std::shared_ptr<Scene> scene_of(const Layout& layout, std::vector<std::int64_t> 
 
 const Layout lifetimes{.axes = 1, .law = Law::uniform, .has_t = true, .has_until = true};
 
-TEST(Positions, GiveEveryObjectThatExistsAtTheMoment) {
+TEST(Positions, GiveEveryObjectThatExistsAtTheTime) {
   const auto scene = scene_of(lifetimes, {7, 8, 9},
                               {0, 1, 2, 10,     // gone after 10
                                0, 1, 3, 100,    //
@@ -46,7 +46,7 @@ TEST(Positions, FollowAccelerationOnEveryAxis) {
   EXPECT_EQ(row->v, (std::array<double, 3>{16, 14, 42}));
 }
 
-TEST(Positions, RefuseAMomentThatIsNoNumber) {
+TEST(Positions, RefuseATimeThatIsNotFinite) {
   const auto scene = scene_of(lifetimes, {}, {});
   EXPECT_THROW(Positions(scene, std::numeric_limits<double>::infinity()), Error);
   EXPECT_FALSE(Positions(scene, 1).next());

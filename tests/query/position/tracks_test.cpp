@@ -39,9 +39,9 @@ std::vector<double> times_of(const TrackTimes& lifetime) {
   return all;
 }
 
-TEST(Tracks, ComeByMomentThenById) {
+TEST(Tracks, ComeByTimeThenById) {
   const auto scene = moved({9, -3}, {0, 1, 2, 10,    // 9 is gone after 10
-                                     5, 0, 1, 99});  // -3 begins at 5
+                                     5, 0, 1, 99});  // -3 starts at 5
   EXPECT_EQ(
       all_of(scene, {4, 11, 3}),
       (std::vector<TrackedRow>{{4, 9, 9}, {7, -3, 2}, {7, 9, 15}, {10, -3, 5}, {10, 9, 21}, {11, -3, 6}}));
@@ -55,7 +55,7 @@ TEST(Tracks, EndAtT1WhateverTheStep) {
   EXPECT_EQ(times_of({7, 7, 3}), (std::vector<double>{7}));
 }
 
-TEST(Tracks, RoundEachMomentOnce) {
+TEST(Tracks, RoundEachTimeOnce) {
   // 3 * 0.1 is 0.30000000000000004 in doubles; 1 + 3 * (the double 0.1), rounded once, is 1.3.
   EXPECT_EQ(times_of({1, 1.4, 0.1}), (std::vector<double>{1, 1.1, 1.2, 1.3, 1.4}));
   const auto fine = times_of({0, 1, 0.1});
@@ -69,11 +69,11 @@ TEST(Tracks, RoundEachMomentOnce) {
   }
 }
 
-TEST(Tracks, GiveMomentsThatRoundAlikeOnce) {
+TEST(Tracks, GiveTimesThatRoundAlikeOnce) {
   EXPECT_EQ(times_of({0x1p53, 0x1p53 + 4, 0.75}), (std::vector<double>{0x1p53, 0x1p53 + 2, 0x1p53 + 4}));
 }
 
-TEST(Tracks, RefuseWhatMakesNoMoments) {
+TEST(Tracks, RefuseArgumentsThatGiveNoTimes) {
   const auto scene = moved({1}, {0, 0, 0, 1});
   const double inf = std::numeric_limits<double>::infinity();
   for (const TrackTimes lifetime : {TrackTimes{0, 1, 0}, TrackTimes{0, 1, -1}, TrackTimes{0, 1, inf},
@@ -89,7 +89,7 @@ struct AtOnce final : Interrupt {
   void check() override { throw Interrupted(); }
 };
 
-TEST(Tracks, HeedInterruptsWhereNothingExists) {
+TEST(Tracks, CheckForInterruptsWhereNothingExists) {
   AtOnce at_once;
   Tracks tracks(moved({1}, {0, 0, 0, 1}), {5, 1e15, 1}, at_once);
   EXPECT_THROW(tracks.next(), Interrupted);

@@ -15,14 +15,14 @@ WatchedPair waiting(double t) {
   return {.a = 1, .b = 2, .t = t, .due = t, .told = t, .held = false};
 }
 
-TEST(WatchedPair, NewPairsAreToldWhereTheyAreHeld) {
+TEST(WatchedPair, NewPairsAreReportedIfTheyAreHeld) {
   const WatchedPair now = held(12), later = waiting(90);
   EXPECT_EQ(change_between(nullptr, &now, at_ten).op, '+');
   EXPECT_EQ(change_between(nullptr, &later, at_ten).op, 0);
   EXPECT_TRUE(change_between(nullptr, &later, at_ten).writes);
 }
 
-TEST(WatchedPair, PairsThatGoAreToldWhereTheyWereHeld) {
+TEST(WatchedPair, PairsThatEndAreReportedIfTheyWereHeld) {
   const WatchedPair now = held(12), later = waiting(90);
   EXPECT_EQ(change_between(&now, nullptr, at_ten).op, '-');
   EXPECT_EQ(change_between(&later, nullptr, at_ten).op, 0);
@@ -38,7 +38,7 @@ TEST(WatchedPair, TimesBeforeTheClockAreAllTheSame) {
   EXPECT_FALSE(change.writes);
 }
 
-TEST(WatchedPair, AMoveWithinTheToleranceIsWrittenAndNotTold) {
+TEST(WatchedPair, AMoveWithinTheToleranceIsWrittenAndNotReported) {
   const WatchedPair before = held(20), after = held(22);
   const PairChange change = change_between(&before, &after, {.clock = 10, .tolerance = 2});
   EXPECT_EQ(change.op, 0);

@@ -1,4 +1,4 @@
-// Windows: the same answers as a box that joins, whatever is searched, with any side left out.
+// Window queries: the same rows as a join with a box, from scenes and from trees, with any bound left out.
 #include "query/window/window.h"
 
 #include <gtest/gtest.h>
@@ -111,7 +111,7 @@ TEST_P(WindowOfEveryLayout, TreeAgreesWithScan) {
     }
 }
 
-/// Every subset of the sides left out is the window with those sides very far away.
+/// For every subset of the sides: leaving them out is the same as placing them very far away.
 TEST_P(WindowOfEveryLayout, AMissingSideIsOneThatIsNeverReached) {
   const RandomScene scene = random_scene({.layout = GetParam(), .count = 12, .seed = 35});
   Random random(36);
@@ -142,7 +142,7 @@ WindowFaces faces_of(double x0, double x1, double y0 = -infinity, double y1 = in
   return {.lower = {x0, y0, -infinity}, .upper = {x1, y1, infinity}};
 }
 
-TEST(Window, MeasuresADiscFromTheCornerRound) {
+TEST(Window, MeasuresTheDistanceOfADiscFromTheCorner) {
   const WindowFaces quarter = faces_of(-infinity, 0, -infinity, 0);
   // From (3, 104) down: the corner is 3 to the left, so it touches 4 above it.
   EXPECT_EQ(answer({.objects = one_disc(3, 104, 0, -1), .h = 200, .faces = quarter}),
@@ -162,7 +162,7 @@ TEST(Window, NeedsNoCentreThatADoubleHolds) {
   // 0.1 and 1e17 have no double between them that is their middle, and their difference is not a double.
   const WindowFaces wide = faces_of(0.1, 1e17, -infinity, infinity);
   EXPECT_EQ(answer({.objects = one_disc(-4.9, 0, 0, 0), .h = 1, .faces = wide}).size(),
-            0u);  // a hair short of 0.1
+            0u);  // slightly less than 0.1
   const SearchTarget points{
       "points",
       scene_of({.axes = 1}, {1, 2, 3, 4}, {0.1, std::nextafter(0.1, 0), 1e17, std::nextafter(1e17, 2e17)}),
