@@ -1,9 +1,9 @@
-// Which pairs does a rival miss, which does it invent, and how far are its moments off?
+// Agreement of a rival with foresee: missed pairs, invented pairs, and the error of contact times.
 //
-//   const Agreement steps = agreement_of(our_moments, moments_of_steps);
+//   const Agreement steps = agreement_of(our_times, times_of_steps);
 //   steps.missed, steps.invented, steps.off
 //
-// A moment a pair, in seconds from the beginning; below 0: they never touch.
+// One time per pair, in seconds from the start; below 0: they never touch.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct Agreement {
   double off = 0;  ///< at most, in seconds
 };
 
-/// The rival may have been asked for the first pairs only.
+/// The rival may have answered for the first pairs only.
 inline Agreement agreement_of(std::span<const double> ours, std::span<const double> rivals) {
   Agreement agreement;
   for (std::size_t i = 0; i < rivals.size(); ++i) {
@@ -34,7 +34,7 @@ inline Agreement agreement_of(std::span<const double> ours, std::span<const doub
   return agreement;
 }
 
-/// The moments of all pairs, by the hits among them, which stand in the same order.
+/// The times of all pairs, from the hits among them, which are in the same order.
 inline std::vector<double> times_of(std::span<const Pair> pairs, std::span<const Pair> hits,
                                     std::span<const ContactTimes> times) {
   std::vector<double> instants(pairs.size(), never);

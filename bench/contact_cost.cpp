@@ -1,11 +1,11 @@
-// What does exactness cost? The same join with the exact contact and with a textbook's in plain double: the
-// same grid, the same candidates, the same output.
+// Cost of exactness: the same join with the exact contact and with a textbook's in plain double, with the
+// same grid, candidates and output.
 //
 //   bench_contact_cost [--quick] [workload ...]
 //
-// Boxes, discs, cylinders, and boxes with discs (workloads.h). Prints nanoseconds of processor time an object
-// and the ratio of exact to plain (medians over repetitions in which both ran one after the other): for a
-// count and for (a, b, t), of the whole join and of contact alone.
+// Boxes, discs, cylinders, and boxes with discs (workloads.h). Prints nanoseconds of processor time per
+// object and the ratio of exact to plain, for a count and for (a, b, t), of the whole join and of contact
+// alone. Figures are medians over repetitions in which both ran one after the other.
 #include <cstdio>
 #include <iterator>
 #include <string>
@@ -79,14 +79,14 @@ Cost plain_join(const Workload& w, bool with_times) {
   });
 }
 
-/// Both ways, one after the other.
+/// Both contacts, one after the other.
 template <int D>
 void compare(const Workload& w, int repetitions) {
   std::printf("%s\n", w.name.c_str());
   for (const bool with_times : {false, true}) {
     std::vector<double> whole, contact, plain_ns, exact_ns;
     Cost plain, exact;
-    for (int repetition = 0; repetition <= repetitions; ++repetition) {  // the first only warms up
+    for (int repetition = 0; repetition <= repetitions; ++repetition) {  // the first is a warm-up
       plain = plain_join<D>(w, with_times);
       exact = exact_join<D>(w, with_times);
       if (repetition == 0) continue;

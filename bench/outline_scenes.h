@@ -1,5 +1,4 @@
-// Scenes of moving outlines, from fixed seeds: two fleets each, to be asked which of one touch which of the
-// other.
+// Scenes of moving outlines, from fixed seeds: two fleets each, for the pairs of both that touch.
 //
 //   const OutlineScene scene = ships(400);                 // two fleets of 400
 //   const std::vector<Pair> pairs = candidates(scene, 20000);
@@ -39,7 +38,7 @@ OutlineScene stars(std::size_t count);
 /// One such star, and points.
 OutlineScene points_and_a_star(std::size_t count);
 
-/// The pairs whose swept boxes meet, `most` at most.
-std::vector<Pair> candidates(const OutlineScene& scene, std::size_t most);
+/// The pairs whose swept boxes intersect, at most `max_pairs`.
+std::vector<Pair> candidates(const OutlineScene& scene, std::size_t max_pairs);
 
 }  // namespace foresee::bench

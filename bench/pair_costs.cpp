@@ -14,9 +14,10 @@ double nanoseconds_a_pair(std::size_t pairs, Work&& work) {
 
 }  // namespace
 
-void PairCosts::add_rival(std::string name, std::size_t most, int repetitions,
+void PairCosts::add_rival(std::string name, std::size_t max_pairs, int repetitions,
                           std::function<double(const Pair&)> first_time) {
-  rivals_.push_back({std::move(name), std::min(most, pairs_.size()), repetitions, std::move(first_time)});
+  rivals_.push_back(
+      {std::move(name), std::min(max_pairs, pairs_.size()), repetitions, std::move(first_time)});
 }
 
 /// The first repetition warms up.

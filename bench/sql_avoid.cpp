@@ -1,14 +1,14 @@
-// Measures to avoid collision through SQL, beside a join of the same id.
+// Manoeuvres that avoid collision through SQL, beside a join of the same id.
 //
 //   bench_sql_avoid [--quick] [FILE]
 //
-//   uniform  one disc of radius 10 for each (100 m)^2, |v| <= 10 an axis, 60 s: 10^3 to 10^5 objects
+//   uniform  one disc of radius 10 for each (100 m)^2, |v| <= 10 per axis, 60 s: 10^3 to 10^5 objects
 //   hulls    the same with 10^4 hulls of 8 by 20 for discs, turned to their course
 //   crowd    10^4 discs in one spot
 //   FILE     ships: id, t, x, y, vx, vy of a CSV file, those that would come within 200 m of another in 600 s
 //
-// For each: turn and speed of one object, predictive_join of the same id, and, as one would do without, its
-// 361 turned copies joined with the table. Processor time a question, medians; ratios are of the same
+// For each: turn and speed of one object, predictive_join of the same id, and the method without foresee, its
+// 361 turned copies joined with the table. Processor time per query, medians; ratios are of the same
 // repetition.
 #include <cmath>
 #include <cstdio>
@@ -29,7 +29,7 @@ struct Scene {
   std::vector<std::int64_t> queried;
 };
 
-/// What ships look like: columns, their values as of a velocity ?4, ?5, and those of a copy turned by k.
+/// Declaration of the ships: columns, their values for a velocity ?4, ?5, and those of a copy turned by k.
 struct ShipShape {
   std::string columns, drawn, turned;
 };
@@ -89,7 +89,7 @@ Scene fill_ships(Database& db, const std::string& path) {
   return scene;
 }
 
-/// Seconds a question: each asked id bound as ?1.
+/// Seconds per query, with each queried id bound as ?1.
 double seconds_a_question(Statement& statement, const Scene& scene, std::int64_t& rows) {
   rows = 0;
   return seconds_of([&] {
@@ -113,13 +113,13 @@ double seconds_of_copies(Database& db, const Scene& scene, const ShipShape& ship
   const std::string join = "SELECT a, count(*) FROM predictive_join(" + std::to_string(scene.h) +
                            ", 'turned', " + std::to_string(scene.within) +
                            ", 'ships') WHERE b <> ?1 GROUP BY a";
-  Statement ask(db, join);
+  Statement statement(db, join);
   return seconds_of([&] {
     db.run("DELETE FROM turned");
     write.bind(1, id);
     write.step_all();
-    ask.bind(1, id);
-    ask.step_all();
+    statement.bind(1, id);
+    statement.step_all();
   });
 }
 

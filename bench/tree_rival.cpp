@@ -1,6 +1,6 @@
 // libspatialindex's TPR-tree beside ours: the same objects in uniform motion, inserted one by one, the same
-// windows, and the self-join, which the rival can only do by one probe an object (its selfJoinQuery is not
-// implemented).
+// windows, and the self-join. The rival can do the join only by one probe per object, as its selfJoinQuery is
+// not implemented.
 //
 //   bench_tree_rival [objects]
 //

@@ -17,7 +17,7 @@ Setup setup_of(const Family& family) {
   return {family.a(), family.b(), family.horizon, 0, 0};
 }
 
-/// One pair in the contact room, stage by stage.
+/// One pair in the contact module, one stage after another.
 class Stages {
  public:
   explicit Stages(const Family& family)
@@ -52,7 +52,7 @@ class Stages {
     return decide(polynomials, exact_lifetime_of(setup_, a(i), b(i)));
   }
 
-  /// As SetContact times a begin.
+  /// The start of the contact, as SetContact computes it.
   std::size_t& time_stage(std::size_t i, Advancement<3, 2>& advancement, const PairLifetime& lifetime,
                           StageShares& shares) {
     Bracket first;

@@ -9,7 +9,7 @@ double total(const Draft& d, int j) {
   return d.half[0][j] + d.half[1][j];
 }
 
-/// One random number a statement: the order in which arguments are evaluated is the compiler's choice.
+/// One random number per statement: the order in which arguments are evaluated is the compiler's choice.
 void drift(Maker& m, Draft& d, double t0, double places, double speeds) {
   for (int j = 0; j < 3; ++j) {
     const double place = m.lattice(places), speed = m.lattice(speeds);
@@ -51,7 +51,7 @@ Draft simultaneous(Maker& m) {
   return d;
 }
 
-/// Radii 5 k in all, b passing 3 k, 4 k to the side: the distance is least, and exactly 5 k, at t0.
+/// Radii 5 k in all, b passing 3 k, 4 k to the side: the distance is smallest, and exactly 5 k, at t0.
 Draft tangent(Maker& m) {
   Draft d = m.plain();
   const double t0 = m.time(), k = 0.125 * static_cast<double>(1 + m.random.below(4));

@@ -1,5 +1,5 @@
-// Pairs in the making: one function for each way in which a pair is hard, before anybody has said where its
-// reference times lie and by how much it is scaled (families.cpp).
+// Drafts of pairs: one function for each numerical difficulty of families.h. A draft does not have reference
+// times and scale yet (families.cpp).
 //
 //   Random random(7);
 //   Maker maker(random, 8);             // within a horizon of 8
@@ -15,11 +15,11 @@ namespace foresee::bench {
 
 using testing::Random;
 
-/// A pair in the making: the numbers of a and those of b relative to a. Relative numbers on a lattice of
+/// A draft of a pair: the numbers of a and those of b relative to a. Relative numbers on a lattice of
 /// sixteenths stay exact when they are added to those of a.
 struct Draft {
   double x[3] = {}, v[3] = {}, a[3] = {};                 ///< of a
-  double to_x[3] = {}, to_v[3] = {}, to_a[3] = {};        ///< of b, less those of a
+  double to_x[3] = {}, to_v[3] = {}, to_a[3] = {};        ///< of b, minus those of a
   double half[2][3] = {{1, 1, 1}, {1, 1, 1}}, r[2] = {};  ///< r of balls
 };
 
@@ -53,10 +53,10 @@ class Maker {
     return d;
   }
 
-  /// The moment at which something exact is to happen: strictly inside the horizon.
+  /// The time of the exact event: strictly inside the horizon.
   double time() { return (1 + static_cast<double>(random.below(14))) / 16 * h; }
 
-  /// Lets b be at `place` of axis j at the moment t0, with the relative speed v and acceleration a of then.
+  /// Places b at `place` on axis j at time t0, with relative speed v and acceleration a at that time.
   void pass(Draft& d, int j, double place, double t0, double v, double a) {
     d.to_x[j] = place - v * t0 + a * t0 * t0 / 2;
     d.to_v[j] = v - a * t0;
@@ -67,7 +67,7 @@ class Maker {
   double h;
 };
 
-// The ways of families.h, by its names; sparse, dense and accelerated are hard in none.
+// The families of families.h, by its names; sparse, dense and accelerated have no difficulty.
 Draft sparse(Maker& m);
 Draft dense(Maker& m);
 Draft accelerated(Maker& m);

@@ -7,9 +7,9 @@ namespace foresee::bench {
 namespace {
 
 void compare(ShipTables& tables, const std::string& what, const std::string& sql, int repetitions,
-             auto&& ask) {
+             auto&& run) {
   TimedQuery hulls(tables.hulls.db(), sql), boxes(tables.boxes.db(), sql), discs(tables.discs.db(), sql);
-  ask_in_turns({&hulls, &boxes, &discs}, repetitions, ask);
+  query_in_turns({&hulls, &boxes, &discs}, repetitions, run);
   const double cost = median(hulls.seconds);
   std::printf("%-28s hulls %8.1f ms", what.c_str(), cost * 1e3);
   for (const auto& [name, other] : {std::pair("boxes", &boxes), {"discs", &discs}})
@@ -20,7 +20,7 @@ void compare(ShipTables& tables, const std::string& what, const std::string& sql
   std::fflush(stdout);
 }
 
-/// What the refinement is asked and removes.
+/// The input of the refinement and the pairs that it removes.
 void print_refinement(Database& hulls, const std::string& inputs) {
   Statement explain(hulls, "SELECT n_before, n_after, seconds, detail FROM predictive_explain(" + inputs +
                                ") WHERE stage = 'refinement'");

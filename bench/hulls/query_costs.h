@@ -1,4 +1,4 @@
-// The same question to several tables, one after another in each repetition: what does it cost each?
+// Cost of the same query on several tables, one after another in each repetition.
 #pragma once
 
 #include "measure.h"
@@ -6,7 +6,7 @@
 
 namespace foresee::bench {
 
-/// A prepared question; its first column is a number of rows.
+/// A prepared query; its first column is a number of rows.
 struct TimedQuery {
   TimedQuery(Database& db, const std::string& sql) : statement(db, sql) {}
 
@@ -15,9 +15,9 @@ struct TimedQuery {
   std::int64_t rows = 0;
 };
 
-/// `predicate` steps through the question once, or once a value that it binds.
+/// `predicate` steps through the query once, or once for each value that it binds.
 template <class Predicate>
-void ask_in_turns(const std::vector<TimedQuery*>& questions, int repetitions, Predicate&& predicate) {
+void query_in_turns(const std::vector<TimedQuery*>& questions, int repetitions, Predicate&& predicate) {
   for (int i = 0; i <= repetitions; ++i)
     for (TimedQuery* question : questions) {
       question->rows = 0;
@@ -26,7 +26,7 @@ void ask_in_turns(const std::vector<TimedQuery*>& questions, int repetitions, Pr
     }
 }
 
-/// Steps through all rows, the numbers of which add up.
+/// Steps through all rows, whose numbers are added up.
 inline void step_through(TimedQuery& question) {
   while (question.statement.step()) question.rows += question.statement.integer(0);
 }

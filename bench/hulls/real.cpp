@@ -44,7 +44,7 @@ void measure_real_hulls(const std::string& file, bool quick) {
                                      {"t, t_end", "count(*), sum(t), sum(t_end)"}}) {
       const std::string select = std::string("SELECT ") + what + " FROM ";
       TimedQuery hulls(db, select + join("hulls")), boxes(db, select + join("boxes"));
-      ask_in_turns({&hulls, &boxes}, quick ? 25 : 101, step_through);
+      query_in_turns({&hulls, &boxes}, quick ? 25 : 101, step_through);
       std::printf(
           "real hulls, within %-3s %-9s %7.3f ms, %lld pairs   boxes %7.3f ms, %lld pairs: %.2f times (mark: "
           "3)\n",

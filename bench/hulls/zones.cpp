@@ -58,8 +58,7 @@ void insert(Database& db, const std::vector<Zone>& zones) {
   }
 }
 
-/// How many of the points that meet the zones' boxes are found in the zones in steps of 0.1 s; the boxes'
-/// candidates are given.
+/// The number of candidates, points that touch the zones' boxes, found in the zones in steps of 0.1 s.
 std::int64_t step_through_candidates(Database& db, const std::vector<Zone>& zones,
                                      const std::vector<Ship>& points) {
   Statement candidates(db, "SELECT id FROM predictive_window(600, 'ships', ?1, ?2, ?3, ?4)");
@@ -98,7 +97,7 @@ void measure_zones(bool quick) {
     TimedQuery by_box(table.db(), select +
                                       "ON w.h = 600 AND w.tbl = 'ships' AND w.x0 = z.x0 AND w.x1 = z.x1 AND "
                                       "w.y0 = z.y0 AND w.y1 = z.y1");
-    ask_in_turns({&by_zone, &by_box}, quick ? 3 : 15, step_through);
+    query_in_turns({&by_zone, &by_box}, quick ? 3 : 15, step_through);
     const double zone = median(by_zone.seconds) / number_of_zones,
                  box = median(by_box.seconds) / number_of_zones;
     std::printf(

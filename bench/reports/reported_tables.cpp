@@ -1,5 +1,5 @@
-// Questions to a table that has been reported all over, or was loaded in twenty transactions, beside the same
-// questions to one that was loaded at once: the same objects, the same answers.
+// Queries of a table all of whose objects have reported, or that was loaded in twenty transactions, beside a
+// table of the same objects that was loaded at once. Both must give the same results.
 #include <bit>
 #include <cmath>
 #include <cstdio>
@@ -12,7 +12,7 @@
 namespace foresee::bench {
 namespace {
 
-/// How many rows, and what they say in whatever order.
+/// The number of rows, and a sum of their values that does not depend on their order.
 struct Answer {
   std::uint64_t rows = 0, hash = 0;
   friend bool operator==(const Answer&, const Answer&) = default;
@@ -43,7 +43,7 @@ class Places {
 
 struct Question {
   std::string what;
-  std::function<void(Table&, Answer&)> ask;
+  std::function<void(Table&, Answer&)> run;
 };
 
 /// S has an object on every 14 units of area, and during the horizon of 3 they come from about 4.4 units
@@ -95,7 +95,7 @@ Question join(const char* what, const char* method) {
           }};
 }
 
-/// Fresh / used time of every question, of the same repetition.
+/// Ratio of fresh to used time of every query, in the same repetition.
 void compare(Table& used, Table& fresh, const Workload& w, int repetitions) {
   const Question questions[] = {join("join", "auto"), join("join by the tree", "tree"),
                                 window(w, 10, 3000),  window(w, 100, 1000),
@@ -103,10 +103,10 @@ void compare(Table& used, Table& fresh, const Workload& w, int repetitions) {
                                 partners(w, 3000)};
   for (const Question& question : questions) {
     Comparison times;
-    for (int i = 0; i <= repetitions; ++i) {  // the first warms up
+    for (int i = 0; i <= repetitions; ++i) {  // the first is a warm-up
       Answer of_used, of_fresh;
-      const double seconds = seconds_of([&] { question.ask(used, of_used); });
-      const double as_fresh = seconds_of([&] { question.ask(fresh, of_fresh); });
+      const double seconds = seconds_of([&] { question.run(used, of_used); });
+      const double as_fresh = seconds_of([&] { question.run(fresh, of_fresh); });
       if (of_used != of_fresh) throw Error(question.what + ": the used table answers otherwise");
       if (i > 0) times.add(seconds, as_fresh);
       if (i == repetitions)
