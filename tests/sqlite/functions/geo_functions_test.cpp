@@ -71,7 +71,7 @@ TEST_F(GeoFunctions, OfHeightsAndClimbsThatAreNullAreAtSeaLevel) {
 
 TEST_F(GeoFunctions, SayWhatIsWrong) {
   EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane(91, 181, 3, 4, 5, 6)"),
-            "geo_to_plane: lat is 91: latitudes lie between -90 and 90; write NULL where there is none, as "
+            "geo_to_plane: lat is 91: latitudes lie between -90 and 90; write NULL if it is unknown, as "
             "nullif(lat, 91) does for AIS");
   EXPECT_EQ(db.error_of("SELECT * FROM geo_to_plane(1, 2, 3, 4, NULL, 6)"),
             "geo_to_plane: lat0 is missing or NULL: write geo_to_plane(lat, lon, speed, course, lat0, lon0)");
