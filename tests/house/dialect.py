@@ -86,7 +86,7 @@ NAMES = [(re.compile(rf"(?:^|_)(?:{pattern})(?=_|$)"), write) for pattern, write
     (r"(?<!at_)least", "min, lower_bound"),
     (r"ways?", "path, trajectory, context, method, crossing"),
     (r"looks", "evaluations"),
-    (r"for_ever", "unbounded"),
+    (r"for_?ever", "unbounded"),
     (r"powers", "coefficients"),
     (r"letter", "reference"),
     (r"anew", "again; rebuild, recompute"),

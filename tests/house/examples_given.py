@@ -42,7 +42,7 @@ COMMON = {
     "motion": "const Motion<2>&", "extents": "const Extents<2>&",
     "relative": "const CertainMotion<2>&",
     "outline": "const Outline&", "mesh": "const Mesh&",
-    "met": "const Encounter<2>&", "looks": "std::uint64_t&",
+    "encounter": "const Encounter<2>&", "evaluations": "std::uint64_t&",
     "later": "double",
 }
 
@@ -52,7 +52,7 @@ GIVEN = {
     "interrupt_steps.h": {"ids": "std::vector<int>&"},
     "box_lanes.h": {"lanes": "BoxLanes<2, 1>&", "rows": "RowLanes<2>&", "l": "std::size_t"},
     "set_lanes.h": {"l": "std::size_t"},
-    "encounter.h": {"rule": "const ExtentsRule&"},
+    "trajectory_family.h": {"rule": "const ExtentsRule&"},
     "pair_extents.h": {"ships": "const Bodies&"},
     "piece_sum.h": {"hull": "const ObjectPieces&", "quay": "const ObjectPieces&"},
     "space_pieces.h": {"meshes": "const MeshRows&"},

@@ -27,7 +27,7 @@ std::optional<double> end_between(const std::function<SignedDistance(double)>& d
   const SignedDistance at_p = distance_at(p), at_q = at_p ? distance_at(q) : std::nullopt;
   if (!at_q || (*at_p > 0) == (*at_q > 0)) return std::nullopt;
   double low_gap = *at_p, high_gap = *at_q;
-  // Regula falsi, the end that stays halved (Illinois); steps of half the width close the bracket.
+  // Regula falsi with the retained end halved (Illinois); steps of half the width close the bracket.
   for (int evaluation = 0, side = 0; high - low > width; ++evaluation) {
     if (evaluation == 60) return std::nullopt;
     double k = low + (high - low) * (low_gap / (low_gap - high_gap));

@@ -1,4 +1,5 @@
-// At which change does touching begin or cease? A guess, so that a proof need not halve its way to it.
+// Estimate of the change at which touching starts or ends, by regula falsi: it saves the bisection of ranges.
+// The result is a guess and proves nothing.
 #pragma once
 
 #include <functional>
@@ -8,20 +9,21 @@
 
 namespace foresee {
 
-/// Nothing where it is not known: paths that bend, extents that grow away from a centre.
+/// No value for bent paths, and for the slope of growing extents or sums of pieces.
 using SignedDistance = std::optional<double>;
 
-/// How far outside the other a changed motion stays; 0 or less where it touches.
+/// The smallest distance of a changed motion from the other object; 0 or less if it touches.
 template <int D>
 SignedDistance gap_of(const Encounter<D>& encounter, const OwnMotion& base, const Change& change, double k);
 
-/// Of one that touches the other at first: how its centre moves away then; 0 or less where it does not part.
+/// Half the slope of the squared distance of the centres at the change, of two that touch then; below 0 if
+/// they approach.
 template <int D>
 SignedDistance opening_rate_of(const Encounter<D>& encounter, const OwnMotion& base, const Change& change,
                                double k);
 
-/// Between p and q, the change at which `distance_at` passes 0, as near as `width`; nothing unless one of
-/// the two is above 0 and the other is not.
+/// The change between p and q at which `distance_at` passes 0, within `width`. No value unless the distance
+/// is above 0 at exactly one of the two.
 std::optional<double> end_between(const std::function<SignedDistance(double)>& distance_at, double p,
                                   double q, double width);
 

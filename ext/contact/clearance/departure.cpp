@@ -18,7 +18,7 @@ double magnitude_of(const Encounter<D>& encounter) {
   return encounter.x.abs().maxCoeff() + encounter.extents.size();
 }
 
-/// How the changes of a range start.
+/// The first instants of all changes of a range, along the normals of possible separating planes.
 template <int D>
 class Start {
  public:
@@ -29,9 +29,10 @@ class Start {
     acceleration_ = family.upper[2].abs().max(family.lower[2].abs()) + encounter.a.abs();
   }
 
-  /// Of discs and balls, on whose axes the distance may grow as they move past each other, too: its square
-  /// exceeds that of the reach by `gap`, and by 2 c0 tau + c1 tau^2 + ..., as long as c1 outweighs the rest.
-  void look_round(int axes, double gap) {
+  /// Discs and balls, whose distance on these axes may also increase as they pass each other. Its square
+  /// exceeds that of the reach by `gap`, and later by gap + 2 c0 tau + c1 tau^2 + …, as long as c1 outweighs
+  /// the rest.
+  void probe_round(int axes, double gap) {
     EnclosedNumber c0, c1, c2;
     for (int axis = 0; axis < axes; ++axis) {
       const EnclosedNumber x{encounter_.x[axis] - encounter_.ex[axis],
@@ -39,7 +40,7 @@ class Start {
           v = relative_velocity(axis), a = relative_acceleration(axis);
       c0 += product(x, v), c1 += square(v), c1 += product(x, a), c2 += product(v, a);
     }
-    // They touch at once where the sum of the first three falls below 0, and not for coming nearer alone.
+    // They touch at once if the sum of the first three terms falls below 0; an approach alone is not enough.
     all_approach_ = false;
     all_touch_ = c0.high < 0 && gap * std::max(c1.high, 0.0) <= c0.high * c0.high;
     const bool is_bent = !(acceleration_ == 0).all();
@@ -54,9 +55,9 @@ class Start {
     if (c1.low >= 0 || -c1.low * until * until < 0.25 * gap) away_until_round_ = until;
   }
 
-  /// Whose plane has this normal, off by no more than `error` on an axis.
+  /// Tests the plane of this normal, which is within `error` on each axis.
   void probe_along(const Vec<D>& n, const Vec<D>& error) {
-    if (!(n.abs().maxCoeff() >= min_normal)) return is_unknown();
+    if (!(n.abs().maxCoeff() >= min_normal)) return set_unknown();
     const auto& extents = encounter_.extents;
     double growth = 0;
     if (extents.grows) {
@@ -65,14 +66,14 @@ class Start {
     }
     const double off = (error * speed_).sum() * (1 + 0x1p-48);
     const double unsure = 0x1p-44 * ((n.abs() * speed_).sum() + growth) + off;
-    const double least = min_of<D>(n, encounter_.v, encounter_.ev, velocity_) - growth - off;
-    const double most = (n * encounter_.v).sum() + velocity_.support(-n) - growth;
-    away_until_ = std::min(away_until_, least < 0 ? -1.0 : bent_until(n, error, least));
-    all_approach_ = all_approach_ && most < -unsure;
+    const double min_speed = min_of<D>(n, encounter_.v, encounter_.ev, velocity_) - growth - off;
+    const double max_speed = (n * encounter_.v).sum() + velocity_.support(-n) - growth;
+    away_until_ = std::min(away_until_, min_speed < 0 ? -1.0 : bent_until(n, error, min_speed));
+    all_approach_ = all_approach_ && max_speed < -unsure;
     ++count_;
   }
 
-  void is_unknown() { away_until_ = -1, all_approach_ = false; }
+  void set_unknown() { away_until_ = -1, all_approach_ = false; }
   Departure departure() const {
     return {count_ > 0 ? std::max(away_until_, away_until_round_) : -1, count_ > 0 && all_approach_,
             all_touch_};
@@ -90,12 +91,13 @@ class Start {
             encounter_.a[axis] - family_.lower[2][axis] + size};
   }
 
-  /// How long they are on their way outward along n: `speed` + tau `acceleration` / 2 is not below 0.
+  /// Until when the two move apart along n: `speed` + tau `acceleration` / 2 is not below 0.
   double bent_until(const Vec<D>& n, const Vec<D>& error, double speed) const {
     if ((acceleration_ == 0).all()) return unbounded;
-    const double least = 0.5 * min_of<D>(n, encounter_.a, Vec<D>(Vec<D>::Zero()), family_.all.acceleration) -
-                         (error * acceleration_).sum();
-    return least >= 0 ? unbounded : speed / -least * (1 - 0x1p-48);
+    const double min_acceleration =
+        0.5 * min_of<D>(n, encounter_.a, Vec<D>(Vec<D>::Zero()), family_.all.acceleration) -
+        (error * acceleration_).sum();
+    return min_acceleration >= 0 ? unbounded : speed / -min_acceleration * (1 - 0x1p-48);
   }
 
   const Encounter<D>& encounter_;
@@ -107,19 +109,19 @@ class Start {
   int count_ = 0;
 };
 
-/// The planes of a sum, of which that around a corner is not known.
+/// The planes of a sum of pieces. At a corner the normal is not known.
 template <int D>
-void look_along_sum(const Encounter<D>& encounter, double slack, Start<D>& start) {
+void probe_sum(const Encounter<D>& encounter, double slack, Start<D>& start) {
   const auto& extents = encounter.extents;
   Vec<D> n = Vec<D>::Zero(), error = Vec<D>::Zero();
   if (extents.radius > 0x1p20 * slack) {
-    // The nearest place of a piece that is off by so little lies in nearly the same direction.
+    // With so small an error the nearest point of a piece has nearly the same direction.
     const double distance = extents.sum->signed_distance(encounter.x[0], encounter.x[1], n[0], n[1]);
-    if (!(distance > 0.5 * extents.radius)) return start.is_unknown();
+    if (!(distance > 0.5 * extents.radius)) return start.set_unknown();
     error[0] = error[1] = 4 * std::sqrt(slack / distance);
     start.probe_along(n, error);
   } else if (extents.radius > slack) {
-    start.is_unknown();
+    start.set_unknown();
   } else {
     extents.sum->for_each_edge_near(encounter.x[0], encounter.x[1], slack,
                                     [&](double x, double y, double off) {
@@ -129,12 +131,12 @@ void look_along_sum(const Encounter<D>& encounter, double slack, Start<D>& start
   }
 }
 
-/// The normal of a box grown round by a radius: the way from the box.
+/// The normal of a box grown by a radius: the direction away from the box.
 template <int D>
-void look_along_round(const Encounter<D>& encounter, double slack, Start<D>& start) {
+void probe_round_set(const Encounter<D>& encounter, double slack, Start<D>& start) {
   const auto& extents = encounter.extents;
   if constexpr (D > 1)
-    if (extents.sum) return look_along_sum<D>(encounter, slack, start);
+    if (extents.sum) return probe_sum<D>(encounter, slack, start);
   Vec<D> n = Vec<D>::Zero(), error = Vec<D>::Zero();
   int beyond = 0;
   for (int axis = 0; axis < extents.round_axes; ++axis) {
@@ -147,7 +149,7 @@ void look_along_round(const Encounter<D>& encounter, double slack, Start<D>& sta
   }
   if (beyond == 1) n = n.sign(), error.setZero();
   if (beyond == 0 || extents.radius <= slack)
-    start.is_unknown();
+    start.set_unknown();
   else
     start.probe_along(n, error);
 }
@@ -163,10 +165,10 @@ Departure departure_of(const Encounter<D>& encounter, const TrajectoryFamily<D>&
   const Vec<D> over = encounter.x.abs() - extents.half;
   const bool is_round = extents.sum || (D > 1 && extents.radius > 0);
   if (is_round && signed_distance_in_round_axes<D>(extents, over, encounter.x, ignored) >= -slack)
-    look_along_round<D>(encounter, slack, start);
+    probe_round_set<D>(encounter, slack, start);
   bool may_be_above = false;
   for (int axis = extents.round_axes; axis < D; ++axis) may_be_above = may_be_above || over[axis] >= -slack;
-  if (encounter.square_gap > 0 && !may_be_above) start.look_round(extents.round_axes, encounter.square_gap);
+  if (encounter.square_gap > 0 && !may_be_above) start.probe_round(extents.round_axes, encounter.square_gap);
   for (int axis = is_round ? extents.round_axes : 0; axis < D; ++axis) {
     if (over[axis] - (D == 1 ? extents.radius : 0) < -slack) continue;
     Vec<D> n = Vec<D>::Zero();
@@ -179,7 +181,7 @@ Departure departure_of(const Encounter<D>& encounter, const TrajectoryFamily<D>&
 template <int D>
 bool is_beside(const Encounter<D>& encounter) {
   const auto& extents = encounter.extents;
-  if (extents.radius < 0 || (extents.half < 0).any()) return false;  // it may yet become something
+  if (extents.radius < 0 || (extents.half < 0).any()) return false;  // the extents may grow later
   Vec<D> ignored;
   return signed_distance<D>(extents, encounter.x, ignored) <= 0x1p-24 * magnitude_of(encounter);
 }

@@ -1,11 +1,11 @@
-// Does an object move away at once from one that it starts beside, so near that doubles do not tell it from
-// touching? Exact contact has found the two apart; the plane that stood between them then still does if they
-// move apart along its normal.
+// Certificate that an object moves away at once from one so near that doubles do not separate the two.
 //
-//   const Departure leaving = departure_of<2>(encounter, family);            // met.beside
-//   leaving.away_until >= encounter.end                                    // clear: a proof for every change
+//   const Departure departure = departure_of<2>(encounter, family);  // encounter.beside
+//   departure.away_until >= encounter.end                            // clear: a proof for every change
 //
-// Which plane that is need not be known: all are looked at that may be. Cost: some 50 ns.
+// Exact contact has found the two apart, so a separating plane exists at the change. It still separates them
+// later if they move apart along its normal. The plane itself need not be known: every plane that it may be
+// is tested. Cost: some 50 ns.
 #pragma once
 
 #include "contact/clearance/trajectory_family.h"
@@ -13,16 +13,16 @@
 namespace foresee {
 
 struct Departure {
-  double away_until;  ///< no change touches so long after the start; below 0: not known of any time
-  bool all_approach;  ///< every change surely comes nearer at once
-  bool all_touch;     ///< every change touches at once, nearly surely
+  double away_until;  ///< no change touches for so long after the start; below 0: no proof
+  bool all_approach;  ///< every change certainly approaches at once
+  bool all_touch;     ///< every change very probably touches at once
 };
 
-/// Requires: met.beside, not ways.delayed (seen_from_start.h).
+/// Requires: encounter.beside, and not family.delayed.
 template <int D>
 Departure departure_of(const Encounter<D>& encounter, const TrajectoryFamily<D>& family);
 
-/// Whether an object that starts apart is so near that the above is worth asking.
+/// Whether an object that starts apart is so near that departure_of() is worth its cost.
 template <int D>
 bool is_beside(const Encounter<D>& encounter);
 

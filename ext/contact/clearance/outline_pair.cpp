@@ -5,7 +5,7 @@
 namespace foresee {
 namespace {
 
-/// Of a box's farthest corner, rounded up.
+/// The distance of the farthest corner of a box from the origin, rounded up.
 double reach_of(const Box<2>& box) {
   const Vec<2> far = box.lower.abs().max(box.upper.abs());
   const double largest = far.maxCoeff();
@@ -14,14 +14,14 @@ double reach_of(const Box<2>& box) {
          std::numeric_limits<double>::denorm_min();
 }
 
-/// Of what a row looks like, from its bounds.
+/// The same of the bounds of a row.
 double reach_of_row(const Bodies& bodies, std::size_t i) {
   ObjectPieces around;
   around.take_row(bodies, nullptr, i);
   return reach_of(around.box(ObjectPieces::root));
 }
 
-/// As one piece.
+/// A box as one piece.
 ConvexPiece piece_of(const Box<2>& box, ObjectPieces& made) {
   made.take_box(box);
   return made.piece(0);

@@ -1,14 +1,14 @@
-// Which convex sets together are the places at which two objects touch of which one has an outline? A sum for
-// each pair of their convex pieces, under sums of boxes around many, so that pieces are looked at only where
-// they matter.
+// The relative positions at which two objects touch if one has an outline, as a hierarchy of Minkowski sums.
+// The leaves are the sums of two convex pieces. Inner nodes are sums of boxes around several pieces, so that
+// pieces are read only where they matter.
 //
-//   const auto own = std::make_shared<OwnOutline>(ships, 7, true);      // turns with its course
+//   const auto own = std::make_shared<OwnOutline>(ships, 7, true);      // rotates with its course
 //   OutlinePair pair(own, quays, 3);
-//   pair.reach()                                        // what is farther apart than this does not touch
+//   pair.reach()                                        // farther apart than this, the two do not touch
 //   for (const OutlinePair::Part& part : pair.parts()) use(pair.sum_of(part), pair.more_round(part));
 //
-// What turns with the change is, for a box around many of its pieces, a disc around its position; of few
-// changes the box, turned.
+// If the outline rotates with the change, the bound of several pieces is a disc around the object's position.
+// For a narrow range of changes it is the rotated box.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@
 
 namespace foresee {
 
-/// Whether of two tables one has outlines: which look as an OutlinePair tells.
+/// Whether one of two tables has outlines; their pairs then need an OutlinePair.
 inline bool has_outlines(const Layout& a, const Layout& b) {
   return a.shape == Shape::outline || b.shape == Shape::outline;
 }
@@ -38,7 +38,7 @@ class OutlinePair {
  public:
   using Node = ObjectPieces::Node;
 
-  /// Two nodes, or the pieces that they are.
+  /// Two nodes of the trees of pieces, or two pieces.
   struct Part {
     Node own = ObjectPieces::root, other = ObjectPieces::root;
     bool pieces = false;
@@ -47,22 +47,22 @@ class OutlinePair {
   /// `others` must outlive this.
   OutlinePair(std::shared_ptr<const OwnOutline> own, const Bodies& others, std::size_t row);
 
-  /// No places at which the two touch are farther from the origin; without an r.
+  /// Upper bound of the distance from the origin at which the two touch, without an r.
   double reach() const { return own_->reach + other_reach_; }
   bool turns() const { return own_->turns; }
-  /// Both are convex.
+  /// Both objects are convex.
   bool is_sole() const;
 
-  /// What all is made of, and what a part that is not pieces is.
+  /// The parts of the whole pair, and those of a part that is not two pieces.
   std::vector<Part> parts() const;
   std::vector<Part> parts(const Part& of) const;
-  /// Without what turns around: the places of the part are within it, grown by more_round(). Of pieces that
-  /// turn, as they lie now.
+  /// The sum of a part without own boxes that rotate: grown by more_round() it contains the part. Own pieces
+  /// that rotate have their present pose.
   std::unique_ptr<PieceSum> sum_of(const Part& part) const;
   double more_round(const Part& part) const;
-  /// Of boxes of which the own one turns, as they lie now; null where that has no width.
+  /// The sum of two boxes of which the own one rotates, in its present pose; null if that has no width.
   std::unique_ptr<PieceSum> turning_sum_of(const Part& part) const;
-  /// How large the boxes of a part are.
+  /// The summed widths of both boxes of a part.
   double box_size(const Part& part) const;
 
  private:
@@ -72,7 +72,7 @@ class OutlinePair {
   const Bodies& others_;
   std::size_t row_;
   double other_reach_;
-  mutable std::optional<ObjectPieces> other_;  ///< once it is asked for
+  mutable std::optional<ObjectPieces> other_;  ///< made at its first use
 };
 
 }  // namespace foresee

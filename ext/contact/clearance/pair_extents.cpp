@@ -5,7 +5,7 @@
 namespace foresee {
 namespace {
 
-/// What sums of some lengths may be short of.
+/// Upper bound of the relative error of sums of lengths.
 constexpr double rounded_up = 0x1p-50;
 
 }  // namespace
@@ -46,7 +46,7 @@ GrowingExtents<D> ExtentsRule::pair(const double* row_a, const double* row_b, do
   };
   GrowingExtents<D> pair{composed<D>(size, within_, within_z_)};
   if (grows(a_.layout) || grows(b_.layout)) {
-    // What growth adds in so much time.
+    // The size that growth adds in these times.
     const auto grown = [&](double age_a, double age_b) {
       return [&, age_a, age_b](int Offsets::*place, int axis) {
         const auto one = [&](const Side& side, const double* row, double age) {

@@ -1,13 +1,12 @@
-// At which places, seen from one object, does another touch it? For points, discs, balls, boxes, cylinders
-// and their mixtures that is one convex set: a box, grown round by a radius on all axes or in x and y alone.
-// For outlines and prisms it is one for each pair of their convex pieces, whose sum takes the place of the
-// box in x and y (piece_sum.h).
+// The set of relative positions at which two objects touch, and its support function.
 //
 //   const ExtentsRule rule(ships.layout, ships.layout, 926, std::nullopt);
 //   const PairExtents<2> pair = rule.pair<2>(row_a, row_b, 600);  // half = {0, 0}, radius = r_a + r_b + 926
 //
-// The sets are those of the room's door (make_contact.cpp), with lengths rounded up: what does not touch this
-// does not touch. Meshes have none.
+// Points, discs, balls, boxes, cylinders and their mixtures give one convex set: a box, grown by a radius on
+// all axes or in x and y alone. Outlines and prisms give one set per pair of convex pieces, whose Minkowski
+// sum replaces the box in x and y (piece_sum.h). Meshes have none. The sets are those of make_contact.cpp
+// with lengths rounded up: a point outside does not touch.
 #pragma once
 
 #include <optional>
@@ -18,8 +17,8 @@
 
 namespace foresee {
 
-/// Within `half` of the origin on every axis, and in `sum`, if there is one, in x and y, where half is 0
-/// then; the first `round_axes` axes grown together by `radius`.
+/// A box of half extents `half` around the origin, whose first `round_axes` axes are grown together by
+/// `radius`. A `sum`, if not null, replaces the box in x and y, where half is 0 then.
 template <int D>
 struct PairExtents {
   Vec<D> half;
@@ -31,7 +30,7 @@ struct PairExtents {
     half += times * more.half, radius += times * more.radius;
   }
 
-  /// How far it reaches along n, at least.
+  /// Upper bound of the support function along n.
   double support(const Vec<D>& n) const {
     const Vec<D> size = n.abs();
     double square = 0;
@@ -46,12 +45,12 @@ struct PairExtents {
     return reach + (magnitude * 0x1p-49 + 0x1p-1000);
   }
 
-  /// How far from the origin on any axis, roughly.
+  /// Approximate upper bound of the distance from the origin on each axis.
   double size() const { return half.abs().maxCoeff() + std::abs(radius) + (sum ? sum->size() : 0); }
 };
 
-/// As of a moment, and how much larger it is a unit of time later. Before the two are there it may be less
-/// than nothing.
+/// The extents at a time, and their growth per unit of time. Before both objects exist, sizes may be
+/// negative.
 template <int D>
 struct GrowingExtents : PairExtents<D> {
   PairExtents<D> growth{Vec<D>::Zero(), 0, D};
@@ -69,7 +68,7 @@ class ExtentsRule {
   /// `within`, `within_z`: as for contact.
   ExtentsRule(const Layout& a, const Layout& b, double within, std::optional<double> within_z);
 
-  /// As of a moment.
+  /// The extents at `time`.
   template <int D>
   GrowingExtents<D> pair(const double* row_a, const double* row_b, double time) const;
 
@@ -78,13 +77,13 @@ class ExtentsRule {
     Layout layout;
     Offsets at;
   };
-  /// Of both, as `size` says: of which quantity (half, r, hz), along which axis.
+  /// The extents of both together. size(quantity, axis) adds up half, r or hz of the two.
   template <int D, class Size>
   PairExtents<D> composed(const Size& size, double within, double within_z) const;
 
   Side a_, b_;
   bool upright_ = false, round_ = false;
-  bool pieces_ = false;  ///< boxes too are pieces, in x and y
+  bool pieces_ = false;  ///< boxes too are convex pieces in x and y
   double within_, within_z_;
 };
 

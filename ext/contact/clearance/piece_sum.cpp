@@ -9,27 +9,27 @@
 namespace foresee {
 namespace {
 
-/// More than roundings of what is turned take from it, and of the heading that is stored.
+/// Upper bound of the relative rounding errors of rotated corners and of a stored heading.
 constexpr double pad_of_sum = 0x1p-45;
 
 double length_of(double x, double y) {
   return std::sqrt(x * x + y * y);
 }
 
-/// Rounded up, whatever squares vanish.
+/// The distance of the farthest corner, rounded up, also where squares underflow.
 double reach_of(std::span<const Corner> corners) {
-  double largest = 0, most = 0;
+  double largest = 0, longest = 0;
   for (const Corner& corner : corners) largest = std::max({largest, std::abs(corner.x), std::abs(corner.y)});
   if (largest == 0) return 0;
   for (const Corner& corner : corners)
-    most = std::max(most, length_of(corner.x / largest, corner.y / largest));
-  return largest * most * (1 + 0x1p-49) + std::numeric_limits<double>::denorm_min();
+    longest = std::max(longest, length_of(corner.x / largest, corner.y / largest));
+  return largest * longest * (1 + 0x1p-49) + std::numeric_limits<double>::denorm_min();
 }
 
 double farthest_along(std::span<const Corner> corners, double x, double y) {
-  double most = -std::numeric_limits<double>::infinity();
-  for (const Corner& corner : corners) most = std::max(most, x * corner.x + y * corner.y);
-  return most;
+  double support = -std::numeric_limits<double>::infinity();
+  for (const Corner& corner : corners) support = std::max(support, x * corner.x + y * corner.y);
+  return support;
 }
 
 }  // namespace
@@ -86,19 +86,19 @@ double PieceSum::signed_distance(double x, double y, double& normal_x, double& n
     const double here = past(edge);
     return here >= 0 && here <= edge.length;
   };
-  const Edge* most = nullptr;
+  const Edge* nearest_edge = nullptr;
   double within = -std::numeric_limits<double>::infinity();
   for (const Edge& edge : ring_) {
     const double here = beyond(edge);
-    if (here > within) within = here, most = &edge;
+    if (here > within) within = here, nearest_edge = &edge;
   }
-  // Not from the place's way to the edge, which may be very short.
-  if (most && (within <= 0 || is_beside(*most))) {
-    normal_x = most->normal_x, normal_y = most->normal_y;
+  // Not from the vector between the point and the edge, which may be very short.
+  if (nearest_edge && (within <= 0 || is_beside(*nearest_edge))) {
+    normal_x = nearest_edge->normal_x, normal_y = nearest_edge->normal_y;
     return within;
   }
-  // A corner, or one of several edges in a line.
-  double square = most ? std::numeric_limits<double>::infinity() : -1, to_x = x - point_.x,
+  // The nearest is a corner, or one of several collinear edges.
+  double square = nearest_edge ? std::numeric_limits<double>::infinity() : -1, to_x = x - point_.x,
          to_y = y - point_.y;
   for (const Edge& edge : ring_) {
     const double from_x = x - edge.x, from_y = y - edge.y, ahead = beyond(edge);

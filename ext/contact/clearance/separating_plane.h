@@ -1,5 +1,6 @@
-// Does a plane stand between an object and all the changed motions of another, throughout some moments? The
-// proof that avoidance rests on (separation.h), with every rounding counted.
+// Proof that a plane separates an object from all changed motions of another during an interval of time.
+//
+// It is the proof of every clear range (separation.h); all rounding errors are included.
 #pragma once
 
 #include "contact/clearance/trajectory_family.h"
@@ -7,12 +8,12 @@
 
 namespace foresee {
 
-/// Nothing is lost to underflow that is larger.
+/// A larger gap is not lost to underflow.
 inline constexpr double min_gap = 0x1p-960;
-/// The squares of shorter normals would vanish.
+/// The squares of shorter normals would underflow.
 inline constexpr double min_normal = 0x1p-400;
 
-/// c0 + c1 tau + c2 tau^2 > 0 throughout [begin, end]; false where doubles do not tell.
+/// c0 + c1 tau + c2 tau^2 > 0 throughout [begin, end]; false if doubles cannot decide it.
 inline bool surely_positive(double c0, double c1, double c2, double begin, double end) {
   const auto above = [&](double tau) {
     const double size = std::abs(c0) + tau * (std::abs(c1) + tau * std::abs(c2));
@@ -24,14 +25,16 @@ inline bool surely_positive(double c0, double c1, double c2, double begin, doubl
   return c0 - dip > 8 * unit_roundoff * (std::abs(c0) + dip) + min_gap;
 }
 
-/// n (other) - most of n (own), from below.
+/// Lower bound of n (other) - n (own) over all of `own`.
 template <int D>
 double min_of(const Vec<D>& n, const Vec<D>& other, const Vec<D>& error, const VectorSet<D>& own) {
-  const double along = (n * other).sum(), most = own.support(n);
-  return along - most -
-         ((n.abs() * (error + 8 * unit_roundoff * other.abs())).sum() + 4 * unit_roundoff * std::abs(most));
+  const double along = (n * other).sum(), support = own.support(n);
+  return along - support -
+         ((n.abs() * (error + 8 * unit_roundoff * other.abs())).sum() +
+          4 * unit_roundoff * std::abs(support));
 }
 
+/// Whether a plane of normal n separates the two throughout [begin, end], for every change: a proof.
 template <int D>
 bool plane_proves(const Encounter<D>& encounter, const MotionSet<D>& all, const Vec<D>& n, double begin,
                   double end) {

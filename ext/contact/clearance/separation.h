@@ -1,21 +1,22 @@
-// Does an object keep clear of another whichever change of a range it makes? Proven, or not; and if not,
-// whether every change of the range touches, as far as doubles tell.
+// Separating-plane certificate that an object keeps clear of another for every change of a range.
 //
 //   const TrajectoryFamily<2> turns = trajectory_family<2>(base, change, 10, 20);
 //   // for every double of [10, 20]: a proof
 //   certify_clearance(encounter, turns, evaluations) == ClearanceVerdict::clear
 //
-// The proof is a plane. Along its normal n the other is at n (x + v tau + a tau^2 / 2), and no changed motion
-// reaches farther than the most of the range's places, velocities and accelerations (motion_set.h): the
-// difference, less what extents take, is a polynomial of degree 2 whose least value during the moments both
-// exist is above 0, with every rounding counted. That is the certificate for all shapes and laws. Which n is
-// only a guess: that of the nearest approach of the middle, the first or the last change. Where paths are
-// bent, the time is cut until each part has a plane. As a range shrinks its certificate becomes that of a
-// single motion, so what is apart is proven in the end.
+// Along the normal n of the plane the other object is at n (x + v tau + a tau^2 / 2). The changed motions
+// reach at most the support of the range's positions, velocities and accelerations (motion_set.h). The
+// difference of the two, less the support of the extents, is a polynomial of degree 2 in time. The
+// certificate is that its minimum while both exist is above 0, all rounding errors included. It is the same
+// for all shapes and laws of motion.
 //
-// Between motions that are not bent, whoever changes speed, height or start touches for the changes of one
-// interval; so a range whose ends touch does. Cost: some 50 ns; bent paths as much for each part of the time
-// that needs a plane of its own, 200 at most.
+// The normal is only a guess: that of the nearest approach of the middle, the first or the last change. On
+// bent paths the time is split until each interval has a plane. As a range shrinks, its certificate becomes
+// that of a single motion, so what is apart is proven in the end.
+//
+// If no path is bent, the changes of speed, climb or start that touch are one interval. Then a range whose
+// ends touch is blocked. If no plane is found, the verdict says whether every change seems to touch.
+// Cost: some 50 ns; on bent paths as much per interval of time that needs a plane of its own, at most 200.
 #pragma once
 
 #include "contact/clearance/trajectory_family.h"
@@ -28,7 +29,7 @@ enum class ClearanceVerdict : std::uint8_t {
   open      ///< neither
 };
 
-/// Requires: met.begin <= met.end. `evaluations` grows by what it has cost: one, and one for each part of a bent
+/// Requires: encounter.begin <= encounter.end. `evaluations` grows by one, and by one per interval of a bent
 /// path.
 template <int D>
 ClearanceVerdict certify_clearance(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,

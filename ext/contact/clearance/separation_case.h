@@ -1,4 +1,5 @@
-// One range of changes and an encounter: looked at for proofs, and for whether all of them touch.
+// One range of changes and one encounter: the search for separating planes, and the test whether all changes
+// touch.
 #pragma once
 
 #include <array>
@@ -8,7 +9,7 @@
 
 namespace foresee {
 
-/// What a guess has come to.
+/// The result of the search for a plane from one guess.
 enum class ProbeResult : std::uint8_t { separated, overlapping, inconclusive };
 
 template <int D>
@@ -23,24 +24,25 @@ class SeparationCase {
         slack_(encounter.extents.sum ? 4 * touching_share : touching_share) {}
 
   bool never_together() const { return begin_ > end_; }
-  /// Doubles hold all that is to be computed.
+  /// No intermediate result overflows.
   bool is_finite() const {
     const Vec<D> far = encounter_.x.abs() + end_ * (encounter_.v.abs() + end_ * encounter_.a.abs());
     return std::isfinite(far.sum()) && std::isfinite(scale_at(end_)) && std::isfinite(width_at(end_));
   }
   bool bends() const { return bends_; }
-  /// Of the time of bent paths, that were looked at so far.
+  /// How many intervals of time have been tested, on bent paths.
   std::uint64_t parts() const { return parts_; }
   double begin() const { return begin_; }
   double end() const { return end_; }
 
-  /// Is there a plane, guessed from one of the motions? `tau`: where that touches, or is near.
+  /// Whether there is a plane, with the normal guessed from one motion. `tau`: when that touches, or is
+  /// nearest.
   ProbeResult probe(const TrajectoryEstimate<D>& own, double& tau) const {
     const TrajectoryEstimate<D> path = relative(encounter_, own);
     return bends_ ? probe_bent(path, begin_, tau) : probe_straight(path, begin_, tau);
   }
 
-  /// Is there a plane, or one for each part of the time, from a moment on?
+  /// Whether there is a plane, or one per interval of the time, from `begin` on.
   bool is_proven_after(double begin) const {
     if (begin > end_) return true;
     for (const TrajectoryEstimate<D>* own : {&family_.middle, &family_.first, &family_.last}) {
@@ -53,7 +55,7 @@ class SeparationCase {
     return false;
   }
 
-  /// From now on what is not told from touching does not count as that.
+  /// From now on a motion that nearly touches does not count as touching.
   void take_only_certain_touches() { slack_ = -slack_; }
 
   bool touches(const TrajectoryEstimate<D>& own) const {
@@ -63,8 +65,8 @@ class SeparationCase {
     return near.gap <= slack_at(near.tau);
   }
 
-  /// Do all motions of the range touch at tau, or at the moment nearest to it at which all are there? On one
-  /// axis also if all pass the other. Roughly.
+  /// Whether all motions of the range touch at tau, or at the time nearest to it at which all exist. On one
+  /// axis also whether all pass the other object. Approximate.
   bool all_touch_about(double tau) const {
     const double first = last_begin(), last = first_end();
     if (first > last) return false;
@@ -74,8 +76,8 @@ class SeparationCase {
     return all_touch_at(tau);
   }
 
-  /// The same, where all places of the range at one moment lie on a segment, or on an arc near one: what is
-  /// convex holds all of a segment whose ends it holds.
+  /// The same, if all positions of the range at one time are on a segment, or on an arc near one. A convex
+  /// set contains a segment whose ends it contains.
   bool ends_touch_about(double tau) const {
     const double first = last_begin(), last = first_end();
     if (first > last) return false;
@@ -88,8 +90,8 @@ class SeparationCase {
     return true;
   }
 
-  /// Do all touch, each at a moment of its own, between those two of the first and of the last change? Their
-  /// places then are near a chord, and what is convex holds all of it whose ends it holds. Roughly.
+  /// Whether all touch, each at its own time between those of the first and the last change. Their positions
+  /// then are near a chord, and a convex set contains a chord whose ends it contains. Approximate.
   bool all_touch_between(double tau_first, double tau_last) const {
     const double earlier = std::min(tau_first, tau_last), later = std::max(tau_first, tau_last);
     if (encounter_.extents.sum || earlier < last_begin() || later > first_end()) return false;
@@ -106,17 +108,17 @@ class SeparationCase {
     return touches_at_end(family_.first, tau_first) && touches_at_end(family_.last, tau_last);
   }
 
-  /// Both exist when any change starts, and for a while.
+  /// Whether both exist when any change starts, and for some time after.
   bool all_start_together() const { return last_begin() <= 0 && first_end() > 0; }
 
-  /// None touches then, to go by the middle and by how far any is from it. Roughly.
+  /// Whether none touches at tau, by the middle change and the distance of all others from it. Approximate.
   bool none_touches_about(double tau) const {
     Vec<D> ignored;
     const Vec<D> place = place_at<D>(relative(encounter_, family_.middle), tau);
     return signed_distance<D>(encounter_.extents.after(tau), place, ignored) > width_at(tau);
   }
 
-  /// When one of the motions is nearest, on a path that is not bent.
+  /// When one of the motions is nearest, if its path is not bent.
   double nearest_time(const TrajectoryEstimate<D>& own) const {
     const TrajectoryEstimate<D> path = relative(encounter_, own);
     if (!(path.begin <= path.end)) return begin_;
@@ -124,7 +126,7 @@ class SeparationCase {
   }
 
  private:
-  /// Whether a place is so deep within, on the axes that are round together, and on the others.
+  /// Whether a position is inside by `round` on the round axes, and by `upright` on the others.
   bool touches_at(const Vec<D>& place, double tau, double round, double upright) const {
     const PairExtents<D> extents = encounter_.extents.after(tau);
     const Vec<D> over = place.abs() - extents.half;
@@ -134,7 +136,7 @@ class SeparationCase {
     return signed_distance_in_round_axes<D>(extents, over, place, ignored) <= -round;
   }
 
-  /// All are on one side at one moment and on the other at another.
+  /// Whether all are on one side of the other object at one time and on the opposite side at another time.
   bool all_pass(double first, double last, double tau) const {
     bool below = false, above = false;
     const auto evaluate_at = [&](double at) {
@@ -144,15 +146,15 @@ class SeparationCase {
     for (const double at : {first, tau, last}) evaluate_at(at);
     for (const TrajectoryEstimate<D>* own : {&family_.first, &family_.middle, &family_.last}) {
       const TrajectoryEstimate<D> path = relative(encounter_, *own);
-      if (path.a[0] != 0) evaluate_at(-path.v[0] / path.a[0]);  // where it turns round
+      if (path.a[0] != 0) evaluate_at(-path.v[0] / path.a[0]);  // where it reverses
     }
     return below && above;
   }
 
-  /// On which side of the other all are: 1 or -1; 0: not on one.
+  /// The side of the other object on which all are: 1 or -1; 0: they are on both.
   int side_at(double tau) const {
-    const double most = place_of(family_.lower, 0, tau), least = place_of(family_.upper, 0, tau);
-    return least >= 0 ? 1 : most <= 0 ? -1 : 0;
+    const double highest = place_of(family_.lower, 0, tau), lowest = place_of(family_.upper, 0, tau);
+    return lowest >= 0 ? 1 : highest <= 0 ? -1 : 0;
   }
 
   bool all_touch_at(double tau) const {
@@ -183,7 +185,7 @@ class SeparationCase {
     return first > 0 || std::sqrt(square) <= extents.radius + slack;
   }
 
-  /// How far from the middle of the box around all of them, in x and y, anything of the range is at tau.
+  /// Half the diagonal in x and y of the box around all positions of the range at tau.
   double beside_middle(double tau) const {
     double square = 0;
     for (int axis = 0; axis < 2; ++axis) {
@@ -193,19 +195,19 @@ class SeparationCase {
     return std::sqrt(square);
   }
 
-  /// The other on one axis, seen from an end of the range's places, velocities and accelerations.
+  /// The other object on one axis, relative to an end of the range's positions, velocities and accelerations.
   double place_of(const Vec<D> (&end)[3], int axis, double tau) const {
     const auto at = [&](double x, double v, double a) { return x + tau * (v + 0.5 * tau * a); };
     return at(encounter_.x[axis], encounter_.v[axis], encounter_.a[axis]) -
            at(end[0][axis], end[1][axis], end[2][axis]);
   }
-  /// How far from the origin on one axis anything of the range is at tau.
+  /// The largest distance from the origin on one axis at tau.
   double farthest(int axis, double tau) const {
     return std::max(std::abs(place_of(family_.upper, axis, tau)),
                     std::abs(place_of(family_.lower, axis, tau)));
   }
 
-  /// All are there from the one until the other.
+  /// All motions exist from the first of these times until the second.
   double last_begin() const { return std::max({begin_, family_.first.begin, family_.last.begin}); }
   double first_end() const { return std::min({end_, family_.first.end, family_.last.end}); }
 
@@ -225,8 +227,8 @@ class SeparationCase {
     return is_proven_by_tilt(path, near, begin) ? ProbeResult::separated : ProbeResult::inconclusive;
   }
 
-  /// Near touching, a plane that nearly holds for ever turns a little, so that those pass it which the last
-  /// places of their velocities would lead through it in the end.
+  /// Near touching, a plane may fail only because the rounding of velocities crosses it at a late time. A
+  /// plane tilted along the path by that error then separates the two.
   bool is_proven_by_tilt(const TrajectoryEstimate<D>& path, const StraightApproach<D>& near,
                          double begin) const {
     const double square = (path.v * path.v).sum(), size = scale_at(near.tau);
@@ -236,7 +238,7 @@ class SeparationCase {
     return plane_proves<D>(encounter_, family_.all, tilted, begin, end_);
   }
 
-  /// Part by part of the time, each taken for straight.
+  /// Splits the time into intervals, in each of which the path is approximated by a straight one.
   ProbeResult probe_bent(const TrajectoryEstimate<D>& path, double begin, double& tau) const {
     struct Part {
       double begin, end;
@@ -255,10 +257,10 @@ class SeparationCase {
       Vec<D> ignored;
       if (!(signed_distance<D>(encounter_.extents.after(tau), place_at<D>(path, tau), ignored) > 0)) {
         parts_ += sampled_times;
-        tau = deepest_time(path, tau);
+        tau = deepest_time<D>(encounter_.extents, path, begin_, end_, tau);
         return ProbeResult::overlapping;
       }
-      // What cutting gains, and what only shorter ranges do.
+      // Compares what a shorter time gains with what only a narrower range gains.
       const Vec<D> along = family_.is_from_start ? near.normal : Vec<D>(Vec<D>::Ones());
       const double bend = 0.125 * length * length * (along * path.a).abs().sum();
       if (evaluations > 200 || !(bend > 0.5 * width_along(along, part.end))) return ProbeResult::inconclusive;
@@ -269,28 +271,7 @@ class SeparationCase {
     return ProbeResult::separated;
   }
 
-  /// Where a bent path is deepest within, or about there: the best of some moments and `tau`, then between
-  /// its neighbours.
-  double deepest_time(const TrajectoryEstimate<D>& path, double tau) const {
-    Vec<D> ignored;
-    const auto distance = [&](double at) {
-      return signed_distance<D>(encounter_.extents.after(at), place_at<D>(path, at), ignored);
-    };
-    double best = tau, least = distance(tau), step = (end_ - begin_) / sampled_times;
-    const auto evaluate_at = [&](double at) {
-      const double here = distance(at);
-      if (here < least) best = at, least = here;
-    };
-    for (int i = 0; i <= sampled_times; ++i) evaluate_at(std::min(begin_ + i * step, end_));
-    for (int evaluation = 0; evaluation < 12; ++evaluation) {
-      step *= 0.5;
-      const double middle = best;
-      evaluate_at(std::max(begin_, middle - step)), evaluate_at(std::min(end_, middle + step));
-    }
-    return best;
-  }
-
-  /// How far apart two of the range can be at tau.
+  /// Upper bound of the distance of two motions of the range at tau.
   double width_at(double tau) const { return width_along(Vec<D>::Ones(), tau); }
   double width_along(const Vec<D>& n, double tau) const {
     const Vec<D> v = family_.upper[1] - family_.lower[1], a = family_.upper[2] - family_.lower[2];

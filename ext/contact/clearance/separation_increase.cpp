@@ -5,13 +5,14 @@
 #include <cmath>
 #include <limits>
 
-#include "contact/clearance/bent_parting.h"
+#include "contact/clearance/bent_separation.h"
 #include "contact/clearance/separation_case.h"
 
 namespace foresee {
 namespace {
 
-/// A ball, or upright a disc: no box is within. Of pieces too the distance is asked on all their axes.
+/// A ball, or an upright disc: half extents are 0 on the round axes. Pieces too are tested on all their axes
+/// together.
 template <int D>
 bool is_round_alone(const PairExtents<D>& extents) {
   if (extents.sum) return true;
@@ -20,38 +21,38 @@ bool is_round_alone(const PairExtents<D>& extents) {
   return true;
 }
 
-/// Twice how far along n a proof must allow for beside each of these, but for a little.
+/// Slightly less than twice the error along n that a proof adds to each of these vectors.
 template <int D>
 double beside_each(const VectorSet<D>& set, const Vec<D>& n) {
   const double length = set.turns ? std::sqrt(n[0] * n[0] + n[D > 1] * n[D > 1]) * set.radius : 0;
   return 1.9 * ((n.abs() * set.pad).sum() + 0x1p-47 * length);
 }
 
-/// Does the distance of the centres never shrink, on paths that are not bent? Its slope grows with time, so
-/// that at the first moment decides.
+/// Whether the distance of the centres never decreases, on paths that are not bent. Its slope increases with
+/// time, so its sign at the change decides.
 template <int D>
 ClearanceVerdict certify_straight_separation_increases(const Encounter<D>& encounter,
                                                        const TrajectoryFamily<D>& family) {
   const auto& own = family.all.velocity;
-  const double along = (encounter.x * encounter.v).sum(), most = own.support(encounter.x);
+  const double along = (encounter.x * encounter.v).sum(), support = own.support(encounter.x);
   const Vec<D> v = family.upper[1].abs().max(family.lower[1].abs()) + encounter.v.abs();
-  // What is 0 has no error: side by side at the same speed, nothing shrinks.
+  // A 0 has no error: side by side at the same velocity the distance does not decrease.
   double error = 0;
   for (int axis = 0; axis < D; ++axis)
     error += encounter.ex[axis] * (v[axis] + encounter.ev[axis]) +
              std::abs(encounter.x[axis]) * encounter.ev[axis] +
              8 * unit_roundoff * std::abs(encounter.x[axis]) * v[axis];
   error *= 1 + 0x1p-48;
-  const double least = along - most;
-  if (least - error >= 0) return ClearanceVerdict::clear;
-  // Twice what is beside each velocity: no single one is proven, then.
-  const double greatest = along + own.support(-encounter.x);
-  return greatest <= error + beside_each<D>(own, encounter.x) ? ClearanceVerdict::blocked
-                                                              : ClearanceVerdict::open;
+  const double min_slope = along - support;
+  if (min_slope - error >= 0) return ClearanceVerdict::clear;
+  // With twice the error of each velocity, no single change has a proof.
+  const double max_slope = along + own.support(-encounter.x);
+  return max_slope <= error + beside_each<D>(own, encounter.x) ? ClearanceVerdict::blocked
+                                                               : ClearanceVerdict::open;
 }
 
-/// Does a part of the gap never shrink, of a set that grows by `rate`? `x`: where the other is, as seen along
-/// some axes.
+/// Whether the gap along some axes never decreases, for a set that grows by `rate`. `x`: the position of the
+/// other object on these axes, 0 on the rest.
 template <int D>
 ClearanceVerdict certify_gap_increases(const Encounter<D>& encounter, const TrajectoryFamily<D>& family,
                                        const Vec<D>& x, double rate) {
@@ -66,9 +67,9 @@ ClearanceVerdict certify_gap_increases(const Encounter<D>& encounter, const Traj
                                                                    : ClearanceVerdict::open;
 }
 
-/// The same of all of it, on paths that are not bent. A disc or ball is left for good if the distance of the
-/// centres grows at least as fast as it does; of other sets each axis is asked, as of an interval that grows
-/// like all of them: that is enough. What is smaller at first is not met later either.
+/// The same on all axes, on paths that are not bent. A growing disc or ball is left permanently if the
+/// distance of the centres grows at least as fast. For other sets each axis is tested separately, as a
+/// growing interval; that is sufficient. Sets that are smaller at first do not touch later either.
 template <int D>
 ClearanceVerdict certify_growing_separation_increases(const Encounter<D>& encounter,
                                                       const TrajectoryFamily<D>& family) {
@@ -100,29 +101,29 @@ ClearanceVerdict certify_growing_separation_increases(const Encounter<D>& encoun
 template <int D>
 ClearanceVerdict certify_separation_increases(const Encounter<D>& encounter,
                                               const TrajectoryFamily<D>& family, std::uint64_t& evaluations) {
-  const SeparationCase<D> question(encounter, family);
-  if (question.never_together() || question.end() <= 0) return ClearanceVerdict::clear;
-  if (!question.is_finite()) return ClearanceVerdict::blocked;
-  // What grows may catch up with what turns away ever more slowly, and pieces lie on no side of the middle.
-  if (question.bends() && (encounter.extents.grows || encounter.extents.sum))
+  const SeparationCase<D> separation(encounter, family);
+  if (separation.never_together() || separation.end() <= 0) return ClearanceVerdict::clear;
+  if (!separation.is_finite()) return ClearanceVerdict::blocked;
+  // A growing set may catch up with an object that slows down, and pieces may be on any side of the position.
+  if (separation.bends() && (encounter.extents.grows || encounter.extents.sum))
     return ClearanceVerdict::blocked;
   if (encounter.extents.grows) return certify_growing_separation_increases<D>(encounter, family);
-  // On bent paths, how the change starts tells who does not part.
+  // On bent paths the slope at the change decides which approach at once.
   const ClearanceVerdict at_once = certify_straight_separation_increases<D>(encounter, family);
-  if (!question.bends() || at_once == ClearanceVerdict::blocked) return at_once;
-  return judge_bent_parting<D>(encounter, family, evaluations);
+  if (!separation.bends() || at_once == ClearanceVerdict::blocked) return at_once;
+  return certify_bent_separation<D>(encounter, family, evaluations);
 }
 
 namespace {
 
-/// What turns by less is not looked at more closely where all of it seems to touch.
+/// Rotations by less are not bisected further if all of the range seems to touch.
 constexpr double min_chord = 0x1p-17;
 
-/// Who moves which way at a line that may part a place from a piece.
+/// The direction of all changes across a line that may separate a position from a piece.
 enum class Trend : std::uint8_t { departing, approaching, mixed };
 
-/// Of all that may part them: who is outside at first is beyond one of these lines, and stays so if it moves
-/// out. Requires: near the boundary; paths that are not bent.
+/// The trend over all lines that may separate the two. A position outside is beyond one of these lines, and
+/// remains there if it moves outward. Requires: near the boundary; paths that are not bent.
 template <int D>
 Trend trend_at_boundary(const Encounter<D>& encounter, const TrajectoryFamily<D>& family, double slack) {
   const auto& extents = encounter.extents;
@@ -150,7 +151,7 @@ Trend trend_at_boundary(const Encounter<D>& encounter, const TrajectoryFamily<D>
     return trend;
   n.setZero();
   if (around > 0x1p20 * (encounter.inflation + slack)) {
-    // The nearest place of a piece that is off by so little lies in nearly the same direction.
+    // With so small an error the nearest point of a piece has nearly the same direction.
     const double distance = extents.sum->signed_distance(encounter.x[0], encounter.x[1], n[0], n[1]);
     if (!(distance > 0.5 * around)) return Trend::mixed;
     probe_along(n, 4 * std::sqrt((encounter.inflation + slack) / distance), rate);

@@ -1,11 +1,11 @@
-// Where can another be, seen from an object that makes any change of a range, and how fast? Intervals at one
-// moment, and what follows for a time from there: does the distance never shrink?
+// Interval bounds of relative position and velocity over all changes of a range, and of the slope of the
+// distance.
 //
 //   const SpreadOfChanges<2> spread(encounter, family);
 //   spread.never_shrinks({0, 2}, 0, 5, evaluations)  // during 5 seconds, for every change: a proof
 //
-// Tight where the range is narrow; all rounding is counted, and what is 0 has no error. Cost: some 20 ns for
-// each time looked at.
+// The bounds are tight for narrow ranges. All rounding errors are included, and a 0 has no error.
+// Cost: some 20 ns per evaluated time.
 #pragma once
 
 #include <algorithm>
@@ -22,7 +22,7 @@ inline constexpr double padding = 0x1p-48;
 struct EnclosedNumber {
   double low = 0, high = 0;
 
-  /// Sums are padded by their terms; what is 0 has no error.
+  /// Sums are padded by the size of their terms; a 0 has no error.
   EnclosedNumber& operator+=(const EnclosedNumber& more) {
     const double size = padding * (std::max(std::abs(low), std::abs(high)) +
                                    std::max(std::abs(more.low), std::abs(more.high)));
@@ -53,12 +53,12 @@ inline EnclosedNumber square(const EnclosedNumber& a) {
   return of;
 }
 
-/// Some axes that are left together.
+/// Consecutive axes that are tested together.
 struct AxisRange {
   int begin, end;
 };
 
-/// The two seen from each other, over all of a range.
+/// The relative motions of all changes of a range.
 template <int D>
 class SpreadOfChanges {
  public:
@@ -88,14 +88,14 @@ class SpreadOfChanges {
     for (int axis = axes.begin; axis < axes.end; ++axis)
       sum += product(place(axis, tau), velocity(axis, tau));
     if (tau > 0 || axes.end - axes.begin < D) return sum;
-    // All start at one place.
-    const double least = min_of<D>(encounter_.x, encounter_.v, encounter_.ev, family_.all.velocity) -
-                         (encounter_.ex * speed()).sum();
-    sum.low = std::max(sum.low, least);
+    // All changes start at one position.
+    const double min_slope = min_of<D>(encounter_.x, encounter_.v, encounter_.ev, family_.all.velocity) -
+                             (encounter_.ex * speed()).sum();
+    sum.low = std::max(sum.low, min_slope);
     return sum;
   }
 
-  /// The distance along these axes never shrinks during [begin, end].
+  /// Whether the distance along these axes never decreases during [begin, end].
   bool never_shrinks(const AxisRange& axes, double begin, double end, std::uint64_t& evaluations) const {
     constexpr std::uint64_t max_parts = 160;
     double length = end - begin;
@@ -116,11 +116,11 @@ class SpreadOfChanges {
     return false;
   }
 
-  /// No change is farther than `half` from the middle on this axis during [0, end].
-  bool stays_within(int axis, double half, double end) const {
+  /// Whether no change is farther than `half` from the middle on this axis during [0, end].
+  bool remains_within(int axis, double half, double end) const {
     const double size = half * (1 - 0x1p-46);
     const EnclosedNumber x = place(axis, 0), v = velocity(axis, 0), a = acceleration(axis);
-    // Who touches at first is within, whatever doubles say, and stays so coming nearer.
+    // The object touches at first, so it is inside exactly, and remains inside while it approaches.
     const auto top = [&](double x0, double v0, double a0) {
       if (v0 <= 0 && v0 + 0.5 * end * a0 <= 0) return -size;
       const double last = x0 + end * (v0 + 0.5 * end * a0);
@@ -130,11 +130,11 @@ class SpreadOfChanges {
     };
     return top(x.high, v.high, a.high) <= size && top(-x.low, -v.low, -a.low) <= size;
   }
-  /// The same of a disc, by boxes around short times.
-  bool stays_within_disc(double radius, double end) const {
+  /// The same for a disc, by boxes around the positions of short times.
+  bool remains_within_disc(double radius, double end) const {
     double begin = 0, length = end;
     const double shortest = end * 0x1p-10;
-    // Who touches at first is within, and stays so coming nearer.
+    // The object touches at first, so it is inside, and remains inside while it approaches.
     const AxisRange axes{0, std::min(D, 2)};
     for (double nearer = end; nearer > shortest && begin == 0; nearer *= 0.5)
       if (never_grows_at_first(axes, nearer)) begin = nearer;
@@ -160,11 +160,11 @@ class SpreadOfChanges {
   }
 
  private:
-  /// A difference of two doubles is off by its own last place.
+  /// A difference of two doubles, with its rounding error.
   static EnclosedNumber padded(double low, double high) {
     return {low - 0x1p-52 * std::abs(low), high + 0x1p-52 * std::abs(high)};
   }
-  /// The same polynomial as below, from its other end.
+  /// Whether the distance never increases during [0, length]: the polynomial of is_positive(), from above.
   bool never_grows_at_first(const AxisRange& axes, double length) const {
     const double c0 = slope(axes, 0).high;
     if (!(c0 <= 0)) return false;
@@ -187,7 +187,8 @@ class SpreadOfChanges {
     return family_.upper[1].abs().max(family_.lower[1].abs()) + encounter_.v.abs() + encounter_.ev;
   }
 
-  /// c0 + c1 s + c2 s^2 + c3 s^3 >= 0 during [0, length]: the least coefficient of Bernstein's form is.
+  /// c0 + c1 s + c2 s^2 + c3 s^3 >= 0 during [0, length]: so is the smallest coefficient of its Bernstein
+  /// form.
   bool is_positive(const AxisRange& axes, double c0, double begin, double length) const {
     EnclosedNumber c1, c2, c3;
     find_coefficients(axes, begin, c1, c2, c3);

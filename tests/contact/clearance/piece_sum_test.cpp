@@ -1,4 +1,4 @@
-// Sums of pieces in doubles against their definition: how far they reach, how far outside a place is, turned
+// Minkowski sums of pieces in doubles against their definition: support function and signed distance, rotated
 // or not.
 #include "contact/clearance/piece_sum.h"
 
@@ -14,7 +14,7 @@ namespace {
 using testing::Random;
 using namespace testing_by_hand;
 
-/// The differences of all corners, the own ones turned and rounded as they are stored.
+/// The differences of all corners, the own ones rotated and rounded as they are stored.
 std::vector<Corner> differences(const ConvexPiece& own, const ConvexPiece& other, double degrees) {
   std::vector<Corner> all;
   Turn turn(degrees);
@@ -26,19 +26,20 @@ std::vector<Corner> differences(const ConvexPiece& own, const ConvexPiece& other
   return all;
 }
 
-double most_of(const std::vector<Corner>& corners, double x, double y) {
-  double most = -HUGE_VAL;
-  for (const Corner& corner : corners) most = std::max(most, x * corner.x + y * corner.y);
-  return most;
+double support_of(const std::vector<Corner>& corners, double x, double y) {
+  double support = -HUGE_VAL;
+  for (const Corner& corner : corners) support = std::max(support, x * corner.x + y * corner.y);
+  return support;
 }
 
-/// By the lines that may part a place from a hull: along two of its corners, or square to the way from one.
+/// By the lines that may separate a point from a hull: along two of its corners, or perpendicular to the vector
+/// from one.
 double plain_outside(const std::vector<Corner>& corners, double x, double y) {
   double outside = -HUGE_VAL;
   const auto probe_along = [&](double nx, double ny) {
     const double length = std::hypot(nx, ny);
     if (length < 1e-9) return;
-    outside = std::max(outside, (nx * x + ny * y - most_of(corners, nx, ny)) / length);
+    outside = std::max(outside, (nx * x + ny * y - support_of(corners, nx, ny)) / length);
   };
   for (const Corner& from : corners) {
     probe_along(x - from.x, y - from.y);
@@ -53,9 +54,9 @@ void expect_sum(const ConvexPiece& own, const ConvexPiece& other, Random& random
   const std::vector<Corner> all = differences(own, other, degrees);
   const double size = sum.size() + 1e-9;
   for (int i = 0; i < 20; ++i) {
-    const double x = random.in(-3, 3), y = i % 4 ? random.in(-3, 3) : 0, most = most_of(all, x, y);
-    ASSERT_GE(sum.support(x, y), most);
-    ASSERT_LE(sum.support(x, y), most + 1e-12 * 6 * size);
+    const double x = random.in(-3, 3), y = i % 4 ? random.in(-3, 3) : 0, support = support_of(all, x, y);
+    ASSERT_GE(sum.support(x, y), support);
+    ASSERT_LE(sum.support(x, y), support + 1e-12 * 6 * size);
   }
   for (int i = 0; i < 3; ++i) {
     const double x = random.in(-2, 2) * size, y = random.in(-2, 2) * size;
@@ -63,7 +64,7 @@ void expect_sum(const ConvexPiece& own, const ConvexPiece& other, Random& random
     const double outside = sum.signed_distance(x, y, nx, ny);
     ASSERT_NEAR(outside, plain_outside(all, x, y), 1e-9 * size);
     ASSERT_NEAR(nx * nx + ny * ny, 1, 1e-12);
-    ASSERT_NEAR(nx * x + ny * y - most_of(all, nx, ny), outside, 1e-9 * size);
+    ASSERT_NEAR(nx * x + ny * y - support_of(all, nx, ny), outside, 1e-9 * size);
   }
 }
 
@@ -90,7 +91,7 @@ TEST(PieceSum, IsTheHullOfAllDifferences) {
     }
 }
 
-TEST(PieceSum, TellsWhichWayItGrowsRightBesideIt) {
+TEST(PieceSum, HasTheNormalOfTheNearestEdgeRightBesideIt) {
   const Outline hull = outline_of({{{-1, -1, 1, -1, 1, 1, -1, 1}}});
   const ConvexPieces cut = convex_pieces(hull);
   ObjectPieces a, b;

@@ -1,4 +1,4 @@
-// The certificate and what it is made of: planes between a path and a set, and judgements by hand.
+// The clearance certificate by hand, and its planes between straight paths and convex sets.
 #include "contact/clearance/separation.h"
 
 #include <gtest/gtest.h>
@@ -11,14 +11,14 @@
 namespace foresee {
 namespace {
 
-ClearanceVerdict judged(const Encounter<2>& encounter, const TrajectoryFamily<2>& family) {
+ClearanceVerdict verdict_of(const Encounter<2>& encounter, const TrajectoryFamily<2>& family) {
   std::uint64_t evaluations = 0;
   return certify_clearance<2>(encounter, family, evaluations);
 }
 
 using testing::Random;
 
-TEST(StraightApproach, FindsTheNearestMomentAndAPlane) {
+TEST(StraightApproach, FindsTheNearestApproachAndAPlane) {
   Random random(6);
   int apart = 0;
   for (int i = 0; i < 4000; ++i) {
@@ -35,13 +35,13 @@ TEST(StraightApproach, FindsTheNearestMomentAndAPlane) {
     const double begin = random.in(0, 2), end = begin + random.in(0, 9);
     const auto near = straight_approach<3>(extents, x, v, begin, end);
     Vec<3> ignored;
-    double least = HUGE_VAL;
+    double min_gap = HUGE_VAL;
     for (int j = 0; j <= 1000; ++j) {
       const double tau = begin + (end - begin) * j / 1000;
-      least = std::min(least, signed_distance<3>(extents.after(tau), x + tau * v, ignored));
+      min_gap = std::min(min_gap, signed_distance<3>(extents.after(tau), x + tau * v, ignored));
     }
-    EXPECT_LE(near.gap, least + 0.05 * std::abs(least) + 1e-9);
-    if (least <= 0.01) continue;
+    EXPECT_LE(near.gap, min_gap + 0.05 * std::abs(min_gap) + 1e-9);
+    if (min_gap <= 0.01) continue;
     ++apart;
     for (const double tau : {begin, end})
       EXPECT_GT((near.normal * (x + tau * v)).sum(), extents.after(tau).support(near.normal)) << i;
@@ -58,11 +58,11 @@ struct Meeting {
     encounter = {{0, 1000}, {0, 0}, {0, 0}, {0, 0}, {0, 0}, {{{0, 0}, 20, 2}}, 0, 200};
   }
   ClearanceVerdict turn(double p, double q) const {
-    return judged(encounter, trajectory_family<2>(base, {Manoeuvre::turn, 10}, p, q));
+    return verdict_of(encounter, trajectory_family<2>(base, {Manoeuvre::turn, 10}, p, q));
   }
 };
 
-TEST(Separation, TellsClearBlockedAndOpenApart) {
+TEST(Separation, DistinguishesClearBlockedAndOpen) {
   const Meeting stone;  // 1000 ahead, of radius 20: asin(0.02) is 1.146 degrees
   EXPECT_EQ(stone.turn(1.146, 180), ClearanceVerdict::clear);
   EXPECT_EQ(stone.turn(-180, -1.146), ClearanceVerdict::clear);
@@ -71,23 +71,23 @@ TEST(Separation, TellsClearBlockedAndOpenApart) {
   const auto gap = [&](double k) { return gap_of<2>(stone.encounter, stone.base, {Manoeuvre::turn, 10}, k); };
   EXPECT_NEAR(*end_between(gap, 0, 9, 1e-11), 1.1459919983885926, 1e-10);
   EXPECT_FALSE(end_between(gap, 2, 9, 1e-11));
-  // Touched from the start, it parts if it turns away by more than a right angle.
-  const auto parting = [&](double k) {
+  // Touching at the change, the two separate if it turns away by more than a right angle.
+  const auto separating = [&](double k) {
     return opening_rate_of<2>(stone.encounter, stone.base, {Manoeuvre::turn, 10}, k);
   };
-  EXPECT_NEAR(*end_between(parting, 0, 100, 1e-11), 90, 1e-10);
-  EXPECT_FALSE(end_between(parting, 0, 89, 1e-11));
+  EXPECT_NEAR(*end_between(separating, 0, 100, 1e-11), 90, 1e-10);
+  EXPECT_FALSE(end_between(separating, 0, 89, 1e-11));
 }
 
 TEST(Separation, ProvesAWholeRangeBesideOneThatTouches) {
   const Meeting stone;
   const auto speeds = trajectory_family<2>(stone.base, {Manoeuvre::speed, 10}, -10, -5.1000001);
-  EXPECT_EQ(judged(stone.encounter, speeds), ClearanceVerdict::clear);  // 980 in 200 s
-  EXPECT_EQ(judged(stone.encounter, trajectory_family<2>(stone.base, {Manoeuvre::speed, 10}, -5, 10)),
+  EXPECT_EQ(verdict_of(stone.encounter, speeds), ClearanceVerdict::clear);  // 980 in 200 s
+  EXPECT_EQ(verdict_of(stone.encounter, trajectory_family<2>(stone.base, {Manoeuvre::speed, 10}, -5, 10)),
             ClearanceVerdict::blocked);
 }
 
-TEST(Separation, BelievesNothingThatIsNotFinite) {
+TEST(Separation, CertifiesNothingThatIsNotFinite) {
   Meeting far;
   far.encounter.x[0] = HUGE_VAL;
   EXPECT_EQ(far.turn(0, 1), ClearanceVerdict::blocked);
@@ -95,17 +95,17 @@ TEST(Separation, BelievesNothingThatIsNotFinite) {
   EXPECT_EQ(far.turn(0, 1), ClearanceVerdict::blocked);
 }
 
-TEST(Parting, NeedsADistanceThatNeverShrinks) {
+TEST(SeparationIncrease, NeedsADistanceThatNeverShrinks) {
   Meeting beside;
   beside.encounter.x = {15, 0};
-  const auto parting = [&](double p, double q) {
+  const auto separating = [&](double p, double q) {
     std::uint64_t evaluations = 0;
     return certify_separation_increases<2>(
         beside.encounter, trajectory_family<2>(beside.base, {Manoeuvre::turn, 10}, p, q), evaluations);
   };
-  EXPECT_EQ(parting(-179, -1), ClearanceVerdict::clear);
-  EXPECT_EQ(parting(1, 179), ClearanceVerdict::blocked);
-  EXPECT_EQ(parting(-1, 1), ClearanceVerdict::open);
+  EXPECT_EQ(separating(-179, -1), ClearanceVerdict::clear);
+  EXPECT_EQ(separating(1, 179), ClearanceVerdict::blocked);
+  EXPECT_EQ(separating(-1, 1), ClearanceVerdict::open);
 }
 
 }  // namespace
