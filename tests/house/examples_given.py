@@ -137,6 +137,8 @@ GIVEN = {
     "tree_join.h": {"source": "NodeSource&"},
     "callback.h": {"cursor": "sqlite3_vtab_cursor*"},
     "mesh_check.h": {"mesh": "const Mesh&"},
-    "clear_ranges.h": {"met": "const std::vector<IntruderCertificate<2>>&"},
+    "initial_state.h": {"encounter": "Encounter<2>&", "exact": "ExactAvoidance&",
+                        "record": "const std::vector<double>&", "intruder": "const Intruder&"},
+    "clear_ranges.h": {"certificates": "const std::vector<IntruderCertificate<2>>&"},
     "time_slabs.h": {"pair": "Pair", "times": "const ContactTimes&"},
 }

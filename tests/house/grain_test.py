@@ -46,7 +46,7 @@ PRIVATE = {
     "storage/table/tree_snapshot.h": "a class of its own; store_transactions.cpp would have over 300 lines",
     "contact/boxes/box_lanes_kernel.h": "one file with its kernel has 320 lines: it settles meetings, the kernel settles ends",
     "contact/certain/certain_slope.h": "one file with closest_approach.cpp has 310 lines; a subject of its own, signs of the slope",
-    "contact/clearance/bent_separation.h": "the interface of bent_separation.cpp; both with separation_increase.cpp have 530 lines",
+    "contact/clearance/bent_separation.h": "the interface of bent_separation.cpp; both with separation_increase.cpp have 528 lines",
     "contact/set_contact.h": "the base class of BoxContact and a template that set_contact.cpp instantiates alone",
     "contact/mesh/containment.h": "the interface of ray tests, which compile apart from mesh_contact.cpp",
     "contact/mesh/disc_tests.h": "node tests by bounding discs, which compile apart from mesh_contact.cpp",
@@ -61,6 +61,9 @@ PRIVATE = {
     "sqlite/table/row_write.h": "the body of xUpdate, apart from the other methods; both in one file exceed 300 lines",
     "sqlite/watch/declare_watch.h": "parsing of a watch's declaration, apart from its methods; both in one file exceed 300 lines",
     "sqlite/watch/watched_tables.h": "the tables that a watch reads, apart from the search for their pairs",
+    "query/avoid/clear_ranges.h": "the interface of clear_ranges.cpp; with avoid.cpp it would have over 500 lines",
+    "query/avoid/initial_state.h": "with avoid.cpp it would have over 300 lines",
+    "query/avoid/intruders.h": "the interface of intruders.cpp; with avoid.cpp it would have over 400 lines",
 }
 
 INCLUDE = re.compile(r'^#include "([^"]+)"', re.M)

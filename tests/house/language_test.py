@@ -75,6 +75,7 @@ ENFORCED = (
     "ext/numbers/",
     "ext/shape/",
     "ext/storage/",
+    "ext/query/avoid/",
     "tests/contact/approach_oracle.cpp",
     "tests/contact/approach_oracle.h",
     "tests/contact/boxes/",
@@ -112,6 +113,9 @@ ENFORCED = (
     "tests/motion/",
     "tests/numbers/",
     "tests/shape/",
+    "tests/query/avoid/",
+    "tests/sqlite/functions/avoid_hulls_test.cpp",
+    "tests/sqlite/functions/avoid_outlines_test.cpp",
     "tests/storage/",
 )
 ENFORCED_NAMES = (
@@ -162,6 +166,7 @@ ENFORCED_NAMES = (
     "ext/contact/set_contact.cpp",
     "ext/contact/set_contact.h",
     "ext/contact/window_contact.h",
+    "ext/query/avoid/",
     "tests/contact/approach_oracle.cpp",
     "tests/contact/approach_oracle.h",
     "tests/contact/boxes/",
@@ -197,6 +202,10 @@ ENFORCED_NAMES = (
     "tests/motion/",
     "tests/numbers/",
     "tests/shape/",
+    "tests/query/avoid/",
+    "tests/sqlite/functions/avoid_hulls_test.cpp",
+    "tests/sqlite/functions/avoid_outlines_test.cpp",
+    "tests/sqlite/functions/avoid_test.cpp",
     "tests/storage/",
 )
 PAGES = ("docs/architecture.md", "docs/recipes.md", "docs/exactness.md", "docs/storage_format.md", "CONTRIBUTING.md", "bench/README.md")

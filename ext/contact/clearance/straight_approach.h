@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 
+#include "contact/clearance/pair_extents.h"
 #include "contact/clearance/trajectory_family.h"
 
 namespace foresee {

@@ -9,7 +9,7 @@
 #include "base/float_environment.h"
 #include "motion/life_interval.h"
 #include "query/avoid/clear_ranges.h"
-#include "query/avoid/close_look.h"
+#include "query/avoid/initial_state.h"
 #include "query/avoid/intruders.h"
 #include "query/join/question.h"
 
@@ -18,11 +18,11 @@ namespace {
 
 constexpr double min_number = std::numeric_limits<double>::denorm_min();
 
-/// One manoeuvre of one question, step by step.
-class Manoeuvring {
+/// The rows of one manoeuvre.
+class ManoeuvreRows {
  public:
-  Manoeuvring(const AvoidQuestion& question, const OwnMotion& stored, const OwnMotion& base,
-              const QueriedChanges& queried, Interrupt& interrupt)
+  ManoeuvreRows(const AvoidQuestion& question, const OwnMotion& stored, const OwnMotion& base,
+                const QueriedChanges& queried, Interrupt& interrupt)
       : question_(question),
         stored_(stored),
         base_(base),
@@ -45,11 +45,11 @@ class Manoeuvring {
   }
 
  private:
-  /// When a delayed motion begins at first: no k of the range makes it begin before.
+  /// The earliest start of a delayed motion: no k of the range makes it start before.
   static double earliest(const OwnMotion& stored, const QueriedChanges& queried) {
     return queried.manoeuvre == Manoeuvre::delay && queried.lo < 0 ? stored.t + queried.lo : stored.t;
   }
-  /// What all changed motions are seen from: time counts from its begin, so that none is there before.
+  /// The reference of all changed motions: time counts from its start, so none exists before.
   static OwnMotion reference_motion(OwnMotion base, const OwnMotion& stored, const QueriedChanges& queried) {
     const double t = earliest(stored, queried);
     if (t < stored.t) base.until -= stored.t - t, base.t = t;
@@ -77,7 +77,7 @@ class Manoeuvring {
         ->reach();
   }
 
-  /// Who does not move cannot turn, but for an outline with a heading: all changes are one.
+  /// An object at rest cannot turn, except an outline with a heading: all changes are one.
   bool changes_nothing() const {
     const auto none = [](const std::array<double, 3>& v) { return v[0] == 0 && v[1] == 0; };
     return queried_.manoeuvre == Manoeuvre::turn && none(base_.v) && none(base_.a) && !turns_;
@@ -89,24 +89,23 @@ class Manoeuvring {
     return ExactAvoidance::with_motion(question_.own->layout, question_.record, motion_at(k));
   }
 
-  /// Whom this touches at first is touched already: the place as it is stored with all changes but a delay.
+  bool delays() const { return queried_.manoeuvre == Manoeuvre::delay; }
+  /// What this touches at first touches already: the object at the change; for a delay, at its stored start.
   std::vector<double> record_at_first() const {
-    const bool delayed = queried_.manoeuvre == Manoeuvre::delay;
-    return ExactAvoidance::with_motion(question_.own->layout, question_.record, delayed ? stored_ : base_);
+    return ExactAvoidance::with_motion(question_.own->layout, question_.record, delays() ? stored_ : base_);
   }
 
-  /// Those that make the change touch, exactly.
-  std::vector<Intruder> touched_by(double k) {
-    const bool delayed = queried_.manoeuvre == Manoeuvre::delay;
-    if (k == 0 || !(delayed || turns_)) return exact_.by(record_at(k));
-    static const std::vector<Intruder> none;
-    if (delayed && question_.touching == Touching::part) return exact_.by(record_at(k), &none);
-    const std::vector<Intruder> first = exact_.at_first(record_at_first());
-    return exact_.by(record_at(k), &first);
+  /// The intruders that a change touches, by exact contact.
+  std::vector<Intruder> touching_at(double k) {
+    if (k == 0 || !(delays() || turns_)) return exact_.touching(record_at(k));
+    if (delays() && question_.touching == Touching::part)
+      return exact_.touching(record_at(k), &no_intruders_);
+    const std::vector<Intruder> first = exact_.touching_at_start(record_at_first());
+    return exact_.touching(record_at(k), &first);
   }
-  bool is_clear(double k) { return can_be_stored(motion_at(k)) && touched_by(k).empty(); }
+  bool is_clear(double k) { return can_be_stored(motion_at(k)) && touching_at(k).empty(); }
 
-  /// As numbers, and as an outline that lies so.
+  /// As finite numbers, and as an outline in this pose.
   bool can_be_stored(const OwnMotion& motion) const {
     if (!is_finite(motion)) return false;
     if (!turns_) return true;
@@ -118,7 +117,7 @@ class Manoeuvring {
     return true;
   }
 
-  /// What is proven, and the exact word on 0.
+  /// The proven ranges, and the exact decision on 0.
   std::vector<KRange> clear_ranges() {
     std::vector<KRange> clear;
     if (is_finite(base_))
@@ -140,15 +139,14 @@ class Manoeuvring {
 
   template <int D>
   std::vector<KRange> proven() {
-    const bool delayed = queried_.manoeuvre == Manoeuvre::delay;
     const auto marked = [&](const std::vector<Intruder>& some) {
       std::vector<std::vector<std::uint8_t>> marks;
       for (const auto& near : near_) marks.emplace_back(near->size());
       for (const Intruder& intruder : some) marks[static_cast<std::size_t>(intruder.table)][intruder.row] = 1;
       return marks;
     };
-    const auto first = marked(exact_.at_first(record_at_first()));
-    const auto at_start = delayed ? marked(touched_at_start()) : first;
+    const auto first = marked(exact_.touching_at_start(record_at_first()));
+    const auto at_start = delays() ? marked(touching_at_rest()) : first;
     struct Ordered {
       double nearness;
       std::size_t table;
@@ -176,9 +174,9 @@ class Manoeuvring {
         std::shared_ptr<const OutlinePair> pair;
         if (outlines) pair = std::make_shared<OutlinePair>(own_outline, there, i);
         const auto known = at_first<D>(encounter, touches, at_start[table][i] != 0);
-        if (needs_close_look(encounter, touches)) {
+        if (needs_exact_state(encounter, touches)) {
           const Intruder intruder{static_cast<int>(table), static_cast<std::uint32_t>(i)};
-          look_closely(encounter, exact_.first(record_at_first(), intruder), delayed);
+          take_exact_state(encounter, exact_.initial_state(record_at_first(), intruder), delays());
         }
         ordered.push_back({far, table, near_[table]->ids[i], {encounter, known, std::move(pair)}});
       }
@@ -192,21 +190,21 @@ class Manoeuvring {
         .between(queried_.lo, queried_.hi);
   }
 
-  /// Whom the object touches, at some moment, if it never leaves the place of its start.
-  std::vector<Intruder> touched_at_start() {
-    static const std::vector<Intruder> none;
+  /// The intruders that the object touches at any time if it remains at its start.
+  std::vector<Intruder> touching_at_rest() {
     OwnMotion resting = stored_;
     resting.t = reference_motion_.t, resting.until = std::numeric_limits<double>::infinity();
     resting.v = resting.a = resting.force = {};
-    return exact_.by(ExactAvoidance::with_motion(question_.own->layout, question_.record, resting), &none);
+    return exact_.touching(ExactAvoidance::with_motion(question_.own->layout, question_.record, resting),
+                           &no_intruders_);
   }
 
-  /// Of a delay it is known of who rests alone: whenever that starts, the other is where it was.
+  /// For a delay only the state of a resting intruder is known: it has the same position at every start.
   template <int D>
   typename IntruderCertificate<D>::AtFirst at_first(const Encounter<D>& encounter, bool touches,
                                                     bool touches_at_start) const {
     using AtFirst = typename IntruderCertificate<D>::AtFirst;
-    if (queried_.manoeuvre == Manoeuvre::delay) {
+    if (delays()) {
       const bool rests = (encounter.v == 0).all() && (encounter.ev == 0).all() && !encounter.bends() &&
                          !encounter.extents.grows;
       return rests && !touches_at_start ? AtFirst::apart : AtFirst::unknown;
@@ -215,7 +213,7 @@ class Manoeuvring {
     return encounter.begin > 0 || turns_ ? AtFirst::unknown : AtFirst::apart;
   }
 
-  /// Clear ranges and what lies between them.
+  /// Rows of the clear ranges and of the blocked ones between them.
   void tile(const std::vector<KRange>& clear) {
     double from = queried_.lo;
     for (const KRange& range : clear) {
@@ -232,7 +230,7 @@ class Manoeuvring {
     if (question_.wants_motion) rows_.back().record = record_at(k);
   }
 
-  /// Of a blocked row both ends, of a clear one those that it shares with a blocked one.
+  /// Names the blockers of both ends of blocked rows, and of the ends that clear rows share with them.
   void find_ends() {
     for (std::size_t i = 0; i < rows_.size(); ++i) {
       AvoidRow& row = rows_[i];
@@ -245,12 +243,12 @@ class Manoeuvring {
     }
   }
 
-  /// Who is touched first, as changes go from one end of a blocked row towards the other.
+  /// The first blocker, as changes go from one end of a blocked row towards the other.
   std::optional<Blocker> blocker(double end, double other, bool end_is_clear) {
     const auto at = [&](double k) -> std::optional<Blocker> {
       if (!can_be_stored(motion_at(k))) return std::nullopt;
-      const std::vector<Intruder> touched = touched_by(k);
-      return touched.empty() ? std::nullopt : exact_.first_of(record_at(k), touched);
+      const std::vector<Intruder> touching = touching_at(k);
+      return touching.empty() ? std::nullopt : exact_.first_touching(record_at(k), touching);
     };
     if (!end_is_clear)
       if (auto found = at(end)) return found;
@@ -269,12 +267,13 @@ class Manoeuvring {
     return std::nullopt;
   }
 
+  inline static const std::vector<Intruder> no_intruders_;
   const AvoidQuestion& question_;
   const OwnMotion &stored_, &base_;
   QueriedChanges queried_;
   Change change_;
   const OwnMotion reference_motion_;
-  bool turns_;  ///< an outline of its own
+  bool turns_;  ///< the own outline rotates with the course
   Interrupt& interrupt_;
   ExactAvoidance::Scenes near_;
   ExactAvoidance exact_;
@@ -292,7 +291,7 @@ std::vector<AvoidRow> avoid(const AvoidQuestion& question, Interrupt& interrupt)
   if (life_of(stored.t, stored.until, {question.now, question.h}).none) return rows;
   const OwnMotion base = motion_from(stored, std::max(question.now, stored.t));
   for (const QueriedChanges& queried : queried_changes(question, stored, base)) {
-    std::vector<AvoidRow> some = Manoeuvring(question, stored, base, queried, interrupt).rows();
+    std::vector<AvoidRow> some = ManoeuvreRows(question, stored, base, queried, interrupt).rows();
     std::move(some.begin(), some.end(), std::back_inserter(rows));
   }
   return rows;

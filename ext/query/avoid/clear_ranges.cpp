@@ -12,11 +12,11 @@ namespace foresee {
 namespace {
 
 constexpr double nowhere = std::numeric_limits<double>::infinity();
-/// In degrees: hardly anybody near is beside all courses of a wider one.
+/// In degrees: hardly any near object is clear of all courses of a wider arc.
 constexpr double widest_arc = 45;
-/// In doubt, of one intruder.
+/// Undecided, of one intruder.
 constexpr std::size_t many_parts = 64;
-/// Whose parts are kept, a kilobyte each.
+/// How many intruders keep their parts, a kilobyte each.
 constexpr std::size_t max_split = 1 << 15;
 
 }  // namespace
@@ -42,7 +42,7 @@ std::vector<KRange> ClearRanges<D>::between(double lo, double hi) {
   return std::move(clear_);
 }
 
-/// The usual end is found in some hundred looks; a graze takes hundred thousands.
+/// The usual end is found in some hundred evaluations; a grazing path takes hundreds of thousands.
 template <int D>
 double ClearRanges<D>::narrowest() const {
   constexpr std::uint64_t usual = 1 << 20;
@@ -64,32 +64,32 @@ std::pair<std::uint32_t, std::uint32_t> ClearRanges<D>::parts_of(std::uint32_t i
 template <int D>
 ClearanceVerdict ClearRanges<D>::certify(const IntruderCertificate<D>& intruder, const Range& range) {
   std::uint64_t evaluations = 0;
-  const ClearanceVerdict judgement = intruder.certify(range.family, range.from, range.to, evaluations);
+  const ClearanceVerdict verdict = intruder.certify(range.family, range.from, range.to, evaluations);
   step_.costly(static_cast<std::uint32_t>(16 * (1 + evaluations)));
   if (!range.is_first) evaluations_ += evaluations;
-  return judgement;
+  return verdict;
 }
 
 template <int D>
 ClearanceVerdict ClearRanges<D>::certify_parts(const IntruderCertificate<D>& intruder, const Range& range) {
   for (const IntruderCertificate<D>& part : intruder.parts()) {
-    ClearanceVerdict judgement = certify(part, range);
-    if (judgement == ClearanceVerdict::open && part.is_worth_splitting(range.family))
-      judgement = certify_parts(part, range);
-    if (judgement != ClearanceVerdict::clear) return judgement;
+    ClearanceVerdict verdict = certify(part, range);
+    if (verdict == ClearanceVerdict::open && part.is_worth_splitting(range.family))
+      verdict = certify_parts(part, range);
+    if (verdict != ClearanceVerdict::clear) return verdict;
   }
   return ClearanceVerdict::clear;
 }
 
 template <int D>
 bool ClearRanges<D>::blocks(std::uint32_t intruder, const Range& range, std::size_t first) {
-  ClearanceVerdict judgement = certify(intruders_[intruder], range);
+  ClearanceVerdict verdict = certify(intruders_[intruder], range);
   const bool is_split =
-      judgement == ClearanceVerdict::open && intruders_[intruder].is_worth_splitting(range.family);
+      verdict == ClearanceVerdict::open && intruders_[intruder].is_worth_splitting(range.family);
   const bool kept = is_split && (parts_.size() < max_split || parts_.count(intruder) > 0);
-  if (is_split && !kept) judgement = certify_parts(intruders_[intruder], range);
-  if (judgement == ClearanceVerdict::open && !kept) open_.push_back(intruder);
-  if (!kept) return judgement == ClearanceVerdict::blocked;
+  if (is_split && !kept) verdict = certify_parts(intruders_[intruder], range);
+  if (verdict == ClearanceVerdict::open && !kept) open_.push_back(intruder);
+  if (!kept) return verdict == ClearanceVerdict::blocked;
   const auto [begin, end] = parts_of(intruder);
   for (std::uint32_t part = begin; part < end; ++part) {
     if (open_.size() - first >= many_parts)
@@ -106,7 +106,7 @@ void ClearRanges<D>::search(double from, double to, std::size_t begin, std::size
   const std::size_t first_open = open_.size();
   for (std::size_t i = begin; i < end; ++i) {
     if (!blocks(open_[i], range, open_.size())) continue;
-    std::swap(open_[i], open_[begin]);  // who blocks here probably does so next to it
+    std::swap(open_[i], open_[begin]);  // it probably blocks the next range too
     open_.resize(first_open);
     return;
   }
@@ -125,10 +125,10 @@ void ClearRanges<D>::search(double from, double to, std::size_t begin, std::size
 
 template <int D>
 void ClearRanges<D>::cut(double from, double to, std::size_t begin, std::size_t end, double near) {
-  const double least = narrowest(), aside = 0.25 * least;
+  const double min_width = narrowest(), aside = 0.25 * min_width;
   const auto found = guessed_end(from, to, begin, end);
-  // Beside an end that is known already another may be noise: it must leave less to search.
-  const double margin = near == nowhere ? 0 : std::max(4 * least, 0.125 * (to - from));
+  // Beside a known end another guess may be noise: it must reduce the range.
+  const double margin = near == nowhere ? 0 : std::max(4 * min_width, 0.125 * (to - from));
   if (found && from + margin < *found - aside && *found + aside < to - margin) {
     search(from, *found - aside, begin, end, *found);
     search(*found - aside, *found + aside, begin, end, *found);
@@ -136,7 +136,8 @@ void ClearRanges<D>::cut(double from, double to, std::size_t begin, std::size_t 
     return;
   }
   double middle = from + 0.5 * (to - from);
-  const double first = std::max(std::abs(from - near), least), last = std::max(std::abs(to - near), least);
+  const double first = std::max(std::abs(from - near), min_width),
+               last = std::max(std::abs(to - near), min_width);
   if (near <= from && last > 8 * first) middle = near + std::sqrt(first) * std::sqrt(last);
   if (near >= to && first > 8 * last) middle = near - std::sqrt(first) * std::sqrt(last);
   if (!(from < middle && middle < to)) return;
@@ -144,7 +145,7 @@ void ClearRanges<D>::cut(double from, double to, std::size_t begin, std::size_t 
   search(middle, to, begin, end, near);
 }
 
-/// The end that the intruder in front makes, if it makes one.
+/// The end that the first open intruder causes, if it causes one.
 template <int D>
 std::optional<double> ClearRanges<D>::guessed_end(double from, double to, std::size_t begin,
                                                   std::size_t end) const {

@@ -18,7 +18,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t pairs_at_once = 4096;
 
-/// The distance of the centres never shrinks: on straight paths its slope grows, so that the first decides.
+/// Whether the distance of the centres never decreases. On straight paths its slope increases, so the first
+/// decides.
 template <int D>
 bool separates_exactly(const Setup& setup, const double* own, const double* other) {
   const auto relative = relative_motion_of<Dyadic, D>(setup, own, other);
@@ -38,7 +39,7 @@ bool grows_at_all(const Bodies& bodies, const double* row) {
   return (growth_of<D>(bodies.layout.shape, row, bodies.at) > 0).any();
 }
 
-/// The places of a record that a motion has, and where they stand in it.
+/// Calls use(number of the record, number of the motion) for each number that both have.
 template <class Record, class Motion, class Use>
 void with_places(const Layout& layout, Record& record, Motion& motion, Use&& use) {
   const Offsets at = record_offsets(layout);
@@ -55,8 +56,8 @@ void with_places(const Layout& layout, Record& record, Motion& motion, Use&& use
   vector(at.x, motion.x), vector(at.v, motion.v), vector(at.a, motion.a), vector(at.force, motion.force);
 }
 
-/// A row of the same object with sizes of its own: what they are once the stored ones have grown for `age`,
-/// rounded up. `out`: of the same layout, but that no size is left out.
+/// Writes a row of the same object with the sizes that it has after growing for `age`, rounded up.
+/// `out_layout`: the same layout without omitted sizes.
 void grow_row(const Layout& layout, const double* row, double age, Layout out_layout, double* out) {
   const Offsets from = row_offsets(layout), to = row_offsets(out_layout);
   const int left_out = from.size == to.size ? to.size : to.r;  // r, or r and hz
@@ -76,7 +77,7 @@ void grow_row(const Layout& layout, const double* row, double age, Layout out_la
   if (to.hz != Offsets::absent) grow(to.hz, 2);
 }
 
-/// The form of the one object that changes.
+/// The form of the object that changes.
 struct OneForm final : FormSource {
   explicit OneForm(std::shared_ptr<const Form> only) : only(std::move(only)) {}
   std::shared_ptr<const Form> form(std::int64_t /*number*/) override { return only; }
@@ -167,7 +168,7 @@ std::unique_ptr<Contact> ExactAvoidance::contact(std::size_t table, const Horizo
 
 std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contact>>& contacts,
                                               const std::vector<std::vector<std::uint8_t>>& left_out) {
-  std::vector<Intruder> touched;
+  std::vector<Intruder> touching;
   for (std::size_t table = 0; table < near_.size(); ++table) {
     std::vector<Pair> pairs, hits;
     const auto count = static_cast<std::uint32_t>(near_[table]->size());
@@ -178,12 +179,12 @@ std::vector<Intruder> ExactAvoidance::decided(std::vector<std::unique_ptr<Contac
         if (left_out.empty() || !left_out[table][row]) pairs.push_back({0, row});
       contacts[table]->decide(pairs, hits);
     }
-    for (const Pair& hit : hits) touched.push_back({static_cast<int>(table), hit.b});
+    for (const Pair& hit : hits) touching.push_back({static_cast<int>(table), hit.b});
   }
-  return touched;
+  return touching;
 }
 
-std::vector<Intruder> ExactAvoidance::at_first(const std::vector<double>& record) {
+std::vector<Intruder> ExactAvoidance::touching_at_start(const std::vector<double>& record) {
   take(record);
   if (!(start_ - question_.now <= question_.h)) return {};
   for (std::size_t table = 0; table < near_.size(); ++table)
@@ -198,7 +199,7 @@ bool ExactAvoidance::touches(Contact& contact, const Intruder& intruder) const {
   return !hits.empty();
 }
 
-bool ExactAvoidance::touches_first(const Intruder& intruder) {
+bool ExactAvoidance::touches_at_start(const Intruder& intruder) {
   const auto table = static_cast<std::size_t>(intruder.table);
   if (!at_first_[table]) at_first_[table] = contact(table, {start_, 0});
   return touches(*at_first_[table], intruder);
@@ -212,7 +213,7 @@ bool ExactAvoidance::separates(const Intruder& intruder) {
   if (lifetime.none || (lifetime.t_start == lifetime.t_end && lifetime.dt_start == lifetime.dt_end))
     return true;
   const Horizon first{start_, 0};
-  if (has_outlines(own.layout, others.layout) && !touches_first(intruder))
+  if (has_outlines(own.layout, others.layout) && !touches_at_start(intruder))
     return !touches(*contacts_[static_cast<std::size_t>(intruder.table)], intruder);
   return with_axes(own.layout.axes, [&]<int D>(Axes<D>) {
     const bool grow = grows_at_all<D>(own, own_row) || grows_at_all<D>(others, row);
@@ -238,33 +239,33 @@ bool ExactAvoidance::separates(const Intruder& intruder) {
   });
 }
 
-std::vector<Intruder> ExactAvoidance::by(const std::vector<double>& record,
-                                         const std::vector<Intruder>* first) {
+std::vector<Intruder> ExactAvoidance::touching(const std::vector<double>& record,
+                                               const std::vector<Intruder>* first) {
   std::vector<Intruder> own_first;
   if (first)
     take(record);
   else
-    own_first = at_first(record), first = &own_first;
+    own_first = touching_at_start(record), first = &own_first;
   std::vector<std::vector<std::uint8_t>> left_out;
   for (const auto& near : near_) left_out.emplace_back(near->size());
   for (const Intruder& intruder : *first)
     left_out[static_cast<std::size_t>(intruder.table)][intruder.row] = 1;
-  std::vector<Intruder> touched = decided(contacts_, left_out);
+  std::vector<Intruder> touching = decided(contacts_, left_out);
   if (question_.touching == Touching::part)
     for (const Intruder& intruder : *first)
-      if (!separates(intruder)) touched.push_back(intruder);
-  return touched;
+      if (!separates(intruder)) touching.push_back(intruder);
+  return touching;
 }
 
-std::optional<Blocker> ExactAvoidance::first_of(const std::vector<double>& record,
-                                                const std::vector<Intruder>& touched) {
+std::optional<Blocker> ExactAvoidance::first_touching(const std::vector<double>& record,
+                                                      const std::vector<Intruder>& touching) {
   take(record);
   std::optional<Blocker> first;
   std::vector<Pair> pairs, hits;
   std::vector<ContactTimes> times;
   for (std::size_t table = 0; table < near_.size(); ++table) {
     pairs.clear(), hits.clear(), times.clear();
-    for (const Intruder& intruder : touched)
+    for (const Intruder& intruder : touching)
       if (static_cast<std::size_t>(intruder.table) == table) pairs.push_back({0, intruder.row});
     contacts_[table]->first_contacts(pairs, TimesWanted::starts, hits, times);
     for (std::size_t i = 0; i < hits.size(); ++i) {

@@ -1,15 +1,16 @@
-// Whom does one motion touch? Asked of exact contact, about a motion as it would be stored: the word on k =
-// 0, on a question about one change, and on who stands at the end of a row.
+// The intruders that one motion touches, decided by exact contact for the motion as it would be stored.
 //
-//   ExactAvoidance touched(question, intruders, interrupt);
-//   touched.by(record, spared).empty()                 // clear
+//   ExactAvoidance exact(question, intruders, interrupt);
+//   exact.touching(record, spared).empty()             // clear
 //
-// What grows has grown since the stored t, whichever t the motion has: so a change goes on, without a new
-// report, from what is known now.
+// It decides k = 0 and queries of a single change, and names the intruder at the end of a row. Extents grow
+// from the stored t, whichever t the motion has: a change continues, without a new report, what is known now.
 //
-// Who is touched at the object's first moment is not counted if Touching says so: never for ignore; for part
-// if the distance of the centres never shrinks and they do not touch again, decided exactly where neither
-// path is bent and both shapes are convex (else proven, or counted). Cost: some 100 ns an intruder.
+// Intruders that touch at the first time of the object are exempt as Touching says. With `ignore` they never
+// count. With `part` they do not count if the distance of the centres never decreases and they do not touch
+// again. That is decided exactly if neither path is bent and both shapes are convex; else it is proven, or
+// the intruder counts.
+// Cost: some 100 ns per intruder.
 #pragma once
 
 #include <functional>
@@ -21,7 +22,7 @@
 
 namespace foresee {
 
-/// One of the intruders: of which table, and its row there.
+/// An intruder: its table, and its row there.
 struct Intruder {
   int table;
   std::uint32_t row;
@@ -31,29 +32,31 @@ struct Intruder {
 
 class ExactAvoidance {
  public:
-  using Scenes = std::vector<std::shared_ptr<const Scene>>;  ///< one a table
+  using Scenes = std::vector<std::shared_ptr<const Scene>>;  ///< one per table
 
   ExactAvoidance(const AvoidQuestion& question, Scenes near, Interrupt& interrupt);
   ~ExactAvoidance();
 
-  /// Those touched at the object's first moment, whatever comes then.
-  std::vector<Intruder> at_first(const std::vector<double>& record);
+  /// The intruders that touch at the first time of the object, whatever follows.
+  std::vector<Intruder> touching_at_start(const std::vector<double>& record);
 
-  /// Those that make the motion touch. `first`: who is touched when the change is made, where that is not
-  /// whom this motion touches at first.
-  std::vector<Intruder> by(const std::vector<double>& record, const std::vector<Intruder>* first = nullptr);
+  /// The intruders that the motion touches. `first`: those that touch when the change is made, if these are not
+  /// the ones that this motion touches at its first time.
+  std::vector<Intruder> touching(const std::vector<double>& record,
+                                 const std::vector<Intruder>* first = nullptr);
 
-  /// How an intruder is met at the object's first moment, where and how fast, in the nearest doubles and
-  /// how far they are off; and of balls, discs and what is upright the square of the distance of the centres,
-  /// on the axes that are round, less that of their reach, rounded down, or 0 where that is not above 0.
-  struct First {
+  /// An intruder relative to the object at its first time: position and velocity in the nearest doubles, with
+  /// errors. `square_gap`, for balls, discs and upright shapes: the squared distance of the centres on the
+  /// round axes, less the squared reach, rounded down; 0 if that is not above 0.
+  struct InitialState {
     std::array<double, 3> x{}, ex{}, v{}, ev{};
     double square_gap = 0;
   };
-  First first(const std::vector<double>& record, const Intruder& intruder);
+  InitialState initial_state(const std::vector<double>& record, const Intruder& intruder);
 
-  /// Of those of by() the one that is touched first: ties by table, then by id.
-  std::optional<Blocker> first_of(const std::vector<double>& record, const std::vector<Intruder>& touched);
+  /// The one of these that is touched first; ties by table, then by id.
+  std::optional<Blocker> first_touching(const std::vector<double>& record,
+                                        const std::vector<Intruder>& touching);
 
   /// The object's motion in a record of its table, and back.
   static OwnMotion motion_in(const Layout& layout, const std::vector<double>& record);
@@ -62,19 +65,19 @@ class ExactAvoidance {
 
  private:
   void take(const std::vector<double>& record);
-  /// The own row's form, turned by the row's heading.
+  /// Rotates the own form by the heading of the row.
   void take_form();
   std::unique_ptr<Contact> contact(std::size_t table, const Horizon& horizon) const;
   std::vector<Intruder> decided(std::vector<std::unique_ptr<Contact>>& contacts,
                                 const std::vector<std::vector<std::uint8_t>>& left_out);
   bool touches(Contact& contact, const Intruder& intruder) const;
-  bool touches_first(const Intruder& intruder);
+  bool touches_at_start(const Intruder& intruder);
   bool separates(const Intruder& intruder);
 
   const AvoidQuestion& question_;
   Interrupt& interrupt_;
   Scenes near_;
-  Scene own_;  ///< of one row, which take() changes
+  Scene own_;  ///< one row, which take() changes
   std::vector<std::unique_ptr<Contact>> contacts_, at_first_;
   double start_ = 0, heading_ = 0;
 };

@@ -8,8 +8,8 @@
 namespace foresee {
 namespace {
 
-/// How far, in shares of its distance from the middle, what turns by at most `degrees` comes: twice the sine
-/// of half of it.
+/// Upper bound of the chord of a rotation by at most `degrees`, relative to the radius: twice the sine of
+/// half the angle.
 double chord_of(double degrees) {
   if (degrees >= 180) return 2;
   return 2 * (quick_sine_cosine(0.5 * degrees).sine * (1 + 0x1p-40) + 0x1p-1000);
@@ -96,9 +96,8 @@ std::vector<IntruderCertificate<D>> IntruderCertificate<D>::parts() const {
 template <int D>
 bool is_clear_of(const IntruderCertificate<D>& intruder, const TrajectoryFamily<D>& family, double k) {
   std::uint64_t evaluations = 0;
-  const ClearanceVerdict judgement = intruder.certify(family, k, k, evaluations);
-  if (judgement != ClearanceVerdict::open || !intruder.has_parts())
-    return judgement == ClearanceVerdict::clear;
+  const ClearanceVerdict verdict = intruder.certify(family, k, k, evaluations);
+  if (verdict != ClearanceVerdict::open || !intruder.has_parts()) return verdict == ClearanceVerdict::clear;
   const std::vector<IntruderCertificate<D>> parts = intruder.parts();
   return std::all_of(parts.begin(), parts.end(),
                      [&](const IntruderCertificate<D>& part) { return is_clear_of<D>(part, family, k); });

@@ -1,13 +1,12 @@
-// An intruder as it is seen from the change: does it stay clear of all changes of a range? Of outlines first
-// as the disc around both, then box by box, down to their convex pieces, where what is around them is in
-// doubt.
+// The clearance certificate of one intruder for a range of changes, refined from bounds to convex pieces.
 //
 //   IntruderCertificate<2> ship(encounter, IntruderCertificate<2>::AtFirst::apart);
-//   ship.certify_clearance(trajectory_family<2>(base, change, 10, 20), 10, 20, evaluations)
+//   ship.certify(trajectory_family<2>(base, change, 10, 20), 10, 20, evaluations)
 //
-// Guarantee: what is judged clear is so for every change of the range (contact/clearance/separation.h). What
-// has parts is clear if all of them are. Cost: that of a certificate; where an outline turns, its sum is made
-// anew for each range.
+// Guarantee: a range certified clear is so for every change of it (contact/clearance/separation.h). An
+// intruder of several parts is clear if all of them are. An outline starts as the disc around both objects.
+// Where that is undecided, boxes follow, and finally the pairs of convex pieces.
+// Cost: that of a certificate. The sum of an outline that rotates is recomputed per range.
 #pragma once
 
 #include <memory>
@@ -21,13 +20,13 @@ namespace foresee {
 template <int D>
 class IntruderCertificate {
  public:
-  /// What is known of the moment of the change, by exact contact.
+  /// The state at the change, by exact contact.
   enum class AtFirst : std::uint8_t {
-    touches,  ///< must part
+    touches,  ///< must separate
     apart,
     unknown
   };
-  /// `outlines`: null where sizes alone tell what touches.
+  /// `outlines`: null for shapes without outlines.
   IntruderCertificate(const Encounter<D>& encounter, AtFirst at_first,
                       std::shared_ptr<const OutlinePair> outlines = {});
 
@@ -36,11 +35,11 @@ class IntruderCertificate {
   ClearanceVerdict certify(const TrajectoryFamily<D>& family, double p, double q,
                            std::uint64_t& evaluations) const;
 
-  /// That of one change, for guesses.
+  /// The encounter of one change, for guesses.
   Encounter<D> encounter_at(double k) const { return encounter_between(k, k); }
 
-  /// Whether it stands for more than one convex set, and those are worth a look: where it is not larger than
-  /// what the changes of a range lie apart, none of them can touch for all.
+  /// Whether it bounds several convex sets, and whether it is worthwhile to test those. If it is smaller than
+  /// the distance between the changes of the range, no set touches for all of them.
   bool has_parts() const { return stage_ == Stage::whole || stage_ == Stage::boxes; }
   bool is_worth_splitting(const TrajectoryFamily<D>& family) const;
   std::vector<IntruderCertificate> parts() const;
@@ -48,8 +47,8 @@ class IntruderCertificate {
  private:
   enum class Stage : std::uint8_t { simple, whole, boxes, pieces };
 
-  /// What is turned with the change: as in the middle of the range, and as much rounder as the others are
-  /// away from there. Of boxes the disc around, where that is less.
+  /// If the outline rotates with the change: its pose in the middle of the range, inflated by the rotation to
+  /// the ends. For boxes and a wide range the disc around them instead.
   Encounter<D> encounter_between(double p, double q) const;
 
   Encounter<D> encounter_;
@@ -57,11 +56,11 @@ class IntruderCertificate {
   Stage stage_;
   std::shared_ptr<const OutlinePair> outlines_;
   OutlinePair::Part part_;
-  std::shared_ptr<PieceSum> sum_, turning_;  ///< the latter where it turns
-  double round_ = 0;  ///< the radius, and how fast it grows, without boxes around what turns
+  std::shared_ptr<PieceSum> sum_, turning_;  ///< turning_: if the own part rotates
+  double round_ = 0;                         ///< the radius without discs around rotating boxes
 };
 
-/// Clear, or not proven: one change alone.
+/// Whether one single change is proven clear.
 template <int D>
 bool is_clear_of(const IntruderCertificate<D>& intruder, const TrajectoryFamily<D>& family, double k);
 

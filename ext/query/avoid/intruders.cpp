@@ -8,7 +8,7 @@
 namespace foresee {
 namespace {
 
-/// Around what turns with its course, whichever that is.
+/// The extents of the object; if its outline rotates with its course, those of all rotations.
 template <int D>
 Extents<D> extents_of_changed(const AvoidQuestion& question, const Change& change, const Bodies& own) {
   Extents<D> extents = extents_of<D>(own, 0);
@@ -18,7 +18,7 @@ Extents<D> extents_of_changed(const AvoidQuestion& question, const Change& chang
   return extents;
 }
 
-/// A box around all changed motions, and when any of them is there.
+/// A box around all changed motions, and when any of them exists.
 template <int D>
 MovingBox<D> box_around(const AvoidQuestion& question, const OwnMotion& base, const Change& change,
                         const MotionSet<D>& all, const Vec<D>& margin) {
@@ -74,7 +74,7 @@ void walk_tree(NodeSource& tree, const MovingBox<D>& box, const Horizon& horizon
     }
 }
 
-/// The same objects as of a tree: those whose own boxes meet the box.
+/// The same objects as from a tree: those whose boxes meet the box.
 template <int D>
 void walk_scene(const Scene& all, MovingBox<D> box, const Horizon& horizon,
                 std::optional<std::int64_t> itself, Interrupt& interrupt, Scene& near) {

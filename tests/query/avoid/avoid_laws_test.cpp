@@ -1,5 +1,5 @@
-// Laws of avoidance: a scene turned by right angles, or told in other units, has the same rows; a shorter
-// horizon and smaller shapes never block what was clear.
+// Laws of avoidance: a scene rotated by right angles, or in other units, has the same rows. A shorter horizon
+// and smaller shapes never block what was clear.
 #include <functional>
 
 #include "query/avoid/avoid_cases.h"
@@ -13,7 +13,7 @@ using testing::random_scene;
 using testing::RandomScene;
 using testing::rows_of;
 
-/// Numbers of a row by what they are: use(number, quantity, axis).
+/// The quantity of a number of a row.
 enum class Of : std::uint8_t { time, place, speed, acceleration, force, size, growth };
 using Change = std::function<void(double& number, Of what)>;
 
@@ -117,7 +117,7 @@ TEST(AvoidLaws, OtherUnitsChangeNothing) {
   });
 }
 
-/// What is clear of all is clear of less.
+/// What is clear of larger shapes for longer is clear of smaller ones.
 TEST(AvoidLaws, AShorterHorizonAndSmallerShapesBlockNoMore) {
   for_each_scene([](const RandomScene& scene, std::size_t i) {
     RandomScene shorter = scene;

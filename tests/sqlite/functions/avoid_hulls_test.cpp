@@ -1,5 +1,5 @@
-// predictive_avoid for outlines, by hand: a hull that turns with its course, gaps, holes, quays, what cannot
-// be turned.
+// predictive_avoid for outlines, by hand: a hull that rotates with its course, gaps, holes, quays, and
+// outlines that cannot be rotated.
 #if defined(__linux__)
 #include <sys/resource.h>
 #endif
@@ -10,7 +10,7 @@
 namespace foresee::testing {
 namespace {
 
-/// That this process had so far, in KiB; 0 where it is not told.
+/// The peak memory of this process, in KiB; 0 where it is not known.
 long max_memory() {
 #if defined(__linux__)
   rusage usage{};
@@ -22,7 +22,7 @@ long max_memory() {
 }
 
 struct AvoidHulls : ::testing::Test {
-  /// A hull of 2 by 12, on its way north at 5, and what is in its way.
+  /// A hull of 2 by 12 that moves north at 5, and the obstacles.
   void make(const std::string& heading, const std::string& others) {
     db.exec(
         "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, shape" + heading +
@@ -41,7 +41,7 @@ struct AvoidHulls : ::testing::Test {
   Database db;
 };
 
-/// The quay is 2 to the right of the way: turned to port, the stern swings to it, by asin(2 / |(1, 6)|) less
+/// The quay is 2 to the right of the path. Turned to port, the stern swings to it at asin(2 / |(1, 6)|) -
 /// atan(1 / 6).
 TEST_F(AvoidHulls, TurnWithTheirCourse) {
   make(", heading", "(1, 0, 0, 'POLYGON((2 -50, 3 -50, 3 50, 2 50, 2 -50))')");
@@ -65,7 +65,7 @@ TEST_F(AvoidHulls, PassThroughAGapThatTheirBoxesDoNot) {
   EXPECT_EQ(avoid("'speed', -5, 5, NULL, 'quays'"), "1|-5.0|5.0|NULL|NULL|NULL");
 }
 
-/// Within a lock: whoever stays clear of the outline around it stays there.
+/// Inside a lock: an object that keeps clear of the outline around it remains inside.
 TEST_F(AvoidHulls, KeepWithinAHole) {
   make(", heading",
        "(1, 0, 0, 'POLYGON((-20 -20, 20 -20, 20 60, -20 60, -20 -20), (-10 -10, 10 -10, 10 54, -10 54, -10 "
@@ -111,11 +111,11 @@ TEST_F(AvoidHulls, OfTrianglesInSpaceAreRefused) {
   EXPECT_EQ(db.error_of("SELECT * FROM predictive_avoid(60, 'rocks', 1)"),
             "predictive_avoid: predictive_avoid does not answer for meshes, which rocks has: declare hz "
             "beside shape "
-            "for prisms, or ask about a table with r around each");
+            "for prisms, or query a table with r around each");
 }
 
-/// As of now the place is rounded, and touches the hull around it, which the stored row just left: whoever
-/// turns touches already, asked about alone too.
+/// At now the position is rounded, and touches the hull around it, which the stored row just left. A ship
+/// that turns touches already, also in a query of one change.
 TEST_F(AvoidHulls, TouchAlreadyWhatTheirRoundedPlaceTouches) {
   db.exec(
       "CREATE VIRTUAL TABLE boats USING moving_objects(id, t, x, y, z, vx, vy, vz, shape, heading, hz);"
@@ -128,7 +128,8 @@ TEST_F(AvoidHulls, TouchAlreadyWhatTheirRoundedPlaceTouches) {
   EXPECT_EQ(db.rows(queried + "2, 2, 1)"), "0");
 }
 
-/// Shapes of many pieces, each pair of which is in doubt for some turns: few of the pairs are kept.
+/// Shapes of many pieces, of which each pair is undecided for some turns: few of the pairs are kept in
+/// memory.
 TEST_F(AvoidHulls, OfManyPiecesTakeLittleMemory) {
   db.exec(
       "CREATE VIRTUAL TABLE stars USING moving_objects(id, x, y, vx, vy, shape, heading);"
@@ -147,8 +148,8 @@ TEST_F(AvoidHulls, OfManyPiecesTakeLittleMemory) {
   }
 }
 
-/// Two flat things that pass the same height at one moment touch with no depth for many a rate of climb:
-/// where that begins is noise to whoever guesses. (0.2.0 went down guess by guess until the stack ended.)
+/// Two flat objects that pass the same height at one time touch without depth for many rates of climb. A
+/// guess of the first of these is noise. (0.2.0 split the range at each guess until the stack overflowed.)
 TEST_F(AvoidHulls, FlatOnesThatPassOneHeightTouchWithoutDepth) {
   db.exec(
       "CREATE VIRTUAL TABLE kites USING moving_objects(id, t, x, y, z, vx, vy, vz, shape, heading, hz);"

@@ -1,5 +1,5 @@
-// predictive_avoid for outlines and prisms: against exact contact of single changes, against the shapes that
-// they are alike, by hand, and written back. FORESEE_LONG=1: a hundred times as many scenes.
+// predictive_avoid for outlines and prisms: against exact contact of single changes, against equal shapes of
+// other kinds, and written back. FORESEE_LONG=1: a hundred times as many scenes.
 #include <cmath>
 #include <cstdlib>
 #include <sstream>
@@ -11,7 +11,7 @@
 namespace foresee::testing {
 namespace {
 
-constexpr const char* looks[] = {
+constexpr const char* shapes[] = {
     "'POLYGON((-2 -6, 2 -6, 2 4, 0 6, -2 4, -2 -6))'",                              // a hull
     "'POLYGON((-1 -1, 1 -1, 1 1, -1 1, -1 -1))'",                                   // a box
     "'POLYGON((-5 -5, 5 -5, 5 5, 3 5, 3 -3, -3 -3, -3 5, -5 5, -5 -5))'",           // a dock
@@ -41,7 +41,7 @@ struct Scene {
         if (box)
           row << ", " << drawn(random, 0, 3) << ", " << std::abs(number(3));
         else
-          row << ", " << looks[drawn(random, 0, 7)];
+          row << ", " << shapes[drawn(random, 0, 7)];
         if (!box && has_heading)
           row << ", " << (drawn(random, 0, 1) ? 45 * drawn(random, -8, 8) : number(360));
         if (!box && has_r) row << ", " << drawn(random, 0, 2);
@@ -53,8 +53,8 @@ struct Scene {
   }
 
   std::string z(const std::string& text) const { return axes == 3 ? text : ""; }
-  double number(double most) {
-    const double drawn_number = drawn(random, -most, most);
+  double number(double limit) {
+    const double drawn_number = drawn(random, -limit, limit);
     return drawn(random, 0, 2) == 0 ? std::round(drawn_number) : drawn_number;
   }
   /// As in FROM. `range`: how, lo, hi.
@@ -66,8 +66,8 @@ struct Scene {
     const std::string at = shown_exactly(k);
     return db.rows("SELECT clear FROM " + avoid("'" + how + "', " + at + ", " + at)) == "1";
   }
-  /// Whom the object touches within h from the change on.
-  std::string touched(const std::string& h) {
+  /// The objects that the object touches within h from the change on.
+  std::string touching_objects(const std::string& h) {
     const std::string self = "(SELECT max(1, t) FROM own WHERE id = " + id + ")";
     std::string sql = "SELECT 'own', a + b - " + id + " AS other FROM predictive_join(" + h + ", 'own', " +
                       within + ") WHERE now = " + self + " AND (a = " + id + " OR b = " + id + ")";
@@ -112,7 +112,7 @@ struct Range {
 constexpr Range ranges[] = {{"turn", -180, 180}, {"turn", -360, 30}, {"speed", -3, 3}, {"delay", 0, 8}};
 const int scenes = (std::getenv("FORESEE_LONG") ? 100 : 1) * (sanitized ? 20 : 40);
 
-/// Changes of a row: its ends, beside them and within.
+/// Changes of a row: its ends, near them and between them.
 std::vector<double> queried_of(Engine& random, const Row& row) {
   std::vector<double> queried{row.from, row.to, row.k};
   const double width = row.to - row.from;
@@ -125,7 +125,7 @@ std::vector<double> queried_of(Engine& random, const Row& row) {
   return queried;
 }
 
-/// A blocked row ends next to changes that touch, and holds no clear range of a width.
+/// A blocked row ends next to changes that touch, and contains no clear range wider than 10^-6.
 void expect_tight(Scene& scene, const Range& range, const Row& row) {
   const double width = 1e-6 * (range.hi - range.lo);
   if (row.to - row.from <= width) return;
@@ -142,13 +142,14 @@ void expect_tight(Scene& scene, const Range& range, const Row& row) {
   EXPECT_FALSE(clear) << range.text() << ": " << k << " in " << row.from << " to " << row.to;
 }
 
-/// Whom it touches once a change is stored, it touched before.
+/// Objects that it touches once a change is stored touched before.
 void expect_clear_once_stored(Scene& scene, const Range& range, double k) {
-  const std::string before = '\n' + scene.touched("0") + '\n', at = shown_exactly(k);
+  const std::string before = '\n' + scene.touching_objects("0") + '\n', at = shown_exactly(k);
   scene.db.exec("SAVEPOINT before");
   scene.db.exec("UPDATE own SET (" + scene.moved + ") = (SELECT " + scene.moved + " FROM " +
                 scene.avoid(Range{range.how, k, k}.text()) + " WHERE clear) WHERE id = " + scene.id);
-  std::istringstream after(scene.touched("12 - max(0, (SELECT t FROM own WHERE id = " + scene.id + ") - 1)"));
+  std::istringstream after(
+      scene.touching_objects("12 - max(0, (SELECT t FROM own WHERE id = " + scene.id + ") - 1)"));
   for (std::string line; std::getline(after, line);)
     EXPECT_NE(before.find('\n' + line + '\n'), std::string::npos)
         << range.text() << " at " << at << ": " << line;
