@@ -267,7 +267,7 @@ class ManoeuvreRows {
     return std::nullopt;
   }
 
-  inline static const std::vector<Intruder> no_intruders_;
+  const std::vector<Intruder> no_intruders_{};
   const AvoidQuestion& question_;
   const OwnMotion &stored_, &base_;
   QueriedChanges queried_;
