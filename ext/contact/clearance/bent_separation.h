@@ -8,7 +8,7 @@
 // then the distance of the centres never decreases: its slope is a polynomial of degree 3 in time, and each
 // coefficient is an interval over the range. From then on planes separate the two (separation_case.h). Boxes
 // and cylinders are left per axis, and on the round axes together. On each of these the object is inside
-// first, and then the distance increases without end. Cost: some microseconds.
+// first, and then at an increasing distance. Cost: some microseconds.
 #pragma once
 
 #include "contact/clearance/separation.h"

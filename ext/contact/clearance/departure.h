@@ -12,6 +12,7 @@
 
 namespace foresee {
 
+/// What all changes of a range do at first.
 struct Departure {
   double away_until;  ///< no change touches for so long after the start; below 0: no proof
   bool all_approach;  ///< every change certainly approaches at once
