@@ -31,9 +31,9 @@ constexpr std::string_view metric_velocity =
     "velocities are vx and vy: geo_to_plane(lat, lon, speed, course, lat0, lon0) makes them of speed and "
     "course";
 
-/// What others call it.
+/// A column name of other data formats.
 struct ForeignWord {
-  std::string_view name, advice;
+  std::string_view name, hint;
 };
 constexpr ForeignWord foreign_words[] = {
     {"lat", metric_place},
@@ -56,7 +56,7 @@ constexpr ForeignWord foreign_words[] = {
     {"mass", "did you mean m?"},
 };
 
-/// Letters inserted, left out or exchanged on the way from a to b (Levenshtein).
+/// Levenshtein distance from a to b, without case.
 std::size_t edits_between(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
@@ -93,21 +93,21 @@ std::string known_words() {
   return list;
 }
 
-std::string_view advice_for(std::string_view name) {
+std::string_view hint_for(std::string_view name) {
   for (const ForeignWord& word : foreign_words)
-    if (same_name(word.name, name)) return word.advice;
+    if (same_name(word.name, name)) return word.hint;
   return "";
 }
 
 std::string_view nearest_word(std::string_view name) {
-  // A word of one letter is near to every other: only names of two letters and more have a neighbour, and at
-  // least half of a name must be right.
+  // One edit turns a one-letter word into any other, so only names of two letters or more have a neighbour.
+  // At least half of the letters must match.
   std::string_view nearest;
-  std::size_t least = name.size() < 2 ? 0 : std::min<std::size_t>(2, name.size() / 2) + 1;
+  std::size_t limit = name.size() < 2 ? 0 : std::min<std::size_t>(2, name.size() / 2) + 1;
   auto consider = [&](std::string_view word) {
     const std::size_t edits = edits_between(name, word);
-    if (word.size() > 1 && edits < least) {
-      least = edits;
+    if (word.size() > 1 && edits < limit) {
+      limit = edits;
       nearest = word;
     }
   };

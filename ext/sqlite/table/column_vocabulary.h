@@ -1,4 +1,4 @@
-// Which column names does moving_objects know? The fixed vocabulary of motion and shape, without `id`.
+// Column vocabulary of moving_objects: the fixed names of motion and shape columns, without `id`.
 //
 //   find_word("VX")->quantity == Quantity::velocity && find_word("VX")->axis == 0
 //   nearest_word("vxx") == "vx"
@@ -10,6 +10,7 @@
 
 namespace foresee {
 
+/// The physical quantity that a column holds.
 enum class Quantity : std::uint8_t {
   reference_time,
   centre,
@@ -22,30 +23,31 @@ enum class Quantity : std::uint8_t {
   form,
   heading,
   growth,
-  until,  // the last one
+  until,  // must stay last: quantity_count depends on it
 };
 constexpr int quantity_count = static_cast<int>(Quantity::until) + 1;
 
+/// One known column name.
 struct Word {
   std::string_view name;
   Quantity quantity;
   int axis;  ///< 0 where the quantity has no axes
 };
 
-/// The word of this name in any case, or null.
+/// The word with this name, compared without case, or null.
 const Word* find_word(std::string_view name);
 
 /// The word for a quantity along an axis, e.g. "vy".
 std::string_view word_for(Quantity quantity, int axis);
 
-/// "id" and all words, as messages list them: "id, t, x, …".
+/// "id" and all words as one comma-separated list for messages: "id, t, x, …".
 std::string known_words();
 
-/// What reports call a thing that is another word here, or has to be converted: what to write for "lat",
-/// "sog", "radius" and the like; "" for other names.
-std::string_view advice_for(std::string_view name);
+/// Hint for a name of AIS and other data formats, such as "lat", "sog" or "radius": the known word, or the
+/// function that converts it. "" for other names.
+std::string_view hint_for(std::string_view name);
 
-/// The known word (or "id") that differs from `name` by one letter or two, or "" if none is that near.
+/// The known word (or "id") within edit distance 2 of `name`, or "" if no word is that near.
 std::string_view nearest_word(std::string_view name);
 
 }  // namespace foresee

@@ -1,6 +1,6 @@
-// Rules of declared motion columns: the layout that they make, and the combinations that are refused.
+// Layout rules of declared motion columns: the layout that a set of columns yields, and the invalid sets.
 //
-// Throws Error for every combination that no table can have (docs/sql_reference.md#columns); the message
+// Throws Error for every combination that no table can have (docs/sql_reference.md#columns). The message
 // quotes an argument and says what to add or to leave out.
 #pragma once
 
@@ -14,13 +14,13 @@ namespace foresee {
 
 struct DeclaredWord {
   Word word;
-  std::string argument;  ///< as it was written
+  std::string argument;  ///< as the user wrote it
 };
 
-/// Requires: no word twice.
+/// Requires: no word occurs twice.
 Layout layout_of(const std::vector<DeclaredWord>& words);
 
-/// Where the quantity of `word` stands among a record's doubles.
+/// Index of the quantity of `word` among a record's doubles.
 int offset_of(const Offsets& at, const Word& word);
 
 }  // namespace foresee

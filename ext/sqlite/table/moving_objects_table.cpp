@@ -21,7 +21,7 @@ MovingObjectsTable::MovingObjectsTable(std::shared_ptr<Connection> connection_, 
 
 MovingObjectsTable::~MovingObjectsTable() {
   connection->leave(number);
-  sqlite3_free(zErrMsg);  // what nobody asked for: SQLite 3.40 takes no message from xDestroy
+  sqlite3_free(zErrMsg);  // a message left over: SQLite 3.40 does not take it from xDestroy
 }
 
 void MovingObjectsTable::rename(const std::string& new_name) {

@@ -1,12 +1,12 @@
-// May this be stored, and as which double? From SQL's values to one object's record.
+// Conversion of SQL values into an object's record, with validation of every column.
 //
 //   Values values(declaration, "ships");
 //   store.insert(id, values.record(id, argv + 3, store), auxiliaries);
 //
-// The rules (docs/sql_reference.md#values): integers and wholly numeric text convert, '' is NULL, a NULL
-// velocity, acceleration, extent or heading is 0, a NULL shape is none, a NULL until is for ever. What breaks
-// a rule throws Refusal (SQLITE_CONSTRAINT) with a message that names table, column, row id and value, and
-// says what to write instead.
+// The rules (docs/sql_reference.md#values): integers and wholly numeric text convert, and '' is NULL. A NULL
+// velocity, acceleration, extent or heading is 0, a NULL shape means no shape, a NULL until means no end. A
+// value that breaks a rule throws Refusal (SQLITE_CONSTRAINT) with a message that names table, column, row id
+// and value, and says what to write instead.
 #pragma once
 
 #include <cstdint>
@@ -22,23 +22,23 @@
 
 namespace foresee {
 
-// Which outline or mesh does a row have, and how does it lie? From SQL's value of `shape` and the heading to
-// what a record says of them: the form's number and the smallest box around it as it is turned.
+// Conversion of the columns `shape` and `heading` into a record's fields: the number of the outline or mesh,
+// and the bounding box of its rotated pose.
 //
 //   FormValues forms(layout);
 //   forms.fill(record, value, old_record, store);
 //
-// The rules (docs/sql_reference.md#outlines): NULL and '' are none; anything else is well-known text. A
-// column that an UPDATE does not name comes without a value and is neither printed nor parsed; where the
-// heading stays too, nothing is turned.
+// The rules (docs/sql_reference.md#outlines): NULL and '' mean no shape; anything else is well-known text. A
+// column that an UPDATE does not name arrives without a value and is neither printed nor parsed. If the
+// heading is unchanged as well, the stored bounds are copied.
 
 class FormValues {
  public:
   explicit FormValues(const Layout& layout) : shape_(layout.shape), at_(record_offsets(layout)) {}
 
-  /// Fills the places of number and bounds; the rest of `record` is there. `before`: the record that an
-  /// UPDATE changes, else empty. Throws Error, without table and row, for a text that is none and for a
-  /// form that cannot be turned so.
+  /// Fills the fields of form number and bounds; the other fields of `record` are set already. `before`: the
+  /// record that an UPDATE changes, else empty. Throws Error, without table and row, for a value that is not
+  /// well-known text and for a form that cannot be rotated by the heading.
   void fill(std::span<double> record, sqlite3_value* shape, std::span<const double> before,
             Store& store) const;
 
@@ -53,13 +53,14 @@ class Values {
 
   void rename(const std::string& table) { table_ = table; }
 
-  /// `motion`: one value a declared motion column, in their order. `updated`: the row that an UPDATE changes.
-  /// Outlines and meshes are stored, by which nothing is changed. Valid until the next call.
+  /// `motion`: one value per declared motion column, in declared order. `updated`: the row that an UPDATE
+  /// changes. Adds new outlines and meshes to the store; objects stay unchanged. The result is valid until
+  /// the next call.
   std::span<const double> record(std::int64_t id, sqlite3_value** motion, Store& store,
                                  std::optional<std::int64_t> updated = {});
 
-  /// The id that this value means; none for NULL and ''. Throws Refusal (SQLITE_MISMATCH) for what is no
-  /// integer.
+  /// The id in this value; nothing for NULL and ''. Throws Refusal (SQLITE_MISMATCH) for a value that is not
+  /// an integer.
   std::optional<std::int64_t> id(sqlite3_value* value) const;
 
  private:

@@ -10,7 +10,7 @@
 namespace foresee {
 namespace {
 
-/// One call of xUpdate that brings a row: its parts by name.
+/// The arguments of an xUpdate call that inserts or updates a row, by name.
 struct NewRow {
   NewRow(const MovingObjectsTable& table, sqlite3_value** arguments)
       : rowid(arguments[1]),
@@ -30,7 +30,8 @@ bool is_null(sqlite3_value* value) {
   return sqlite3_value_type(value) == SQLITE_NULL;
 }
 
-/// Whether an object of this id is in the way and is to be replaced; refused unless the statement says so.
+/// Whether the statement replaces an object with this id. Throws Refusal if the object exists and the
+/// statement is not OR REPLACE.
 bool replaces(MovingObjectsTable& table, std::int64_t id) {
   if (!table.store().contains(id)) return false;
   if (sqlite3_vtab_on_conflict(table.connection->db()) == SQLITE_REPLACE) return true;
@@ -42,7 +43,7 @@ std::int64_t insert_row(MovingObjectsTable& table, const NewRow& row) {
     run_command(table, row.command);
     return 0;
   }
-  // `INSERT INTO ships(rowid, ...)` gives the id by its other name.
+  // `INSERT INTO ships(rowid, ...)` sets the id by its alias.
   std::optional<std::int64_t> id = table.values.id(row.id);
   if (!id) id = table.values.id(row.rowid);
   const bool assigned = !id;
@@ -67,7 +68,7 @@ void update_row(MovingObjectsTable& table, std::int64_t old_id, const NewRow& ro
     throw Refusal(SQLITE_MISMATCH, table.name + ".id of row " + std::to_string(old_id) +
                                        " would become NULL: every object has an id; write an INTEGER");
   const std::span<const double> record = table.values.record(*id, row.motion, table.store(), old_id);
-  if (*id != old_id) replaces(table, *id);  // refuses, or the update replaces it
+  if (*id != old_id) replaces(table, *id);  // throws, or the update replaces it
   table.store().update(old_id, *id, record, row.auxiliaries);
 }
 

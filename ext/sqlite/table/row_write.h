@@ -1,7 +1,7 @@
 // INSERT, UPDATE and DELETE on a moving_objects table: the body of xUpdate.
 //
-// Every refusal comes before the first change, so the conflict clauses act as for an ordinary table. OR IGNORE
-// skips the row, and OR REPLACE deletes the object that has the id.
+// A row is refused before its first change, so conflict clauses act as for an ordinary table. OR IGNORE skips
+// the row; OR REPLACE deletes the object that has the id.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace foresee {
 
-/// `arguments` as xUpdate gets them; the new row's id goes to `*rowid`.
+/// `count`, `arguments`: those of xUpdate. Writes the new row's id to `*rowid`.
 void write_table(MovingObjectsTable& table, int count, sqlite3_value** arguments, sqlite3_int64* rowid);
 
 }  // namespace foresee

@@ -29,7 +29,7 @@ bool is_constraint_keyword(std::string_view word) {
   return false;
 }
 
-/// Words, perhaps sizes in parentheses, perhaps COLLATE: what may follow a column's name.
+/// The type after a column's name: words, optional sizes in parentheses, optional COLLATE.
 std::string type_of(const Argument& argument, const std::vector<SqlToken>& tokens, std::size_t i) {
   std::string type;
   for (; i < tokens.size(); ++i) {

@@ -1,10 +1,10 @@
-// What is one argument of CREATE VIRTUAL TABLE: a column, an auxiliary column or an option?
+// Parser of one argument of CREATE VIRTUAL TABLE: a column, an auxiliary column or an option.
 //
 //   parse_argument("vx REAL")          // {column, "vx", "REAL"}
 //   parse_argument("+\"full name\"")   // {auxiliary, "full name", ""}
 //   parse_argument("horizon = 600")    // {option, "horizon", "600"}
 //
-// Names may be quoted in each of SQLite's ways. Throws Error with a message that says what to write instead.
+// Names may be quoted in any style of SQLite. Throws Error with a message that says what to write instead.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace foresee {
 struct Argument {
   enum class Kind : std::uint8_t { column, auxiliary, option };
 
-  std::string text;  ///< as it was written, for messages
+  std::string text;  ///< as the user wrote it, for messages
   Kind kind = Kind::column;
   std::string name;
   std::string detail;  ///< of a column: the type; of an option: the value

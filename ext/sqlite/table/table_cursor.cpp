@@ -34,7 +34,7 @@ void TableCursor::filter(TablePlan plan, sqlite3_value** arguments) {
       return seek_object(arguments[0]);
     case TablePlan::handle:
       require_handle_word(arguments[0]);
-      table_.store();  // a table that cannot be read says so here
+      table_.store();  // throws for a table that cannot be read
       handle_ = true;
       ids_.push_back(0);
       return;
@@ -42,7 +42,7 @@ void TableCursor::filter(TablePlan plan, sqlite3_value** arguments) {
 }
 
 void TableCursor::seek_object(sqlite3_value* value) {
-  // SQLite compares again with the column's affinity; here it is enough to find what can be equal.
+  // SQLite compares again with the column's affinity; here a superset of the equal ids suffices.
   const int type = sqlite3_value_numeric_type(value);
   if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) return;
   const std::int64_t id = sqlite3_value_int64(value);
@@ -81,12 +81,12 @@ void TableCursor::next() {
   if (by_leaf_) {
     if (position_ == ids_.size()) next_leaf();
   } else {
-    read_present();
+    seek_existing();
   }
 }
 
-/// Goes on to the first id at or after the position that is still there.
-void TableCursor::read_present() {
+/// Moves to the first id at or after the position whose object still exists, and reads it.
+void TableCursor::seek_existing() {
   for (; position_ < ids_.size(); ++position_) {
     if (auto record = table_.store().read(ids_[position_])) {
       records_ = std::move(*record);
@@ -100,7 +100,7 @@ void TableCursor::keep_ids() {
   std::vector<std::int64_t> rest(ids_.begin() + static_cast<std::ptrdiff_t>(position_), ids_.end());
   std::vector<std::int64_t> ids;
   std::vector<double> records;
-  std::size_t found = found_;  // a copy: where a leaf cannot be read, the scan goes on as it was
+  std::size_t found = found_;  // a copy: if a leaf cannot be read, the scan keeps its state
   for (std::int64_t leaf = leaf_; (leaf = table_.store().next_leaf(leaf, ids, records)) != 0;) {
     rest.insert(rest.end(), ids.begin(), ids.end());
     found += ids.size();
@@ -117,7 +117,7 @@ void TableCursor::keep_ids() {
   by_leaf_ = false;
 }
 
-/// As well-known text; NULL where there is none, and nothing where an UPDATE leaves it as it is.
+/// Well-known text, NULL for an object without a shape; no result if an UPDATE does not change the column.
 void TableCursor::result_form(sqlite3_context* context, double number) const {
   if (number == 0 || sqlite3_vtab_nochange(context)) return;
   const std::string text = table_.store().form(static_cast<std::int64_t>(number), statement_state_)->text();

@@ -1,7 +1,7 @@
-// Which object is the scan at? A cursor over one moving_objects table.
+// Cursor over one moving_objects table: a full scan, the look-up of one id, or the table's handle.
 //
-// Objects are read leaf by leaf; after a write beneath the scan one by one (see moving_objects_table.h).
-// Memory: one leaf, and after such a write the ids yet to come.
+// A scan reads objects leaf by leaf; after a write during the scan, one by one (see moving_objects_table.h).
+// Memory: one leaf, and after such a write the ids not yet visited.
 #pragma once
 
 #include <cstdint>
@@ -20,7 +20,7 @@ class TableCursor : public sqlite3_vtab_cursor {
   TableCursor(const TableCursor&) = delete;
   TableCursor& operator=(const TableCursor&) = delete;
 
-  /// xFilter: to the first row of a plan, if it has any.
+  /// xFilter: moves to the first row of the plan, if it has any.
   void filter(TablePlan plan, sqlite3_value** arguments);
   void next();
   bool at_end() const { return position_ >= ids_.size(); }
@@ -29,7 +29,7 @@ class TableCursor : public sqlite3_vtab_cursor {
 
   /// Before a change: makes the rest of the scan independent of leaves.
   void keep_ids();
-  /// After a rollback: leaves may have come back as they were before the scan, so it cannot go on.
+  /// After a rollback: leaves may have older contents than the scan has read, so it cannot continue.
   void abort_leaves() { aborted_ = by_leaf_; }
 
  private:
@@ -37,19 +37,19 @@ class TableCursor : public sqlite3_vtab_cursor {
   void seek_object(sqlite3_value* id);
   void require_handle_word(sqlite3_value* word) const;
   void next_leaf();
-  void read_present();
+  void seek_existing();
   void result_form(sqlite3_context* context, double number) const;
 
   MovingObjectsTable& table_;
   std::vector<std::int64_t> ids_;
-  std::vector<double> records_;  ///< of all ids_, or when not by_leaf_ of the one at position_
+  std::vector<double> records_;  ///< of all ids_; if not by_leaf_, only of the id at position_
   std::size_t position_ = 0;
   std::int64_t leaf_ = 0;
-  std::size_t found_ = 0;  ///< objects of all leaves so far
+  std::size_t found_ = 0;  ///< objects in all leaves so far
   bool by_leaf_ = false;   ///< more leaves may follow
   mutable StatementReadState statement_state_;
   RisingIds rising_;
-  bool handle_ = false;  ///< the one row holds the table's number
+  bool handle_ = false;  ///< the only row has the table's number
   bool aborted_ = false;
 };
 

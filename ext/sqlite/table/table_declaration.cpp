@@ -33,9 +33,9 @@ void require_id(const Argument& argument) {
 const Word& motion_word(const Argument& argument) {
   if (const Word* word = find_word(argument.name)) return *word;
   std::string why = "no such column";
-  const std::string_view advice = advice_for(argument.name), near = nearest_word(argument.name);
-  if (!advice.empty())
-    why += "; " + std::string(advice);
+  const std::string_view hint = hint_for(argument.name), near = nearest_word(argument.name);
+  if (!hint.empty())
+    why += "; " + std::string(hint);
   else if (!near.empty())
     why += "; did you mean " + std::string(near) + "?";
   refuse(argument,
@@ -57,7 +57,7 @@ double positive_number(const Argument& argument) {
   return number;
 }
 
-/// Takes the arguments one by one; the layout is made once all are known.
+/// Collects the arguments one by one; the layout is derived at the end, from all of them.
 class Declarer {
  public:
   void add(const Argument& argument) {
