@@ -79,7 +79,7 @@ const Option* find_option(const std::string& name) {
   return found == options().end() ? nullptr : &*found;
 }
 
-/// What the first argument, or one behind it, should have been.
+/// Throws Error for an argument of the wrong form. `first`: the argument is the first one.
 [[noreturn]] void refuse_form(std::string_view text, bool first) {
   const Argument given{.text = std::string(text), .kind = {}, .name = {}, .detail = {}};
   if (first)
@@ -97,11 +97,11 @@ const Option* find_option(const std::string& name) {
 
 Argument parse_argument_of_watch(std::string_view text, bool first) try {
   return parse_argument(text);
-} catch (const Error&) {  // its words are about columns
+} catch (const Error&) {  // its message is about columns
   refuse_form(text, first);
 }
 
-/// Something else than name = value behind the table.
+/// Throws Error for a later argument that is not `name = value`.
 [[noreturn]] void refuse_second_table(const Argument& argument) {
   if (find_option(argument.name))
     refuse(argument, "an option is written name = value; write " + argument.name + " = " +
@@ -117,7 +117,7 @@ void take_option(WatchDeclaration& declaration, std::set<std::string>& given, co
   option->take(declaration, argument);
 }
 
-/// A watch has no input `schema`: its tables are those of its own.
+/// A watch has no input `schema`: its tables are in its own schema.
 void require_table(const std::vector<VisibleTable>& tables, const QualifiedName& watch,
                    const std::string& name) {
   const auto is_here = [&](const VisibleTable& table) { return same_name(table.schema, watch.schema); };

@@ -7,8 +7,8 @@
 namespace foresee {
 namespace {
 
-// A probe costs some ten microseconds, the join of few objects with all some hundred nanoseconds for each of
-// all, which it has to decode anew; the pairs of a changed object are read and written in any case.
+// A probe costs about ten microseconds. The join of a few objects with all decodes all of them, at about a
+// hundred nanoseconds per object. Either way the pairs of a changed object are read and written.
 constexpr double few = 32, share_of_few = 1.0 / 50, many = 64, share_of_many = 0.3;
 
 double objects_of(const Connection::OpenTable& table) {
@@ -79,7 +79,7 @@ void PairSearch::join(Side side, std::span<const std::int64_t> ids, const Take& 
       take(rows);
       continue;
     }
-    others.clear();  // each object touches itself
+    others.clear();  // without each object's contact with itself
     std::copy_if(rows.begin(), rows.end(), std::back_inserter(others),
                  [](const JoinRow& row) { return row.a != row.b; });
     take(others);

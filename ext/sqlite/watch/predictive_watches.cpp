@@ -1,4 +1,4 @@
-// predictive_watches in SQL: every watch that the connection sees, its declaration, clock and position.
+// predictive_watches in SQL: every watch that the connection sees, with its declaration, clock and position.
 #include <algorithm>
 
 #include "sqlite/names/visible_tables.h"
@@ -40,8 +40,7 @@ struct ListedWatch {
   std::string fault = {};
 };
 
-/// Whether the next commit has to compute the watch anew: what a transaction under way has changed is no
-/// reason.
+/// Whether the next commit must recompute the watch. Changes of an open transaction are not a reason.
 bool is_lost(const WatchState& state, const WatchedTables& tables) {
   if (is_settled(state, tables)) return false;
   ChangedSides changed{.a = changed_objects(tables.a, state.stamp), .b = {}};
@@ -50,7 +49,7 @@ bool is_lost(const WatchState& state, const WatchedTables& tables) {
   return changed.a.ids.empty() && changed.b.ids.empty() && lacks_clock(state, tables);
 }
 
-/// A table settles the watches that its own _meta lists; one that is not among them is never computed again.
+/// Throws Error if the table's _meta does not list the watch. A table settles only the watches of that list.
 void require_listed(const Connection::OpenTable& table, const std::string& watch) {
   const std::vector<std::string>& listed = table.store->watches();
   if (std::any_of(listed.begin(), listed.end(), [&](const auto& name) { return same_name(name, watch); }))
@@ -100,7 +99,7 @@ class WatchList final : public FunctionRows {
     if (output == out_name) return text(watch.name.table);
     if (output == out_schema) return text(watch.name.schema);
     if (output == out_fault) return watch.fault.empty() ? sqlite3_result_null(context) : text(watch.fault);
-    if (state.tbl.empty()) return;  // damaged: nothing is known
+    if (state.tbl.empty()) return;  // damaged: the state is unknown
     switch (output) {
       case out_tbl:
         return text(state.tbl);

@@ -37,7 +37,7 @@ Settlement::Settlement(Connection& connection, WatchRows& rows)
       tables_(watched_tables(connection, rows.name().schema, before_)) {
   tables_.a.store->sync();
   if (tables_.b) tables_.b->store->sync();
-  // What is in the rows: with a savepoint open, memory may hold nodes as well that it has written.
+  // The stamp of the stored rows: with an open savepoint, memory may also have nodes already written.
   state_.stamp = tables_.a.store->stored_stamp();
   if (tables_.b) state_.other_stamp = tables_.b->store->stored_stamp();
 }
@@ -52,19 +52,19 @@ void Settlement::settle(Log log) {
   else if (tables_.b)
     changed_b_ = changed_objects(*tables_.b, before_.other_stamp);
   move_clock();
-  if (must_compute_anew())
-    compute_anew();
+  if (must_recompute())
+    recompute();
   else
-    follow_changes();
+    apply_changes();
   state_.anew = false;
   if (!logs_) state_.seq = new_.empty() ? 0 : 1;
   if (state_.seq != before_.seq && state_.seq > state_.keep) rows_.trim(state_.seq - state_.keep);
   rows_.write_state(state_, before_);
 }
 
-// --- anew, or by changes
+// --- recomputation, or update by changes
 
-void Settlement::compute_anew() {
+void Settlement::recompute() {
   if (before_.clock && !before_.anew) adapt_look_ahead();
   extend_look_ahead();
   for (const StoredPair& pair : rows_.pairs()) old_.push_back(watched(pair));
@@ -75,14 +75,14 @@ void Settlement::compute_anew() {
   write_differences(true);
 }
 
-void Settlement::follow_changes() {
+void Settlement::apply_changes() {
   const double known_to = before_.known_to;
   const bool looks_ahead = !(next_above(horizon_end_) <= known_to);
   if (looks_ahead) {
     adapt_look_ahead();
     extend_look_ahead();
   } else {
-    const double beyond = next_above(next_above(known_to)) - clock_;  // rounded, and no less than known_to
+    const double beyond = next_above(next_above(known_to)) - clock_;  // rounded, and at least known_to
     reach_ = std::min(std::max(state_.horizon, beyond), std::numeric_limits<double>::max());
   }
   read_old_pairs();
@@ -103,7 +103,8 @@ void Settlement::read_old_pairs() {
   for (const std::int64_t id : changed_b_.ids) add(rows_.pairs_of_b(id));
 }
 
-/// Of pairs whose objects have not changed. What enters the horizon by time alone begins when it is known to.
+/// Reads the due pairs whose objects have not changed. A waiting pair that enters the horizon keeps its
+/// stored start; each of the others needs a contact query.
 void Settlement::query_due_pairs() {
   std::vector<PairIds> queried;
   const auto is_changed = [&](const StoredPair& pair) {
@@ -130,7 +131,7 @@ void Settlement::search_changed() {
   if (tables_.b) search.pairs_of(Side::b, changed_b_.ids, take_all);
 }
 
-/// What begins from then on, and the ends that are known only now.
+/// Adds the contacts that start at or after `from`, and those whose end is within reach only now.
 void Settlement::look_ahead(double from) {
   JoinQuestion all = question_of_all(connection_, tables_, state_, queried_horizon());
   all.wants = {.contact = true, .ends = true, .approach = false};
@@ -156,8 +157,8 @@ JoinQuestion Settlement::question(const Horizon& horizon) const {
   return question;
 }
 
-// Ends beyond the reach come clipped to it. What lasts as long as anything is known is not due: the next look
-// ahead asks for its end.
+// Ends beyond the reach are clipped to it. A contact that lasts beyond known_to is never due: the next
+// look-ahead finds its end.
 void Settlement::take(std::span<const JoinRow> found) {
   const bool within_one = !tables_.b || tables_.are_one();
   for (const JoinRow& row : found) {
@@ -171,8 +172,8 @@ void Settlement::take(std::span<const JoinRow> found) {
   }
 }
 
-// A time below or above the rounded end of the horizon decides; an equal one says nothing, and contact is
-// asked.
+// A start below or above the rounded end of the horizon decides. An equal one does not: then a contact query
+// over the exact horizon decides.
 void Settlement::decide_ties() {
   std::vector<PairIds> ties, held;
   for (const WatchedPair& pair : new_)

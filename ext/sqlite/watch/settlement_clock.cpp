@@ -1,4 +1,4 @@
-// A settlement's clock: where it moves, how far the rows reach from there, and when they must be made anew.
+// Clock of a settlement: its new value, the length of the look-ahead, and the conditions of recomputation.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,7 +8,7 @@
 namespace foresee {
 namespace {
 
-/// Of a table without t all are 0.
+/// Appends the reference times of all objects; 0 for each in a table without t.
 void append_times(const Scene& scene, std::vector<double>& instants) {
   const Offsets at = row_offsets(scene.layout);
   for (std::size_t row = 0; row < scene.size(); ++row)
@@ -41,7 +41,8 @@ void Settlement::move_clock() {
   if (before_.clock && clock_ != *before_.clock) state_.step = std::abs(clock_ - *before_.clock);
 }
 
-/// Of this transaction's reports, or where they cannot be told of all objects.
+/// Reference times of the objects that this transaction has changed, or of all objects if the changes are
+/// unknown; in rising order.
 std::vector<double> Settlement::reported_times() const {
   std::vector<double> instants;
   const auto add = [&](const ChangedObjects& changed, const Connection::OpenTable& table) {
@@ -59,8 +60,8 @@ std::vector<double> Settlement::reported_times() const {
   return instants;
 }
 
-/// In the order of their moments; those too far ahead are counted. The first ones have no clock to be ahead
-/// of: it begins at the median of them, since most are right.
+/// Advances the clock by the reports in order of time; counts those too far ahead of it. The first reports
+/// have no clock to compare with: it starts at their median, since most times are right.
 void Settlement::follow_reports() {
   const std::vector<double> instants = reported_times();
   const bool counts = !state_.clock || (changed_a_.reported && changed_b_.reported);
@@ -73,14 +74,15 @@ void Settlement::follow_reports() {
   }
 }
 
-bool Settlement::must_compute_anew() const {
+bool Settlement::must_recompute() const {
   if (!changed_a_.reported || !changed_b_.reported || before_.anew || !before_.clock) return true;
   if (clock_ < *before_.clock || clock_ > before_.known_to) return true;
   return is_majority(changed_a_, tables_.a) || (tables_.b && is_majority(changed_b_, *tables_.b));
 }
 
-/// A look costs nearly the same however far it goes, some hundred nanoseconds for each object; what it finds
-/// costs two rows, for nothing where the pair is dropped before it is seen. The two are kept alike.
+/// Doubles or halves the look-ahead. A search costs about a hundred nanoseconds per object at any length.
+/// Each pair found costs two row writes, which are wasted if the pair is erased before it is shown. The two
+/// costs are kept about equal.
 void Settlement::adapt_look_ahead() {
   double objects = static_cast<double>(tables_.a.store->likely_objects());
   if (tables_.b && !tables_.are_one()) objects += static_cast<double>(tables_.b->store->likely_objects());
@@ -91,16 +93,16 @@ void Settlement::adapt_look_ahead() {
     state_.further /= 2;
 }
 
-/// At least far enough that the next look comes after some steps of the clock, where these are small beside
-/// the horizon; a single leap does not count.
+/// The next look-ahead is due after several steps of the clock, if these are small compared with the horizon.
+/// A single large step does not count.
 void Settlement::extend_look_ahead() {
   const double largest = std::max(std::abs(clock_), std::abs(horizon_end_));
-  const double rounding = 8 * (next_above(largest) - largest);  // what it cannot swallow
+  const double rounding = 8 * (next_above(largest) - largest);  // a smaller extension can vanish
   const double step = std::min(state_.step, before_.step);
-  const double least = std::max(rounding, std::min(16 * step, state_.horizon / 64));
-  const double most = std::max({least, state_.horizon, 1024 * step});
+  const double shortest = std::max(rounding, std::min(16 * step, state_.horizon / 64));
+  const double longest = std::max({shortest, state_.horizon, 1024 * step});
   if (state_.further <= 0) state_.further = state_.horizon / 4;
-  state_.further = std::clamp(state_.further, least, most);
+  state_.further = std::clamp(state_.further, shortest, longest);
   state_.waited = state_.dropped = 0;
   reach_ = state_.horizon + state_.further;
   if (!std::isfinite(reach_)) reach_ = state_.horizon;

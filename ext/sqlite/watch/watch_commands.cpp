@@ -1,5 +1,5 @@
-// 'advance', 'rebuild' and 'integrity-check'. The first two are notes in _meta that the commit settles: so
-// savepoints and rollbacks take them back.
+// Commands of a watch: 'advance', 'rebuild' and 'integrity-check'. The first two set a key of _meta that the
+// commit evaluates, so savepoints and rollbacks undo them.
 #include <algorithm>
 #include <cmath>
 
@@ -36,7 +36,7 @@ std::string name_of(const ShownPair& pair) {
 
 }  // namespace
 
-// What is not settled yet is answered by the join, so that only the indexes can be wrong.
+// A watch that is not settled is read by the join, so only its indexes can be wrong.
 std::string watch_fault(WatchTable& table) {
   Connection& connection = *table.connection;
   const std::shared_ptr<WatchRows> rows = table.rows();
@@ -52,8 +52,8 @@ std::string watch_fault(WatchTable& table) {
   const auto [kept, queried] = std::mismatch(held.begin(), held.end(), joined.begin(), joined.end());
   if (kept == held.end() && queried == joined.end()) return "";
   if (queried == joined.end() || (kept != held.end() && *kept < *queried))
-    return name_of(*kept) + " is kept, and predictive_join does not give it so";
-  return name_of(*queried) + " is given by predictive_join, and not kept so";
+    return name_of(*kept) + " is stored, but predictive_join does not return it with this time";
+  return name_of(*queried) + " is a row of predictive_join, but is not stored with this time";
 }
 
 void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value* now) {
@@ -63,11 +63,11 @@ void run_watch_command(WatchTable& table, sqlite3_value* command, sqlite3_value*
   if (word == "advance") {
     const double time = time_of(table, now);
     const std::shared_ptr<WatchRows> rows = table.rows();
-    rows->read_state();  // damaged: says so here
+    rows->read_state();  // throws for a damaged watch
     rows->write_asked(time);
   } else if (word == "rebuild") {
     const std::shared_ptr<WatchRows> rows = table.rows();
-    rows->read_state();  // damaged: says so here
+    rows->read_state();  // throws for a damaged watch
     rows->write_anew(true);
   } else if (word == "integrity-check") {
     const std::string fault = watch_fault(table);

@@ -15,7 +15,7 @@ Connection::OpenTable find_table(Connection& connection, const std::string& sche
   const QueriedTable queried{name, schema};
   if (const auto number = connection.lookups().kept_number(queried))
     if (const Connection::OpenTable* open = connection.find(*number)) return *open;
-  // A damaged file may name a watch, or a view of one: a query of that would come back here.
+  // A damaged file may name a watch, or a view of one: a query of it would recurse into this function.
   require_moving_objects(connection.db(), name, schema);
   return open_table(connection, queried);
 }
