@@ -10,7 +10,7 @@ namespace foresee {
 namespace {
 
 int report(char** message, int code, const char* text) noexcept {
-  if (message == nullptr) return code;  // an application may pass none to the entry point
+  if (message == nullptr) return code;  // an application may pass null to the entry point
   sqlite3_free(*message);
   *message = sqlite3_mprintf("%s", text);
   return code;

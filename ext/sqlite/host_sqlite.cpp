@@ -10,11 +10,11 @@
 namespace foresee {
 namespace {
 
-// As sqlite3_libversion_number() counts.
-constexpr int oldest = 3031000;
-constexpr int reports_constraints = 3038000;                  // sqlite3_vtab_in, sqlite3_vtab_rhs_value
-constexpr int reports_schemas = 3039000;                      // sqlite3_db_name
-constexpr int reads_first = 3040000, past_reading = 3041000;  // reads_to_compare()
+// Versions as sqlite3_libversion_number() returns them.
+constexpr int oldest_supported = 3031000;
+constexpr int reports_constraints = 3038000;  // sqlite3_vtab_in, sqlite3_vtab_rhs_value
+constexpr int reports_schemas = 3039000;      // sqlite3_db_name
+constexpr int reads_first_since = 3040000, reads_first_until = 3041000;  // reads_to_compare()
 
 bool host_has(int since) {
   return sqlite3_libversion_number() >= since;
@@ -23,7 +23,7 @@ bool host_has(int since) {
 }  // namespace
 
 void require_version(int number, const char* host) {
-  if (number >= oldest) return;
+  if (number >= oldest_supported) return;
   throw Error(std::string("foresee ") + version() + " needs SQLite 3.31 or newer, and this program has " +
               host);
 }
@@ -33,7 +33,7 @@ bool may_be_list(sqlite3_index_info& info, int i) {
 }
 
 bool reads_to_compare() {
-  return host_has(reads_first) && !host_has(past_reading);
+  return host_has(reads_first_since) && !host_has(reads_first_until);
 }
 
 sqlite3_value* written_value(sqlite3_index_info& info, int i) {
@@ -44,7 +44,7 @@ sqlite3_value* written_value(sqlite3_index_info& info, int i) {
 
 std::vector<std::string> schema_names(sqlite3* db) {
   std::vector<std::string> names;
-  // SQLite numbers main 0 and temp 1, and looks into temp first.
+  // SQLite numbers main 0 and temp 1, and searches temp first.
   const auto add = [&](std::int64_t place, std::string name) {
     names.insert(place == 1 ? names.begin() : names.end(), std::move(name));
   };

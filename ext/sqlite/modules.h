@@ -1,4 +1,4 @@
-// What sqlite3_foresee_init registers, one function a file.
+// Registration functions that sqlite3_foresee_init calls; the file that defines each is named beside it.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// foresee_version(), foresee_debug() and geo_distance().
+// Scalar SQL functions: foresee_version(), foresee_debug() and geo_distance().
 #include <cmath>
 #include <exception>
 
@@ -26,7 +26,7 @@ void foresee_debug(sqlite3_context* context, int, sqlite3_value**) {
   }
 }
 
-/// geo_distance(lat1, lon1, lat2, lon2): metres; NULL where one of them is.
+/// geo_distance(lat1, lon1, lat2, lon2): metres; NULL if an input is NULL.
 void geo_distance(sqlite3_context* context, int, sqlite3_value** values) {
   static constexpr const char* names[] = {"lat1", "lon1", "lat2", "lon2"};
   char* message = nullptr;
