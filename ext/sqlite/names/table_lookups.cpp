@@ -5,7 +5,7 @@
 #include "storage/table/store.h"
 
 namespace foresee {
-// Takes the witness off the list: while it runs SQLite may disconnect tables, and finalize() be called.
+// Removes the witness from the list while it runs: SQLite may disconnect tables then, which calls finalize().
 std::optional<std::int64_t> TableLookups::kept_number(const QueriedTable& name) {
   const auto found =
       std::find_if(kept_.begin(), kept_.end(), [&](const Kept& kept) { return kept.name == name; });
@@ -17,7 +17,7 @@ std::optional<std::int64_t> TableLookups::kept_number(const QueriedTable& name) 
   } catch (const StoreError& error) {
     const int code = error.code & 0xff;
     if (code != SQLITE_ERROR && code != SQLITE_AUTH) throw;
-    return std::nullopt;  // the schema is gone, or may be read no longer
+    return std::nullopt;  // the schema no longer exists, or an authorizer forbids reading it
   }
   if (kept.witness.was_recompiled()) return std::nullopt;
   const std::int64_t number = kept.number;
@@ -49,7 +49,7 @@ void TableLookups::keep(const QueriedTable& name, std::int64_t number, const std
     if (kept_.size() == max_kept) kept_.erase(kept_.begin());
     kept_.push_back({name, number, std::move(witness)});
   } catch (const StoreError&) {
-    // An authorizer may forbid to read the schema: then SQLite is asked each time.
+    // An authorizer may forbid reading the schema: then SQLite resolves the name each time.
   }
 }
 

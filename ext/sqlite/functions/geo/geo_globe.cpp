@@ -25,7 +25,7 @@ std::unique_ptr<FunctionRows> start_to_globe(const FunctionCall& call) {
   return std::make_unique<OneRow>(std::move(row));
 }
 
-/// The three numbers from `input` on; nothing where one is NULL.
+/// The three numbers that start at `input`; nothing if one is NULL.
 std::optional<std::array<double, 3>> three_numbers(const FunctionCall& call, int input) {
   std::array<double, 3> numbers;
   for (int i = 0; i < 3; ++i) {

@@ -22,10 +22,10 @@ void require_latitude(double lat, const char* name) {
 }
 
 std::optional<LatLon> place_input(const FunctionCall& call, int lat) {
-  const auto north = finite_number(call, lat), east = finite_number(call, lat + 1);
-  if (!north || !east) return std::nullopt;
-  require_latitude(*north, call.name_of(lat));
-  return LatLon{*north, *east};
+  const auto lat_value = finite_number(call, lat), lon_value = finite_number(call, lat + 1);
+  if (!lat_value || !lon_value) return std::nullopt;
+  require_latitude(*lat_value, call.name_of(lat));
+  return LatLon{*lat_value, *lon_value};
 }
 
 LatLon origin_of(const FunctionCall& call, int lat0) {
@@ -35,9 +35,9 @@ LatLon origin_of(const FunctionCall& call, int lat0) {
 }
 
 std::optional<Course> course_input(const FunctionCall& call, int speed) {
-  const auto fast = finite_number(call, speed), degrees = finite_number(call, speed + 1);
-  if (!fast || !degrees) return std::nullopt;
-  return Course{*fast, *degrees};
+  const auto speed_value = finite_number(call, speed), degrees = finite_number(call, speed + 1);
+  if (!speed_value || !degrees) return std::nullopt;
+  return Course{*speed_value, *degrees};
 }
 
 CallEstimate estimate_one_row(const CallSizes&) {

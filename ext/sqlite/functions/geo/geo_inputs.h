@@ -1,8 +1,8 @@
-// What the geographic functions are asked: places, courses, speeds.
+// Inputs of the geographic SQL functions: places, speeds and courses, read from a call.
 //
-// A place that is NULL gives a row of NULLs, a speed or course that is NULL gives a place without velocity:
-// reports lack both, and what AIS sends for "not available" is to be written as NULL. Numbers that are none
-// of the Earth are an Error.
+// A NULL place gives a row of NULLs; a NULL speed or course gives a place without velocity. Position reports
+// may lack either, and AIS values for "not available" must be written as NULL. A latitude outside of -90 to
+// 90 and an infinite number are an Error.
 #pragma once
 
 #include <optional>
@@ -13,22 +13,22 @@
 
 namespace foresee {
 
-/// Nothing where one of the two is NULL. `lat`: the input; its longitude follows it.
+/// Latitude and longitude; nothing if either is NULL. `lat`: its input; the longitude is the next one.
 std::optional<LatLon> place_input(const FunctionCall& call, int lat);
 
-/// Where a plane touches the Earth: both must be there.
+/// The point at which the plane touches the Earth. Throws Error if either input is NULL.
 LatLon origin_of(const FunctionCall& call, int lat0);
 
-/// Nothing where one of the two is NULL. `speed`: the input; the course follows it.
+/// Speed and course; nothing if either is NULL. `speed`: its input; the course is the next one.
 std::optional<Course> course_input(const FunctionCall& call, int speed);
 
-/// A number that is not infinite.
+/// The input's number, nothing if it is NULL. Throws Error if it is infinite.
 std::optional<double> finite_number(const FunctionCall& call, int input);
 
-/// Throws Error unless it is a latitude. `name`: of the input, for the message.
+/// Throws Error unless `lat` is from -90 to 90. `name`: the input's name, for the message.
 void require_latitude(double lat, const char* name);
 
-/// One row of numbers from numbers.
+/// The estimate of a call that computes one row from its inputs.
 CallEstimate estimate_one_row(const CallSizes& sizes);
 
 }  // namespace foresee
