@@ -15,18 +15,18 @@ namespace {
 
 constexpr char no_column = 'A' - 1;
 
-/// The second letter; 0 for other constraints.
+/// The second letter of a LIMIT or OFFSET constraint; 0 for other constraints.
 char limit_letter(int op) {
   if (op == SQLITE_INDEX_CONSTRAINT_LIMIT) return 'n';
   return op == SQLITE_INDEX_CONSTRAINT_OFFSET ? 'o' : 0;
 }
 
-/// Whether the call itself leaves out what does not meet a constraint.
+/// Whether the call itself leaves out the rows that do not satisfy a constraint.
 bool is_applied(const TableFunction& function, const sqlite3_index_info& info, int i) {
   const auto& constraint = info.aConstraint[i];
   if (info.aConstraintUsage[i].argvIndex == 0) return false;
   if (constraint.iColumn >= static_cast<int>(function.outputs.size())) return true;
-  const bool probed = function.probed >> constraint.iColumn & 1;  // of these only equality is used
+  const bool probed = function.probed >> constraint.iColumn & 1;  // then only equality is applied
   return !probed || constraint.op == SQLITE_INDEX_CONSTRAINT_EQ;
 }
 
@@ -110,7 +110,7 @@ FunctionCall::Bounds FunctionCall::bounds(int output) const {
     const int type = sqlite3_value_numeric_type(hint.value);
     if (type != SQLITE_INTEGER && type != SQLITE_FLOAT) continue;
     const double number = sqlite3_value_double(hint.value);
-    // An integer may lie on either side of its double.
+    // An integer that no double equals may be on either side of its nearest double.
     const bool exact = type == SQLITE_FLOAT || integer_of(number) == sqlite3_value_int64(hint.value);
     const double below = std::nextafter(number, -inf), above = std::nextafter(number, inf);
     if (hint.op == SQLITE_INDEX_CONSTRAINT_GT) bounds.min = std::max(bounds.min, exact ? above : below);

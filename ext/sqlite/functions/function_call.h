@@ -1,10 +1,10 @@
-// One call of a table-valued function as SQLite hands it over: which inputs were given, which outputs are
-// read, and what the query asks of them.
+// A call of a table-valued function as xFilter passes it: the given inputs, the outputs that the statement
+// reads, and the query's conditions on them.
 //
 //   const double h = call.required_number(in_h);
 //   const std::string method = call.text(in_method).value_or("auto");
 //
-// A NULL input counts as left out. An input of the wrong kind is an Error that says what to write.
+// A NULL input counts as left out. An input of the wrong kind is an Error that names the right one.
 #pragma once
 
 #include <algorithm>
@@ -22,14 +22,14 @@
 
 namespace foresee {
 
-// What does a call use for its inputs that were left out? So that SELECT now, tbl FROM predictive_join(60)
-// tells.
+// Values that a call uses for inputs that were left out, as SELECT now, tbl FROM predictive_join(60) returns
+// them.
 //
-//   used.keep(in_now, 100.0);       // by the call, once it knows
-//   used.output(in_now, context);   // for who reads the hidden column
+//   used.keep(in_now, 100.0);       // the call, when it has determined now
+//   used.output(in_now, context);   // xColumn, when the statement reads the hidden column
 //
-// An input that was given is not asked for here: it reads back as given, since SQLite may compare it once
-// more. Cost: some bytes an input, as many calls as there are.
+// A given input is not kept here: it reads back unchanged, because SQLite may compare it again. Cost: some
+// bytes per input.
 
 class UsedInputs {
  public:
@@ -39,7 +39,7 @@ class UsedInputs {
 
   void keep(int input, Value value) { values_.emplace_back(input, std::move(value)); }
 
-  /// Leaves `context` alone, which is NULL, where nothing stands for the input.
+  /// Leaves `context` at NULL if no value is kept for the input.
   void output(int input, sqlite3_context* context) const {
     for (const auto& [place, value] : values_) {
       if (place != input) continue;
@@ -53,11 +53,11 @@ class UsedInputs {
   std::vector<std::pair<int, Value>> values_;
 };
 
-// How many rows of a call will be read? LIMIT and OFFSET on their way from xBestIndex to xFilter.
+// LIMIT and OFFSET of a call, from xBestIndex to xFilter: the number of rows that will be read.
 //
-// SQLite offers them also where conditions remain that it checks itself. So they are taken only where the
-// call leaves out what does not meet a condition: inputs, `a = 42`, bounds on times. Even then they are no
-// more than a hint, and SQLite applies them: a call that is asked for more rows gives them.
+// SQLite offers them even if it checks further conditions itself. So they are taken only if the call applies
+// all conditions: inputs, `a = 42`, bounds on times. Even then they are only a hint and SQLite applies them:
+// a call returns more rows if more are read.
 
 struct TableFunction;
 
@@ -65,18 +65,19 @@ struct RowLimit {
   std::int64_t rows = -1;  ///< negative: all
   std::int64_t skipped = 0;
 
-  /// How many rows will be read at most; nothing where that is not known.
-  std::optional<std::uint64_t> in_all() const {
+  /// The maximum number of rows that will be read; nothing if it is not known.
+  std::optional<std::uint64_t> total() const {
     if (rows < 0) return {};
     return static_cast<std::uint64_t>(rows) + static_cast<std::uint64_t>(std::max<std::int64_t>(0, skipped));
   }
 };
 
-/// Has LIMIT and OFFSET handed over, two letters each behind the plan's arguments; neither where SQLite
-/// checks a condition that the call does not heed itself. Requires: all other constraints have been taken.
+/// Requests LIMIT and OFFSET from SQLite and appends two letters for each to the plan's arguments. Requests
+/// neither if SQLite checks a condition that the call does not apply itself. Requires: all other constraints
+/// have been taken.
 void take_row_limit(const TableFunction& function, sqlite3_index_info& info, std::string& arguments);
 
-/// Takes an argument by its letters into `limit`. False, and nothing is taken, if it is neither of the two.
+/// Stores an argument in `limit` by its letters. False, without a change, if it is neither LIMIT nor OFFSET.
 bool read_row_limit(const char* letters, sqlite3_value* value, RowLimit& limit);
 
 struct TableFunction;
@@ -109,33 +110,34 @@ class FunctionCall {
 
   Connection& connection() const { return connection_; }
 
-  /// Nothing where it was left out. Error for what is no number, and for an integer that no double holds.
+  /// Nothing if it was left out. Throws Error for a value that is not a number, and for an integer that no
+  /// double holds exactly.
   std::optional<double> number(int input) const;
   double required_number(int input) const;
   std::int64_t required_integer(int input) const;
-  /// `kind`: what it must be, for the message about what is no text.
+  /// `kind`: the kind of text that is expected, for the message about a value that is not a text.
   std::optional<std::string> text(int input,
                                   const char* kind = "a name in quotes, or NULL to leave it out") const;
 
   const char* name_of(int input) const;
 
-  /// Where `input` was left out it reads back as `value`. The same in every call of one statement: SQLite
-  /// tells rows apart by their inputs too where it unites the two sides of an OR.
+  /// Makes `input`, if it was left out, read back as `value`. Requires: the same value in every call of one
+  /// statement, because SQLite compares the inputs too when it removes duplicate rows of an OR.
   void used(int input, UsedInputs::Value value) const {
     if (!inputs_[static_cast<std::size_t>(input)]) used_.keep(input, std::move(value));
   }
 
   bool reads(int output) const { return (outputs_read_ >> output & 1) != 0; }
 
-  /// The integer that the query wants `output` to be, if it does.
+  /// The integer that the query requires `output` to equal; nothing if it has no such condition.
   std::optional<std::int64_t> only(int output) const;
-  /// What the query wants `output` to lie between, both ends included; infinite where it does not say. No
-  /// double that the query takes lies outside.
+  /// The closed interval of `output` that the query's conditions allow, infinite where they set no bound. It
+  /// contains every double that the query accepts.
   struct Bounds {
     double min, max;
   };
   Bounds bounds(int output) const;
-  /// The outputs by which rows must come, rising: one of the function's orders, or its beginning.
+  /// The outputs by which rows must ascend: one of the function's orders, or a prefix of one.
   std::span<const int> order() const { return order_; }
   const RowLimit& limit() const { return limit_; }
 
@@ -144,7 +146,7 @@ class FunctionCall {
 
   const TableFunction& function_;
   Connection& connection_;
-  std::span<sqlite3_value* const> inputs_;  ///< one per input, null where it was left out
+  std::span<sqlite3_value* const> inputs_;  ///< one per input, null if it was left out
   std::vector<Hint> hints_;
   std::uint32_t outputs_read_;
   std::span<const int> order_;

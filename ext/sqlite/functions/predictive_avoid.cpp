@@ -1,4 +1,4 @@
-// predictive_avoid(h, tbl, id, …) in SQL: the object is looked up, the others are asked for in the tree.
+// predictive_avoid(h, tbl, id, …) in SQL: looks the object up and searches the tree for the others.
 #include "base/integer_of.h"
 #include "index/tpr_tree/tpr_tree.h"
 #include "query/avoid/avoid.h"
@@ -89,7 +89,7 @@ class AvoidRows final : public FunctionRows {
     result_text(context, tables_[static_cast<std::size_t>(blocker->table)]);
   }
 
-  /// What the table has a column for; for ever is NULL.
+  /// A number of the changed record. NULL if the table has no such column or the number is infinite.
   void result_stored(sqlite3_context* context, const AvoidRow& row, int output) const {
     const int place = place_of(output);
     if (place == Offsets::absent) return;

@@ -1,4 +1,4 @@
-// predictive_explain(h, …) in SQL: the stages of a join, one a row.
+// predictive_explain(h, …) in SQL: the stages of a join, one per row.
 #include "query/join/explain.h"
 #include "sqlite/functions/join_inputs.h"
 #include "sqlite/functions/table_functions.h"

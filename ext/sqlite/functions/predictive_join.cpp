@@ -1,4 +1,5 @@
-// predictive_join(h, …) in SQL: which outputs are read, and its rows.
+// predictive_join(h, …) in SQL: reads the inputs, requests only the outputs that are read, and returns the
+// rows.
 #include "query/join/join.h"
 #include "sqlite/functions/join_inputs.h"
 #include "sqlite/functions/table_functions.h"
@@ -53,7 +54,7 @@ class JoinRows final : public FunctionRows {
   std::size_t row_ = 0;
 };
 
-/// `outputs`: one of predictive_join's `orders`, or its beginning.
+/// `outputs`: one of predictive_join's `orders`, or a prefix of one.
 JoinOrder order_of(std::span<const int> outputs) {
   if (outputs.empty()) return JoinOrder::any;
   if (outputs[0] == out_dt) return JoinOrder::by_dt;
@@ -68,7 +69,7 @@ std::unique_ptr<FunctionRows> start(const FunctionCall& call) {
   JoinQuestion question = join_question(call, read_join_inputs(call), {call.only(out_a), call.only(out_b)});
   question.queried_t = queried(call.bounds(out_t)), question.queried_dt = queried(call.bounds(out_dt));
   question.order = order_of(call.order());
-  question.likely_rows = call.limit().in_all().value_or(all_rows);
+  question.likely_rows = call.limit().total().value_or(all_rows);
   question.helpers = call.connection().helper_threads();
   question.wants.ends = call.reads(out_t_end) || call.reads(out_dt_end);
   question.wants.contact = question.wants.ends || call.reads(out_t) || call.reads(out_dt);

@@ -1,4 +1,4 @@
-// predictive_nearest(h, tbl, k, …) in SQL.
+// predictive_nearest(h, tbl, k, …) in SQL: reads the inputs, opens the table, and returns the rows.
 #include "query/nearest/nearest.h"
 #include "sqlite/functions/searched_table.h"
 #include "sqlite/functions/table_functions.h"

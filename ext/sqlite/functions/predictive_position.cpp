@@ -1,4 +1,4 @@
-// predictive_position(at, …) in SQL.
+// predictive_position(at, …) in SQL: the position of each object, or of the object of one id.
 #include "query/position/positions.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"

@@ -1,4 +1,4 @@
-// predictive_sweep(h, …) in SQL: the boxes by which own_* decides (join_inputs.h).
+// predictive_sweep(h, …) in SQL: the swept boxes from which own_x0 to own_y1 select pairs (join_inputs.h).
 #include "index/tpr_tree/tpr_tree.h"
 #include "query/sweep/sweep.h"
 #include "sqlite/functions/table_functions.h"

@@ -1,4 +1,4 @@
-// predictive_track(t0, t1, step, …) in SQL.
+// predictive_track(t0, t1, step, …) in SQL: positions at several instants, of all objects or of one id.
 #include "query/position/tracks.h"
 #include "sqlite/functions/table_functions.h"
 #include "sqlite/names/open_table.h"

@@ -1,4 +1,4 @@
-// predictive_window(h, …) in SQL: reads the inputs, opens the table, and hands rows on.
+// predictive_window(h, …) in SQL: reads the inputs, opens the table, and returns the rows.
 #include "query/window/window.h"
 #include "shape/outline/validity.h"
 #include "shape/outline/wkt.h"

@@ -1,4 +1,4 @@
-// The table-valued functions, a file each, or two that are each other's inverse.
+// List of the table-valued functions; the file that defines each is named beside it.
 #pragma once
 
 #include "sqlite/functions/table_function.h"
