@@ -86,25 +86,25 @@ void take(FunctionPlan& plan, const TableFunction& function, sqlite3_index_info&
 }
 
 /// Fills in the cost and the number of rows. A join about one id searches the tree. A call without its first
-/// input fails, so that plan gets the highest cost, except with a condition on an id. To plan `a = 42 OR b =
-/// 42`, SQLite offers one side of the OR alone and adds the inputs only when it generates that side's
-/// program.
+/// input fails, so that plan gets the highest cost, except with a condition on an id. To plan
+/// `a = 42 OR b = 42`, SQLite offers one side of the OR alone and adds the inputs only when it generates that
+/// side's program.
 ///
 /// After such a call SQLite evaluates `input = NULL` again, which is not true, and loses every row. So the
 /// plan must not be chosen if an input is a literal NULL, or comes from another table and may be NULL in some
 /// row. An earlier plan of the statement shows this: the one of a whole call without conditions on ids. (A
 /// query about one id that is planned after such a call may get a worse plan than necessary.) An input that
 /// is bound later counts as not NULL if SQLite lets the call refuse a NULL (host_sqlite.h), and else as NULL.
-void estimate(const TableFunction& function, const Connection& connection, EarlierPlans& before,
+void estimate(const TableFunction& function, const Connection& connection, EarlierPlans& earlier,
               FunctionPlan& plan, sqlite3_index_info& info) {
   const bool whole = (plan.inputs_given & 1) != 0;
   if (whole && !plan.about_ids) {
-    before.or_loses_rows = plan.null_inputs;
-    before.one_side_was_planned = false;
+    earlier.or_loses_rows = plan.null_inputs;
+    earlier.one_side_was_planned = false;
   }
-  if (plan.about_ids && plan.equalities == 0) before.or_loses_rows = false;
-  if (plan.equalities > 0 && !whole) before.one_side_was_planned = true;
-  if (before.one_side_was_planned) plan.inputs_compared |= plan.inputs_unknown;
+  if (plan.about_ids && plan.equalities == 0) earlier.or_loses_rows = false;
+  if (plan.equalities > 0 && !whole) earlier.one_side_was_planned = true;
+  if (earlier.one_side_was_planned) plan.inputs_compared |= plan.inputs_unknown;
   const CallSizes sizes = call_sizes(function, connection, plan.written, plan.inputs_given);
   const bool by_first = plan.probed_by & 1, by_both = plan.probed_by & (plan.probed_by - 1);
   auto [cost, rows] = plan.equalities > 0 && function.estimate_probe
@@ -113,7 +113,7 @@ void estimate(const TableFunction& function, const Connection& connection, Earli
   if (by_both) rows = 1;
   if (plan.inequalities > 0) rows /= 4;
   rows = std::max(1.0, rows);
-  if (plan.equalities > 0 ? before.or_loses_rows : !whole) cost = 1e50;
+  if (plan.equalities > 0 ? earlier.or_loses_rows : !whole) cost = 1e50;
   info.estimatedCost = cost;
   info.estimatedRows = static_cast<sqlite3_int64>(rows);
 }
@@ -158,19 +158,19 @@ int take_order(const TableFunction& function, sqlite3_index_info& info) {
 
 }  // namespace
 
-int plan_call(const TableFunction& function, const Connection& connection, EarlierPlans& before,
+int plan_call(const TableFunction& function, const Connection& connection, EarlierPlans& earlier,
               sqlite3_index_info& info) {
   FunctionPlan plan;
   plan.written.resize(function.inputs.size());
   for (int i = 0; i < info.nConstraint; ++i) take(plan, function, info, i);
   if (const std::uint32_t missing = plan.inputs_unusable & ~plan.inputs_given) {
-    before.or_loses_rows |= (missing & ~1u) != 0;  // from another table
+    earlier.or_loses_rows |= (missing & ~1u) != 0;  // from another table
     return SQLITE_CONSTRAINT;
   }
   const int order = take_order(function, info);
   if (order != 0) take_row_limit(function, info, plan.arguments);
   info.idxNum = static_cast<int>(info.colUsed & outputs_reported(function)) | order;
-  estimate(function, connection, before, plan, info);
+  estimate(function, connection, earlier, plan, info);
   info.idxStr = sqlite3_mprintf("%s", described(plan, output_count(function)).c_str());
   if (!info.idxStr) return SQLITE_NOMEM;
   info.needToFreeIdxStr = 1;

@@ -27,7 +27,7 @@ struct EarlierPlans {
 
 /// The work of xBestIndex: fills in `info`. Returns SQLITE_OK, SQLITE_NOMEM, or SQLITE_CONSTRAINT if an input
 /// comes from a table that this plan reads later.
-int plan_call(const TableFunction& function, const Connection& connection, EarlierPlans& before,
+int plan_call(const TableFunction& function, const Connection& connection, EarlierPlans& earlier,
               sqlite3_index_info& info);
 
 // Decoding of a plan.
