@@ -1,16 +1,16 @@
-// kill -9 in the middle of a bulk load or of an update storm: whoever opens the file next finds a sound table
-// that holds every transaction whose COMMIT had returned, and no half of another.
+// kill -9 during a bulk load or a series of updates: the next process that opens the file finds a sound
+// table. The table holds every transaction whose COMMIT had returned, and no part of any other.
 //
-// The killed process writes the same rows to an ordinary table in the same transactions: that is what SQLite
-// kept, so that is what must be there.
+// The killed process writes the same rows to an ordinary table in the same transactions. Both tables must be
+// equal afterwards.
 #include "killed_writer.h"
 
 namespace foresee::testing {
 namespace {
 
-/// Transactions without end, each announced once its COMMIT has returned.
-[[noreturn]] void write_for_ever(const std::string& path, const char* journal_mode, std::uint64_t seed,
-                                 Announce announce) {
+/// An unbounded sequence of transactions, each announced after its COMMIT has returned.
+[[noreturn]] void write_until_killed(const std::string& path, const char* journal_mode, std::uint64_t seed,
+                                     Announce announce) {
   sqlite3* db = nullptr;
   sqlite3_open(path.c_str(), &db);
   sqlite3_foresee_init(db, nullptr, nullptr);
@@ -63,7 +63,7 @@ TEST_P(Crash, KeepsEveryCommittedTransactionAndNoHalfOne) {
           "CREATE TABLE progress(k)");
     }
     expect_whole(file.path(), write_and_kill(seed, [&](Announce announce) {
-                   write_for_ever(file.path(), GetParam(), seed, announce);
+                   write_until_killed(file.path(), GetParam(), seed, announce);
                  }));
   }
 }

@@ -1,5 +1,5 @@
-// Shadow tables that are no longer what foresee made, and pages of a file that point at one another: every
-// statement ends, with an error that names the table.
+// Damaged shadow tables, and pages of a file that point at one another: every statement ends, with an error
+// that names the table.
 #include <array>
 #include <fstream>
 #include <iterator>
@@ -28,7 +28,7 @@ void build(Database& db) {
       "FROM n");
 }
 
-/// What never ends says "interrupted" here.
+/// A statement without an end fails with "interrupted".
 void give_up_in_time(Database& db) {
   static int calls;
   calls = 0;
@@ -36,7 +36,7 @@ void give_up_in_time(Database& db) {
       db.handle(), 1000, [](void*) { return ++calls > 1000 ? 1 : 0; }, nullptr);
 }
 
-/// Every statement ends with an error; a scan's holds these words.
+/// Every statement ends with an error; the error of a scan contains these words.
 void expect_errors(Database& db, const std::string& words) {
   give_up_in_time(db);
   for (const char* statement : statements) {
@@ -46,8 +46,8 @@ void expect_errors(Database& db, const std::string& words) {
   EXPECT_NE(db.error_of(statements[0]).find(words), std::string::npos) << db.error_of(statements[0]);
 }
 
-/// Sends every child of a root page to the place of its first one, so that the rows never end.
-void send_all_ways_to_the_first_child(const std::string& path, std::size_t page) {
+/// Points every cell of a root page to its first child, so that a scan never ends.
+void point_all_cells_to_the_first_child(const std::string& path, std::size_t page) {
   std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
   std::array<unsigned char, 512> bytes;
   const auto place = static_cast<std::streamoff>((page - 1) * bytes.size());
@@ -74,7 +74,7 @@ TEST(DamagedTables, PagesThatLeadBackEndEveryStatement) {
       build(db);
       root = std::stoul(db.rows("SELECT rootpage FROM sqlite_schema WHERE name = '" + table + "'"));
     }
-    send_all_ways_to_the_first_child(file.path(), root);
+    point_all_cells_to_the_first_child(file.path(), root);
     Database db(file.path());
     db.exec("BEGIN");
     if (table == "ships_node") {
@@ -100,7 +100,7 @@ TEST(DamagedTables, NodeNumbersThatAreNoIntegersEndEveryStatement) {
   }
 }
 
-/// A database whose table `ships` is connected anew after `change`, as another program would find it.
+/// Reopens a database after `change`, as another program would, and calls `look` with it.
 void reopen(const TemporaryFile& file, const std::string& change, const auto& look) {
   {
     Database db(file.path());
@@ -144,7 +144,7 @@ TEST(DamagedTables, AVirtualTableInPlaceOfAShadowTableIsRefused) {
          });
 }
 
-TEST(DamagedTables, OfALongValueInMetaNoMoreIsReadThanIsExpected) {
+TEST(DamagedTables, ALongValueInMetaIsReadOnlyUpToItsExpectedLength) {
   TemporaryFile file;
   reopen(file, "UPDATE ships_meta SET value = printf('%.*c', 1000000, 'x') WHERE key = 'columns'",
          [](Database& db) {
@@ -155,7 +155,7 @@ TEST(DamagedTables, OfALongValueInMetaNoMoreIsReadThanIsExpected) {
          });
 }
 
-/// Keys on which no answer depends do no harm; the others are an error that names the table.
+/// Keys that no query depends on do no harm; all others give an error that names the table.
 TEST(DamagedTables, AValueInMetaOfAnotherTypeOrRangeIsAnErrorOrDoesNoHarm) {
   const std::string join = "SELECT a, b, t FROM predictive_join(20, 'ships') ORDER BY a, b",
                     scan = "SELECT id, x, name FROM ships ORDER BY id";
@@ -186,7 +186,7 @@ TEST(DamagedTables, AValueInMetaOfAnotherTypeOrRangeIsAnErrorOrDoesNoHarm) {
     }
 }
 
-TEST(DamagedTables, WhoReadsAllObjectsCountsThemAgainstTheMap) {
+TEST(DamagedTables, AReadOfAllObjectsComparesTheirNumberWithTheMap) {
   const std::string words = "ships: the leaves hold 300 objects, the map 236";
   for (const char* statement :
        {"SELECT count(*) FROM ships", "UPDATE ships SET x = 1", "DELETE FROM ships WHERE x > 50",

@@ -1,4 +1,5 @@
-// Which operation fails next? The first ones one by one, later ones in growing steps, until none fails.
+// Selects which operations fail in a fault test: the first ones one by one, later ones in growing steps,
+// until none fails.
 //
 //   for (long n = 0; disturbed(n); n = next_fault(n)) …
 //

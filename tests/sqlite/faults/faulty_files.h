@@ -1,5 +1,5 @@
-// Files that fail: a VFS over SQLite's own in which the nth operation of one kind goes wrong, once or from
-// then on.
+// A VFS that injects file faults: it wraps SQLite's own VFS, and the nth operation of one kind fails, once or
+// from then on.
 //
 //   FaultyFiles files;                                       // registers the VFS "faulty"
 //   Database db("file:ships.db?vfs=faulty");
@@ -22,7 +22,7 @@ inline constexpr FileFault all_file_faults[] = {FileFault::read_fails,     FileF
 class FaultyFiles {
  public:
   static constexpr bool once = false, for_good = true;
-  static constexpr bool default_for_all = true;  ///< databases that name no VFS, too
+  static constexpr bool default_for_all = true;  ///< also for databases that name no VFS
 
   explicit FaultyFiles(bool is_default = false) {
     real_ = sqlite3_vfs_find(nullptr);
@@ -41,7 +41,7 @@ class FaultyFiles {
   void arm(FileFault fault, long after, bool for_good_then) {
     state_ = {.armed = true, .for_good = for_good_then, .fired = false, .fault = fault, .left = after};
   }
-  /// Whether the fault happened.
+  /// True if the fault happened.
   bool disarm() {
     const bool fired = state_.fired;
     state_ = {};
@@ -89,11 +89,11 @@ class FaultyFiles {
     if (fails(FileFault::truncate_fails)) return SQLITE_IOERR_TRUNCATE;
     return methods(file)->xTruncate(real(file), size);
   }
-  static int sync(sqlite3_file*, int) {  // nobody pulls the plug here, so nothing waits for the disk
+  static int sync(sqlite3_file*, int) {  // these tests have no power failures, so a sync need not wait
     return fails(FileFault::sync_fails) ? SQLITE_IOERR_FSYNC : SQLITE_OK;
   }
 
-  /// The calls that never fail here.
+  /// Calls that never fail.
   template <auto method>
   struct Pass;
   template <class... Arguments, int (*sqlite3_io_methods::*method)(sqlite3_file*, Arguments...)>

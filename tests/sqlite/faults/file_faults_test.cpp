@@ -1,5 +1,6 @@
-// Every read, write and sync of a statement fails in turn, once or for good. Nothing crashes; the statement
-// fails or does its work, and whoever opens the file next finds a sound table: as it was, or as it should be.
+// File faults: every read, write and sync of a statement fails in turn, once or for good. Nothing crashes,
+// and the statement fails or does its work. The next process that opens the file finds a sound table, as
+// before the statement or as after it.
 #include <filesystem>
 
 #include "fault_steps.h"
@@ -11,7 +12,7 @@ namespace {
 
 class FileFaults : public ::testing::TestWithParam<const char*> {
  protected:
-  /// A file with a table of some levels: pages are small.
+  /// A file with a tree of several levels, in small pages.
   void SetUp() override {
     Database db(original_.path());
     db.exec("PRAGMA page_size = 512");
@@ -32,7 +33,7 @@ class FileFaults : public ::testing::TestWithParam<const char*> {
     std::filesystem::copy_file(original_.path(), original_.path("copy.db"));
   }
 
-  /// What the table holds after `sql`, undisturbed.
+  /// The contents of the table after `sql` without a fault.
   std::string done(const std::string& sql) const {
     copy_original();
     Database db(original_.path("copy.db"));
@@ -40,7 +41,7 @@ class FileFaults : public ::testing::TestWithParam<const char*> {
     return contents(db);
   }
 
-  /// Runs `sql` with the nth operation failing, for n = 0, 1, … until it is not disturbed any more.
+  /// Runs `sql` with the nth operation failing, for n = 0, 1, … until no operation fails.
   void run(const std::string& sql) {
     const std::string after = done(sql);
     for (const FileFault fault : all_file_faults)
@@ -104,7 +105,7 @@ TEST_P(FileFaults, Commands) {
   run("INSERT INTO ships(ships) VALUES('integrity-check')");
 }
 
-TEST_P(FileFaults, Questions) {
+TEST_P(FileFaults, Queries) {
   run("SELECT * FROM ships");
   run("SELECT count(*) FROM predictive_join(10, 'ships')");
   run("SELECT * FROM predictive_position(10, 'ships')");

@@ -1,5 +1,5 @@
-// Every single byte of every stored blob changed once (under sanitizers, every third): an error that says so,
-// or the right rows; never a crash, a hang or a wrong row.
+// Corrupted blobs: every byte of every stored blob is changed once (with sanitizers, every third byte). The
+// result is a clear error or the right rows, never a crash, a hang or a wrong row.
 #include <vector>
 
 #include "sanitized.h"
@@ -24,7 +24,7 @@ std::vector<std::string> answers(Database& db) {
   return all;
 }
 
-/// A table of some levels in pages that are as small as they come.
+/// A tree of several levels in pages of the smallest size.
 void build_small(Database& db) {
   db.exec(
       "PRAGMA page_size = 512;"
@@ -53,7 +53,7 @@ TEST(HostileBytes, EachChangedByteOfEachNodeIsAnErrorOrTheRightRows) {
   int noticed = 0;
   for (const auto& [number, size] : nodes) {
     for (int at = static_cast<int>(number % step); at < size && !HasFailure(); at += step) {
-      Database db(file.path());  // in a transaction that is never committed: the file stays as it is
+      Database db(file.path());  // in a transaction without COMMIT: the file does not change
       sqlite3_exec(db.handle(), "PRAGMA synchronous = OFF; BEGIN", nullptr, nullptr, nullptr);
       sqlite3_blob* blob = nullptr;
       ASSERT_EQ(sqlite3_blob_open(db.handle(), "main", "ships_node", "data", number, 1, &blob), SQLITE_OK);

@@ -15,7 +15,7 @@
 
 namespace foresee::testing {
 
-/// Tells the parent that the COMMIT of this transaction has returned.
+/// Reports to the parent process that the COMMIT of this transaction has returned.
 class Announce {
  public:
   explicit Announce(int end) : end_(end) {}
@@ -28,15 +28,15 @@ class Announce {
   int end_;
 };
 
-/// Lets a writer run for some transactions and milliseconds, kills it, and says what it announced last.
-template <class WriteForEver>
-std::int64_t write_and_kill(std::uint64_t seed, const WriteForEver& write_for_ever) {
+/// Runs a writer for some transactions and milliseconds, kills it, and returns the last announced number.
+template <class Write>
+std::int64_t write_and_kill(std::uint64_t seed, const Write& write_until_killed) {
   int ends[2];
   EXPECT_EQ(pipe(ends), 0);
   const pid_t writer = fork();
   if (writer == 0) {
     close(ends[0]);
-    write_for_ever(Announce(ends[1]));
+    write_until_killed(Announce(ends[1]));
     _exit(1);
   }
   close(ends[1]);
@@ -52,7 +52,7 @@ std::int64_t write_and_kill(std::uint64_t seed, const WriteForEver& write_for_ev
   close(ends[0]);
   int status = 0;
   EXPECT_EQ(waitpid(writer, &status, 0), writer);
-  EXPECT_TRUE(WIFSIGNALED(status)) << "the writer ended by itself";
+  EXPECT_TRUE(WIFSIGNALED(status)) << "the writer ended before the kill";
   return last;
 }
 

@@ -1,5 +1,5 @@
-// How much memory do a load, one UPDATE of all rows, 'rebuild' and 'optimize' take, and what if there is
-// none, or no room on the disk? With limits far below those of an application, so that few objects are many.
+// Memory that a bulk load, an UPDATE of all rows, 'rebuild' and 'optimize' need, and what happens without
+// memory or disk space. The limits are far below those of an application, so that few objects count as many.
 #include <array>
 #include <filesystem>
 
@@ -19,7 +19,7 @@ constexpr MemoryLimits small{.pending = 3'000'000, .memory = 400'000, .waiting =
 
 class LargeTable {
  public:
-  /// A file that is there has the table already.
+  /// An existing file has the table already.
   explicit LargeTable(const MemoryLimits& limits = small, const std::string& path = "")
       : LargeTable(limits, path, std::filesystem::exists(path)) {}
 
@@ -74,7 +74,7 @@ class LargeTable {
   }
 };
 
-/// The most that the work holds at once beyond what was held before it: ours and SQLite's.
+/// Peak memory of the work beyond the memory in use before it, of foresee and SQLite together.
 template <class Work>
 double peak_of(Work work) {
   const std::size_t held = bytes_peak = bytes_held;
@@ -84,26 +84,26 @@ double peak_of(Work work) {
   return static_cast<double>(bytes_peak - held) + static_cast<double>(sqlite3_memory_highwater(0) - lite);
 }
 
-/// Of a load with ids in no order, one UPDATE of all rows likewise, 'rebuild' and 'optimize'.
+/// Peaks of a load with ids in random order, one UPDATE of all rows likewise, 'rebuild' and 'optimize'.
 std::array<double, 4> peaks_of(std::int64_t objects) {
   LargeTable table;
   return {peak_of([&] { table.load(objects); }), peak_of([&] { table.update_all(objects); }),
           peak_of([&] { table.rebuild(); }), peak_of([&] { table.optimize(); })};
 }
 
-TEST(LoadMemory, GrowsByFewBytesARow) {
+TEST(LoadMemory, GrowsByFewBytesPerRow) {
   constexpr std::int64_t some = 60'000, more = 120'000;
   const auto few = peaks_of(some), many = peaks_of(more);
-  // 'optimize' checks first: hints of where objects are (leaf_hints.h) grow by 17 bytes an object, up to 16
-  // MB.
-  constexpr std::array<double, 4> most{20, 20, 20, 45};
-  for (std::size_t work = 0; work < most.size(); ++work) {
-    EXPECT_LT((many[work] - few[work]) / (more - some), most[work]) << "bytes a row: work " << work;
+  // 'optimize' checks the table first: hints to the leaves of objects (leaf_hints.h) grow by 17 bytes per
+  // object, up to 16 MB.
+  constexpr std::array<double, 4> limit{20, 20, 20, 45};
+  for (std::size_t work = 0; work < limit.size(); ++work) {
+    EXPECT_LT((many[work] - few[work]) / (more - some), limit[work]) << "bytes per row: work " << work;
     EXPECT_LT(many[work], 16e6) << "all of it: work " << work;
   }
 }
 
-TEST(LoadFile, KilledInTheMiddleARebuildLeavesEveryObject) {
+TEST(LoadFile, ARebuildThatIsKilledLeavesEveryObject) {
   testing::TemporaryFile file;
   const MemoryLimits limits{.pending = 100'000, .memory = 60'000, .waiting = 20'000, .ordered = 20'000};
   LargeTable(limits, file.path()).load(6'000);
@@ -128,7 +128,7 @@ struct LoadFaults : testing::MemoryFaults {
       .pending = 100'000, .memory = 60'000, .waiting = 20'000, .ordered = 20'000};
 };
 
-/// Either it is done or it fails with one of our errors, and what is rolled back is as it was.
+/// The work succeeds, or it fails with an error of foresee and the rollback restores the table.
 template <class Work>
 bool is_done(LargeTable& table, Work work) {
   bool done = false;
@@ -172,7 +172,7 @@ TEST_F(LoadFaults, WithoutMemoryARebuildChangesNothing) {
   }
 }
 
-TEST(LoadFile, WithoutRoomForItARebuildChangesNothing) {
+TEST(LoadFile, WithoutDiskSpaceARebuildChangesNothing) {
   FaultyFiles files(FaultyFiles::default_for_all);
   constexpr MemoryLimits limits{
       .pending = 6'000'000, .memory = 4'000'000, .waiting = 4'000'000, .ordered = 400'000};
@@ -206,7 +206,7 @@ TEST(LoadFile, WithoutRoomForItARebuildChangesNothing) {
     }
   EXPECT_GE(failed, 5);
   EXPECT_EQ(faults(*table.store), std::vector<std::string>{});
-  // In memory there is no file that could fail.
+  // A database in memory has no file that could fail.
   table.db.run("PRAGMA temp_store = MEMORY");
   files.arm(FileFault::open_fails, 0, FaultyFiles::for_good);
   table.rebuild();

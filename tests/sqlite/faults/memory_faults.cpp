@@ -9,7 +9,7 @@
 namespace foresee::testing {
 
 Faults faults;
-std::size_t bytes_asked = 0, bytes_held = 0, bytes_peak = 0;
+std::size_t bytes_requested = 0, bytes_held = 0, bytes_peak = 0;
 
 namespace {
 
@@ -31,7 +31,7 @@ void* counted(void* memory) {
 }  // namespace
 
 void* allocate(std::size_t size) {
-  bytes_asked += size;
+  bytes_requested += size;
   return faults.fails() ? nullptr : counted(std::malloc(size == 0 ? 1 : size));
 }
 
@@ -58,7 +58,7 @@ MemoryFaults::~MemoryFaults() {
 
 }  // namespace foresee::testing
 
-// GCC takes free() of what our own operator new has given for a mismatch.
+// GCC warns of a mismatch when free() releases memory of our own operator new.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpragmas"
 #pragma GCC diagnostic ignored "-Wunknown-warning-option"

@@ -1,4 +1,4 @@
-// Memory that runs out: SQLite's and ours, at one allocation or from it on.
+// Injects allocation failures into SQLite and foresee: one allocation fails, or all from one on.
 //
 //   struct MyFaults : MemoryFaults {};       // SQLite allocates through the counter while a fixture lives
 //   faults = {.armed = true, .for_good = true, .left = 7, .fired = false};
@@ -29,10 +29,10 @@ struct Faults {
 };
 
 extern Faults faults;
-extern std::size_t bytes_asked;             ///< by our own code, ever
-extern std::size_t bytes_held, bytes_peak;  ///< … and not given back; the most at once: set it to begin anew
+extern std::size_t bytes_requested;         ///< by foresee's own code, in total, failures too
+extern std::size_t bytes_held, bytes_peak;  ///< not yet freed; the peak, which a test resets
 
-/// No database is open before or after.
+/// A fixture during which no database outlives a test.
 struct MemoryFaults : ::testing::Test {
   MemoryFaults();
   ~MemoryFaults() override;

@@ -1,6 +1,6 @@
-// Memory runs out at every allocation in turn, once or for good: SQLite's and ours. Nothing crashes, the
-// statement fails with SQLITE_NOMEM or does its work, and the table is what it was before the statement or
-// after it.
+// Out-of-memory tests: every allocation of SQLite and foresee fails in turn, once or for good. Nothing
+// crashes, and the statement fails with SQLITE_NOMEM or does its work. The table is as it was before the
+// statement or as after it.
 #include "memory_faults.h"
 
 #include "fault_steps.h"
@@ -13,8 +13,8 @@ struct TableMemoryFaults : MemoryFaults {
     return db.rows("SELECT * FROM " + table + " ORDER BY id");
   }
 
-  /// Runs `sql` with the nth allocation failing, for n = 0, 1, … until it does its work undisturbed. `table`
-  /// holds the rows to compare.
+  /// Runs `sql` with the nth allocation failing, for n = 0, 1, … until no allocation fails. `table` has the
+  /// rows to compare.
   static void run(const std::string& sql, const std::string& table = "ships", bool utf_16 = false) {
     for (const bool for_good : {false, true}) {
       long n = 0;
@@ -37,7 +37,7 @@ struct TableMemoryFaults : MemoryFaults {
     faults = {};
     EXPECT_TRUE(rc == SQLITE_OK || (fired && rc == SQLITE_NOMEM))
         << rc << " at allocation " << n << " of " << sql;
-    if (sqlite3_get_autocommit(db.handle()) == 0) db.exec("ROLLBACK");  // a script that stopped half-way
+    if (sqlite3_get_autocommit(db.handle()) == 0) db.exec("ROLLBACK");  // after a failed script
     const std::string after = contents(db, table);
     if (rc == SQLITE_OK) {
       EXPECT_EQ(db.error_of("INSERT INTO " + table + "(" + table + ") VALUES('integrity-check')"), "");
@@ -73,7 +73,7 @@ TEST_F(TableMemoryFaults, Transaction) {
       "RELEASE a");
 }
 
-/// Without an older savepoint, too: the mark that a statement sets may be what fails.
+/// Also without an older savepoint: the savepoint of the statement itself may fail.
 TEST_F(TableMemoryFaults, AStatementThatFailsLeavesWhatItsTransactionChangedBefore) {
   long n = 0;
   for (bool fired = true; fired && !HasFailure(); n = next_fault(n)) {
@@ -92,16 +92,16 @@ TEST_F(TableMemoryFaults, AStatementThatFailsLeavesWhatItsTransactionChangedBefo
   EXPECT_GT(n, 2);
 }
 
-/// What is there is not copied for each one more.
-TEST(Memory, SavepointsInsideEachOtherTakeTheSameEach) {
+/// A further savepoint does not copy the pending changes.
+TEST(Memory, NestedSavepointsAllocateTheSameEach) {
   constexpr std::size_t deep = 2000;
   Database db;
   db.exec("CREATE VIRTUAL TABLE ships USING moving_objects(id, x); BEGIN; INSERT INTO ships VALUES(1, 0)");
-  const std::size_t before = bytes_asked;
+  const std::size_t before = bytes_requested;
   for (std::size_t i = 0; i < deep; ++i) db.exec("SAVEPOINT s");
-  EXPECT_LT((bytes_asked - before) / deep, 2000U);
+  EXPECT_LT((bytes_requested - before) / deep, 2000U);
   for (std::size_t i = 0; i < deep; ++i) db.exec("RELEASE s");
-  EXPECT_LT((bytes_asked - before) / deep, 2000U);
+  EXPECT_LT((bytes_requested - before) / deep, 2000U);
   db.exec("COMMIT");
 }
 
@@ -116,7 +116,7 @@ TEST_F(TableMemoryFaults, CreateAndDrop) {
   run("CREATE VIRTUAL TABLE IF NOT EXISTS boats USING moving_objects(id, x); DROP TABLE boats");
 }
 
-/// Texts in UTF-16 take memory when they are read; small ones too, where SQLite has put none aside.
+/// Texts in UTF-16 need memory when they are read; small ones too, without SQLite's lookaside memory.
 TEST_F(TableMemoryFaults, TextsInUtf16) {
   sqlite3_shutdown();
   sqlite3_config(SQLITE_CONFIG_LOOKASIDE, 0, 0);
@@ -126,11 +126,11 @@ TEST_F(TableMemoryFaults, TextsInUtf16) {
   run("SELECT count(*) FROM predictive_join(9, 'ships', 0, 'ships', 0, 'scan')", "ships", true);
   run("SELECT count(*) FROM predictive_window(9) WHERE tbl = 'ships' AND method = 'tree'", "ships", true);
   sqlite3_shutdown();
-  sqlite3_config(SQLITE_CONFIG_LOOKASIDE, 1200, 40);  // as SQLite has it
+  sqlite3_config(SQLITE_CONFIG_LOOKASIDE, 1200, 40);  // SQLite's default
   sqlite3_initialize();
 }
 
-TEST_F(TableMemoryFaults, SmallQuestions) {
+TEST_F(TableMemoryFaults, SmallQueries) {
   run("SELECT * FROM predictive_window(10, 'ships', 0, 2.5)");
   run("SELECT * FROM predictive_nearest(10, 'ships', 2, 0, 0)");
   run("SELECT * FROM predictive_join(10, 'ships', 5) WHERE a = 1");
@@ -155,9 +155,9 @@ std::pair<std::string, std::string> counts_around_a_fault(const std::string& cou
   return {before, db.rows(counts)};
 }
 
-/// What an index hands on depends on the order of the rows too, and a question by the tree may leave them in
-/// another one (query/join/explain.h), with a fault or without. So the first explanation is compared with one
-/// by its own method, and across methods only what touches.
+/// The number of candidates of an index also depends on the order of the rows. A query by the tree may change
+/// this order (query/join/explain.h), with a fault or without. So all counts are compared for one method, and
+/// only the exact contacts across methods.
 TEST_F(TableMemoryFaults, ExplainCountsTheSameAfterwards) {
   const auto explained = [](const std::string& method) {
     return " FROM predictive_explain(20, 'ships', 1, NULL, 0, '" + method + "')";
