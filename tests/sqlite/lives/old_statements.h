@@ -1,4 +1,4 @@
-// A connection whose statements stay prepared after they have run, until it closes.
+// A connection that keeps its statements prepared after they have run, until it closes.
 //
 //   KeepingDriver driver(path);
 //   driver.exec("BEGIN; INSERT INTO s VALUES(1, 1); ROLLBACK");     // three statements, kept
@@ -19,19 +19,19 @@ class KeepingDriver {
   KeepingDriver& operator=(const KeepingDriver&) = delete;
 
   sqlite3* handle() { return db_.handle(); }
-  /// The connection itself: what runs there is not kept.
+  /// The connection itself, for statements that are not kept.
   Database& database() { return db_; }
 
   /// Runs statements that must succeed.
   void exec(const std::string& sql) { EXPECT_EQ(error_of(sql), "") << sql; }
 
-  /// The message of the first statement that fails, where it ends; "" if all succeed.
+  /// The message of the first statement that fails, after which no other runs; "" if all succeed.
   std::string error_of(const std::string& sql) {
     const std::string rows = this->rows(sql);
     return rows.starts_with("error: ") ? rows.substr(7) : "";
   }
 
-  /// The rows of the last statement, a line each; "error: …" if one fails.
+  /// The rows of the last statement, one per line; "error: …" if a statement fails.
   std::string rows(const std::string& sql) {
     std::string text;
     for (const char* rest = sql.c_str(); *rest != 0;) {

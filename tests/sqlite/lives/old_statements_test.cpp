@@ -1,6 +1,6 @@
-// A driver that keeps its statements prepared, as Python's does by default: each holds the virtual tables
-// that it was compiled for, also those that SQLite has replaced since. What a transaction left in such a
-// table must not reach the one that stands in its place.
+// Statements that stay prepared, as Python's driver keeps them by default: each holds the virtual tables that
+// it was compiled for, also those that SQLite has replaced since. Changes that a transaction left in a
+// replaced table must not reach its successor.
 #include "sqlite/lives/old_statements.h"
 
 #include "sqlite/database.h"
@@ -13,7 +13,7 @@ constexpr const char* watch = "CREATE VIRTUAL TABLE w USING predictive_watch(s, 
 constexpr const char* all_pairs = "SELECT a, b FROM w ORDER BY a, b";
 
 struct OldStatements : ::testing::Test {
-  /// Another connection sees what is committed, and finds nothing wrong.
+  /// Another connection sees the committed rows, and its integrity checks pass.
   void expect_sound(const std::string& rows, const std::string& pairs) {
     Database other(file.path());
     EXPECT_EQ(other.rows("SELECT id FROM s ORDER BY id"), rows);
@@ -41,7 +41,7 @@ TEST_F(OldStatements, ATableWhoseCreationWasRolledBackDoesNotEmptyTheNextOne) {
   expect_sound("1\n2", "1|2");
 }
 
-TEST_F(OldStatements, ATableThatAnotherConnectionMadeAnewIsWatchedByItsOwnColumns) {
+TEST_F(OldStatements, ATableThatAnotherConnectionCreatedAgainIsWatchedByItsOwnColumns) {
   driver.exec(
       "CREATE VIRTUAL TABLE s USING moving_objects(id, x, y); INSERT INTO s VALUES(1, 0, 0);"
       "INSERT INTO s VALUES(2, 0, 9)");
@@ -63,7 +63,7 @@ TEST_F(OldStatements, ADropThatIsRolledBackLeavesTheWatchWhole) {
   expect_sound("1\n2\n4", "1|2\n1|4\n2|4");
 }
 
-TEST_F(OldStatements, ANewNameThatIsRolledBackIsForgotten) {
+TEST_F(OldStatements, ARenameThatIsRolledBackIsForgotten) {
   make_and_change_schema();
   driver.exec("BEGIN; ALTER TABLE s RENAME TO s2; ROLLBACK");
   EXPECT_EQ(driver.rows(all_pairs), "1|2");

@@ -5,7 +5,7 @@
 namespace foresee::testing {
 namespace {
 
-/// Of a twin table: the columns that its moving_objects table declares, behind the id.
+/// The columns that a moving_objects table declares after the id, and its twin table too.
 constexpr const char* column_lists[] = {"x", "x, y", "x, vx", "x, r, +name", "x, y, shape"};
 
 /// The outline of a triangle, as SQL writes it.
@@ -14,7 +14,7 @@ std::string triangle(int size) {
   return "'POLYGON((0 0, " + x + " 0, 0 " + x + ", 0 0))'";
 }
 
-/// What a life asks for without looking: nothing else may fail, COMMIT least of all.
+/// The errors that random statements may cause; no other statement may fail, and no COMMIT.
 bool may_fail_with(const std::string& error) {
   for (const char* expected :
        {"already exists", "already another table", "a position is needed", "cannot VACUUM", "table is locked",

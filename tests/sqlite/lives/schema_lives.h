@@ -1,12 +1,12 @@
-// A random life of tables and watches on two connections, and its twin of plain tables that lives the same
-// life.
+// Random sequences of schema changes to tables and watches on two connections, applied to twin tables of
+// plain SQLite as well.
 //
 //   SchemaLife life(seed);
 //   life.step();                  // one statement on one of the connections, and on its twin if it succeeded
 //   life.expect_equal();          // tables equal their twins, watches equal predictive_join
 //
-// Every statement stays prepared after it has run. Tables and watches are made, dropped, renamed and vacuumed
-// inside transactions and savepoints, most of which are rolled back.
+// Every statement stays prepared after it has run. Tables and watches are created, dropped, renamed and
+// vacuumed inside transactions and savepoints, most of which are rolled back.
 #pragma once
 
 #include <memory>
@@ -23,12 +23,12 @@ class SchemaLife {
   explicit SchemaLife(unsigned seed);
 
   void step();
-  /// On the connection that has run the last statement.
+  /// Compares on the connection that has run the last statement.
   void expect_equal();
-  /// On both, between transactions, with the checks of stored bytes.
+  /// Compares on both connections, between transactions, with integrity checks of the stored bytes.
   void expect_sound();
 
-  /// The last statements, for a message.
+  /// The last statements, for the message of a failure.
   std::string history() const;
   bool in_transaction() const { return depth_ > 0; }
   int succeeded() const { return succeeded_; }

@@ -1,5 +1,5 @@
-// Random lives of tables and watches whose creation, renaming and dropping is rolled back, on two connections
-// that keep every statement prepared. FORESEE_LONG=1 runs a hundred thousand statements.
+// Random schema changes: the creation, renaming and dropping of tables and watches is rolled back, on two
+// connections that keep every statement prepared. FORESEE_LONG=1 runs a hundred thousand statements.
 #include "sqlite/lives/schema_lives.h"
 
 #include <cstdlib>

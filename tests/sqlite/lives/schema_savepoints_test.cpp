@@ -1,5 +1,5 @@
-// Making, renaming and dropping tables within savepoints that are taken back: what is left is what was there,
-// as with any table, whatever waited in memory.
+// Rollback of CREATE, RENAME and DROP within savepoints: the earlier state comes back, as with any table,
+// whatever changes were pending in memory.
 #include "sqlite/database.h"
 
 namespace foresee::testing {
@@ -21,7 +21,7 @@ struct SchemaSavepoints : ::testing::Test {
   Database db{file.path()};
 };
 
-TEST_F(SchemaSavepoints, ATableMadeAnewUnderTheSameNameLeavesNothing) {
+TEST_F(SchemaSavepoints, ATableCreatedAgainUnderTheSameNameLeavesNothing) {
   for (const char* first : {"DROP TABLE q", "ALTER TABLE q RENAME TO old"}) {
     db.exec("BEGIN; SAVEPOINT p");
     db.exec(first);
@@ -35,7 +35,7 @@ TEST_F(SchemaSavepoints, ATableMadeAnewUnderTheSameNameLeavesNothing) {
   }
 }
 
-TEST_F(SchemaSavepoints, ATableThatWasNeverMadeDoesNotStopTheCommit) {
+TEST_F(SchemaSavepoints, ATableWhoseCreationWasRolledBackDoesNotStopTheCommit) {
   db.exec(
       "BEGIN; SAVEPOINT p; CREATE VIRTUAL TABLE k USING moving_objects(id, x); INSERT INTO k VALUES(1, 1);"
       "ROLLBACK TO p; INSERT INTO q VALUES(2, 2); COMMIT");
@@ -48,7 +48,7 @@ TEST_F(SchemaSavepoints, ATableThatWasNeverMadeDoesNotStopTheCommit) {
         (columns[5] ? ", 6" : "") + "); COMMIT; INSERT INTO k(k) VALUES('integrity-check'); DROP TABLE k");
 }
 
-TEST_F(SchemaSavepoints, ANewNameIsTakenBack) {
+TEST_F(SchemaSavepoints, ARenameIsRolledBack) {
   db.exec(
       "BEGIN; INSERT INTO q VALUES(2, 2); SAVEPOINT p; INSERT INTO q VALUES(3, 3); ALTER TABLE q RENAME TO "
       "z");
@@ -59,7 +59,7 @@ TEST_F(SchemaSavepoints, ANewNameIsTakenBack) {
   EXPECT_EQ(contents(), "1|1.0\n2|2.0\n4|4.0");
 }
 
-TEST_F(SchemaSavepoints, ANewNameIsTakenBackUnderAnOpenCursor) {
+TEST_F(SchemaSavepoints, ARenameIsRolledBackUnderAnOpenCursor) {
   for (const char* read : {"SELECT id FROM q", "SELECT id FROM predictive_window(10, 'q')"}) {
     sqlite3_stmt* reading = nullptr;
     sqlite3_prepare_v2(db.handle(), read, -1, &reading, nullptr);
@@ -73,16 +73,16 @@ TEST_F(SchemaSavepoints, ANewNameIsTakenBackUnderAnOpenCursor) {
   }
 }
 
-TEST_F(SchemaSavepoints, DroppingDoesNotLoseWhatWaitedBeforeASavepoint) {
+TEST_F(SchemaSavepoints, DroppingDoesNotLosePendingChangesOfBeforeASavepoint) {
   db.exec("BEGIN; INSERT INTO q VALUES(2, 2); SAVEPOINT s");
   EXPECT_EQ(db.code_of("DROP TABLE q") & 0xff, SQLITE_LOCKED);
   EXPECT_EQ(contents(), "1|1.0\n2|2.0");
   db.exec("ROLLBACK TO s; COMMIT");
   EXPECT_EQ(contents(), "1|1.0\n2|2.0");
-  db.exec("BEGIN; SAVEPOINT s; DROP TABLE q; ROLLBACK TO s; COMMIT");  // nothing waits
+  db.exec("BEGIN; SAVEPOINT s; DROP TABLE q; ROLLBACK TO s; COMMIT");  // without pending changes
   EXPECT_EQ(contents(), "1|1.0\n2|2.0");
-  db.exec("BEGIN; INSERT INTO q VALUES(3, 3); DROP TABLE q; ROLLBACK");  // nothing to go back to but the
-                                                                         // beginning
+  // Without a savepoint only the start of the transaction can be restored.
+  db.exec("BEGIN; INSERT INTO q VALUES(3, 3); DROP TABLE q; ROLLBACK");
   EXPECT_EQ(contents(), "1|1.0\n2|2.0");
 }
 
