@@ -1,4 +1,4 @@
-// CREATE VIRTUAL TABLE: what each declaration means, and what each wrong one is told.
+// CREATE VIRTUAL TABLE: the meaning of each declaration, and the error of each wrong one.
 #include "sqlite/table/table_declaration.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ Layout layout_of(const Arguments& arguments) {
   return parse_declaration("ships", arguments).layout;
 }
 
-TEST(Declare, TheExamplesOfTheContract) {
+TEST(Declare, TheExamplesOfTheReference) {
   const Declaration ships = parse_declaration("ships", {"id", "t", "x", "y", "vx", "vy", "r", "+name TEXT"});
   EXPECT_EQ(
       ships.layout,
@@ -68,7 +68,7 @@ TEST(Declare, ColumnsStandInAnyOrderAfterTheId) {
   }
 }
 
-TEST(Declare, EveryWordHasItsOwnPlace) {
+TEST(Declare, EveryColumnHasItsOwnPosition) {
   for (const Arguments& arguments :
        {Arguments{"id", "t", "x", "y", "z", "vx", "vy", "vz", "fx", "fy", "fz", "m", "hx", "hy", "hz",
                   "until"},
@@ -164,7 +164,7 @@ TEST(DeclareErrors, MixturesOfShapes) {
   });
 }
 
-TEST(Declare, WhatGrowsHasAShape) {
+TEST(Declare, AGrowingObjectHasAShape) {
   const auto layout = [](const Arguments& arguments) { return parse_declaration("ships", arguments).layout; };
   for (const Arguments& arguments : {Arguments{"id", "x", "growth"}, Arguments{"id", "x", "y", "growth"},
                                      Arguments{"id", "x", "y", "z", "growth"}}) {
@@ -216,7 +216,7 @@ TEST(DeclareErrors, UnknownNamesSuggestTheNearest) {
   });
 }
 
-TEST(DeclareErrors, WordsOfReportsLeadToOurs) {
+TEST(DeclareErrors, NamesFromReportsSuggestColumns) {
   const std::string known = error_of({"id", "w"}).substr(std::string("ships: \"w\": no such column").size());
   const std::string others = known.substr(0, known.size() - 1);
   const std::string call = "geo_to_plane(lat, lon, speed, course, lat0, lon0) makes them of ";

@@ -1,4 +1,4 @@
-// Which values does a moving_objects table store, and what are the others told?
+// Values of a moving_objects table: which ones it stores, and the errors of all others.
 #include <cmath>
 
 #include "sqlite/database.h"
@@ -15,7 +15,7 @@ struct TableValues : ::testing::Test {
         "CREATE VIRTUAL TABLE guests USING moving_objects(id, x, until)");
   }
 
-  /// What column `column` of a ship reads as after being given as `value`, or the error.
+  /// The value of `column` of a ship as read back after an INSERT of `value`, or the error.
   std::string ship(const std::string& column, const std::string& value) {
     db.exec("DELETE FROM ships; INSERT INTO ships(id, t, x, y) VALUES(7, 0, 1, 2)");
     const std::string error = db.error_of("UPDATE ships SET " + column + " = " + value + " WHERE id = 7");
@@ -49,7 +49,7 @@ TEST_F(TableValues, EveryBitComesBack) {
   }
 }
 
-TEST_F(TableValues, NullAndEmptyTextAreZeroOrForEver) {
+TEST_F(TableValues, NullAndEmptyTextAreZeroOrUnbounded) {
   for (const char* null : {"NULL", "''"}) {
     EXPECT_EQ(ship("vx", null), "0.0");
     EXPECT_EQ(ship("r", null), "0.0");
@@ -89,7 +89,7 @@ TEST_F(TableValues, APositionAndAReferenceTimeAreNeeded) {
             "position holds");
 }
 
-TEST_F(TableValues, WhatIsNoNumberIsRefused) {
+TEST_F(TableValues, AValueThatIsNoNumberIsRefused) {
   for (const char* column : {"t", "x", "vx", "r", "until"}) {
     const std::string what = std::string("ships.") + column + " of row 7 is ";
     EXPECT_EQ(ship(column, "'abc'"), what + "'abc': not a number; write a finite number");
@@ -103,7 +103,7 @@ TEST_F(TableValues, WhatIsNoNumberIsRefused) {
             "ships.x of row 7 is '" + std::string(39, 'a') + "...': not a number; write a finite number");
 }
 
-TEST_F(TableValues, ADateIsNoMoment) {
+TEST_F(TableValues, ADateIsNoTime) {
   EXPECT_EQ(ship("t", "'2026-11-21 12:00:00'"),
             "ships.t of row 7 is '2026-11-21 12:00:00': a date, where seconds are stored; write "
             "unixepoch('2026-11-21 12:00:00')");
