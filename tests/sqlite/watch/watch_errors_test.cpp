@@ -1,5 +1,5 @@
-// What a watch says of statements and declarations that cannot be meant: each error is about the watch's own
-// arguments, and says what to write.
+// Errors of watches for meaningless statements and declarations: each message names the watch's own arguments
+// and says what to write.
 #include "sqlite/database.h"
 
 namespace foresee {
@@ -16,7 +16,7 @@ struct WatchErrors : ::testing::Test {
   testing::Database db;
 };
 
-TEST_F(WatchErrors, StatementsThatCannotBeMeantSayWhatToWrite) {
+TEST_F(WatchErrors, MeaninglessStatementsGiveErrorsThatSayWhatToWrite) {
   const auto starts = [&](const std::string& sql, const std::string& text) {
     EXPECT_EQ(db.error_of(sql).substr(0, text.size()), text) << sql;
   };

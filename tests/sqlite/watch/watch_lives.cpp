@@ -104,9 +104,9 @@ std::string LifeScript::change() {
   }
 }
 
-std::string LifeScript::changes(int most) {
+std::string LifeScript::changes(int max_count) {
   std::string sql;
-  for (int i = 1 + below(most); i > 0; --i) sql += change() + ";";
+  for (int i = 1 + below(max_count); i > 0; --i) sql += change() + ";";
   return sql;
 }
 

@@ -1,5 +1,4 @@
-// A watch read within a transaction, and the ways in which it is kept: whichever is taken, the rows are those
-// of the join.
+// Watches read within a transaction: for each update method of a watch, the rows are those of the join.
 #include <random>
 
 #include "sqlite/database.h"
@@ -13,7 +12,7 @@ std::string all_columns(Database& db, const std::string& from) {
   return db.rows("SELECT a, b, t, t_end, dt, dt_end, t_cpa, dt_cpa, d_cpa FROM " + from + " ORDER BY a, b");
 }
 
-/// 400 objects: few changes are probes, 40 are joined with all, 130 are computed anew with all.
+/// 400 objects: few changes are probes, 40 are joined with all objects, from 130 on all pairs are recomputed.
 class WatchVariants : public ::testing::TestWithParam<const char*> {
  protected:
   WatchVariants() {
@@ -60,7 +59,7 @@ class WatchVariants : public ::testing::TestWithParam<const char*> {
   int time_ = 0;
 };
 
-TEST_P(WatchVariants, FewManyAndMostChangesGiveTheRowsOfTheJoin) {
+TEST_P(WatchVariants, AnyNumberOfChangesGivesTheRowsOfTheJoin) {
   for (const int count : {1, 60, 5, 300, 20, 90, 2, 600, 30}) {
     ++time_;
     db.exec("BEGIN");
@@ -85,7 +84,7 @@ INSTANTIATE_TEST_SUITE_P(Tables, WatchVariants, ::testing::Values("", ", other =
                                                                 : "WithItself");
                          });
 
-TEST(WatchTransaction, ReadsWhatAnAdvanceWillShow) {
+TEST(WatchTransaction, ReadsTheRowsOfAPendingAdvance) {
   Database db;
   db.exec(
       "CREATE VIRTUAL TABLE ships USING moving_objects(id, t, x, y, vx, vy, r);"
