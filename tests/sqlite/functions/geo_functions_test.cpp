@@ -1,4 +1,4 @@
-// Latitude and longitude in SQL: what is NULL, what is refused, and that a report comes back as it went in.
+// Latitude and longitude in SQL: NULL inputs, errors, and round trips of a report.
 #include "sqlite/database.h"
 
 namespace foresee::testing {
@@ -39,7 +39,7 @@ TEST_F(GeoFunctions, MeasureDistances) {
             "geo_distance: lon1 must be a number of degrees, not 'east'");
 }
 
-TEST_F(GeoFunctions, APlaceThatIsNullGivesOneRowOfNulls) {
+TEST_F(GeoFunctions, APositionThatIsNullGivesOneRowOfNulls) {
   for (const char* call : {"geo_to_plane(NULL, 2, 3, 4, 5, 6)", "geo_to_plane(1, NULL, 3, 4, 5, 6)",
                            "plane_to_geo(NULL, 2, 3, 4, 5, 6)", "geo_to_globe(NULL, 2, 3, 4, 5, 6)",
                            "globe_to_geo(1, 2, NULL, 4, 5, 6)"})
@@ -51,7 +51,7 @@ TEST_F(GeoFunctions, APlaceThatIsNullGivesOneRowOfNulls) {
         << call;
 }
 
-TEST_F(GeoFunctions, ASpeedOrCourseThatIsNullGivesAPlaceWithoutVelocity) {
+TEST_F(GeoFunctions, ASpeedOrCourseThatIsNullGivesAPositionWithoutVelocity) {
   for (const char* rest : {"NULL, 4", "3, NULL", "NULL, NULL"}) {
     EXPECT_EQ(
         db.rows(std::string("SELECT x IS NULL, y IS NULL, vx IS NULL, vy IS NULL FROM geo_to_plane(1, 2, ") +
@@ -65,7 +65,7 @@ TEST_F(GeoFunctions, ASpeedOrCourseThatIsNullGivesAPlaceWithoutVelocity) {
   EXPECT_EQ(db.rows("SELECT speed, course IS NULL FROM plane_to_geo(10, 20, 0, 0, 5, 6)"), "0.0|1");
 }
 
-TEST_F(GeoFunctions, OfHeightsAndClimbsThatAreNullAreAtSeaLevel) {
+TEST_F(GeoFunctions, PutNullHeightsAndClimbsAtSeaLevel) {
   EXPECT_EQ(db.rows("SELECT x, vz FROM geo_to_globe(0, 0, NULL, 1, 0, NULL)"), "6378137.0|1.0");
 }
 

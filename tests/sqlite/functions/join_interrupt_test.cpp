@@ -1,4 +1,5 @@
-// An interrupt ends a long join within 50 ms, and the progress handler is asked while it runs.
+// Interrupts of predictive_join: an interrupt ends a long join within 50 ms, and the join calls the progress
+// handler while it runs.
 #include <algorithm>
 #include <chrono>
 #include <thread>
@@ -11,7 +12,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Everything on one spot: 200 million pairs.
+/// All objects at one point: 200 million pairs.
 struct JoinInterrupt : ::testing::Test {
   JoinInterrupt() {
     db.exec(
@@ -75,7 +76,7 @@ TEST_F(JoinInterrupt, LeavesTheNextStatementAlone) {
   EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_join(0) WHERE b = 20000"), "19999");
 }
 
-TEST_F(JoinInterrupt, AsksTheProgressHandler) {
+TEST_F(JoinInterrupt, CallsTheProgressHandler) {
   int calls = 0;
   sqlite3_progress_handler(
       db.handle(), 1, [](void* count) { return ++*static_cast<int*>(count) > 20 ? 1 : 0; }, &calls);

@@ -1,5 +1,5 @@
-// The tree answers what a look at every object answers: windows, nearest, joins and joins about one id, while
-// rows are inserted, moved and erased, within transactions and after going back to savepoints.
+// Queries by the tree give what a scan of all objects gives: windows, nearest, joins and joins of one id.
+// Meanwhile rows are inserted, moved and erased, within transactions and after rollbacks to savepoints.
 #include "sqlite/scene_table.h"
 
 namespace foresee::testing {
@@ -11,14 +11,14 @@ std::string literal(double number) {
   return text;
 }
 
-/// A table of a scene, asked by two methods.
+/// A table of a random scene, queried by two methods.
 class RandomQueries {
  public:
   RandomQueries(const Layout& layout, SceneKind kind, std::size_t count, std::uint64_t seed)
       : scene_(random_scene({.layout = layout, .kind = kind, .count = count, .seed = seed})),
         random_(seed),
         tail_(", " + literal(scene_.now)) {
-    db.exec("PRAGMA page_size = 512");  // some levels
+    db.exec("PRAGMA page_size = 512");  // several levels
     build_table(db, "objects", scene_);
     std::tie(lower_, upper_) = extent("x");
   }
@@ -35,7 +35,7 @@ class RandomQueries {
                 "tree");
   }
 
-  /// Some rows move, some go, some come, some get another id.
+  /// Moves some rows, deletes some, inserts some and changes some ids.
   void change() {
     const std::string some = std::to_string(random_.below(7));
     db.exec("UPDATE objects SET x = x + " + literal(random_.in(-2, 2)) + " WHERE id % 7 = " + some);
@@ -97,13 +97,13 @@ class RandomQueries {
 
   RandomScene scene_;
   Random random_;
-  std::string tail_;  ///< of a call: now
+  std::string tail_;  ///< of a call, from its input now on
   double lower_ = 0, upper_ = 0;
 };
 
 class TreeQuestionsOfEveryLayout : public ::testing::TestWithParam<Layout> {};
 
-TEST_P(TreeQuestionsOfEveryLayout, AgreeWithALookAtEveryObject) {
+TEST_P(TreeQuestionsOfEveryLayout, AgreeWithAScanOfAllObjects) {
   std::size_t answered = 0;
   for (const SceneKind kind : all_scene_kinds) {
     RandomQueries queried(GetParam(), kind, 60, 5);
