@@ -1,5 +1,5 @@
-// Numbers from the whole range of doubles, through SQL: every question gives by every method what a look at
-// all objects gives.
+// Numbers from the whole range of doubles, through SQL: every method gives for every query the rows that a
+// scan of all objects gives.
 #include "extreme_numbers.h"
 
 #include "sqlite/scene_table.h"
@@ -13,7 +13,7 @@ std::string literal(double number) {
   return text;
 }
 
-/// A table of a scene, and what is asked about it.
+/// A table of a random scene, and its queries by every method.
 class RandomQueries {
  public:
   explicit RandomQueries(std::uint64_t seed)
@@ -82,7 +82,7 @@ class RandomQueries {
   std::string h_, now_;
 };
 
-TEST(ExtremeNumbers, EveryQuestionGivesWhatALookAtAllObjectsGives) {
+TEST(ExtremeNumbers, EveryQueryGivesTheRowsOfAScan) {
   for (std::uint64_t seed = 0; seed < 300; ++seed) {
     SCOPED_TRACE("scene " + std::to_string(seed));
     RandomQueries queried(seed);

@@ -1,8 +1,8 @@
-// A harbour with numbers that can be checked in one's head, for the tests of the table-valued functions.
+// A harbour scene with simple numbers, for the tests of the table-valued functions.
 //
-// Ada (1, radius 3) and Bob (2, radius 1) sail towards each other on y = 0: they touch from 3 to 7 and their
-// centres meet at 5. Cid (3) lies at y = 99. The crate 11 stands at (5, 4) with half extents 0.5, the crate
-// 12 far away; Ada touches crate 11 from 4.5 to 5.5 by her side, at y = 3, for `within` >= 0.5.
+// Ada (1, radius 3) and Bob (2, radius 1) sail towards each other on y = 0. They touch from 3 to 7, and their
+// centres meet at 5. Cid (3) is at y = 99. Crate 11 is at (5, 4) with half extents 0.5, and crate 12 is far
+// away. Ada's side at y = 3 touches crate 11 from 4.5 to 5.5, for `within` >= 0.5.
 #pragma once
 
 #include "sqlite/database.h"

@@ -1,3 +1,4 @@
+// Versions of the host's SQLite, and how foresee compares schema names.
 #include "sqlite/host_sqlite.h"
 
 #include "base/error.h"
@@ -7,7 +8,7 @@
 namespace foresee::testing {
 namespace {
 
-TEST(Host, OfAnOldSqliteIsRefusedByBothVersions) {
+TEST(Host, OfAnOldSqliteIsRefusedWithBothVersions) {
   EXPECT_NO_THROW(require_version(3031000, "3.31.0"));
   EXPECT_NO_THROW(require_version(sqlite3_libversion_number(), sqlite3_libversion()));
   try {
@@ -19,7 +20,7 @@ TEST(Host, OfAnOldSqliteIsRefusedByBothVersions) {
   }
 }
 
-TEST(Host, NamesSchemasAsSqliteLooksThemUp) {
+TEST(Host, ListsSchemasInTheOrderOfSqlitesLookUp) {
   Database db;
   EXPECT_EQ(schema_names(db.handle()), (std::vector<std::string>{"temp", "main"}));
   db.exec("ATTACH ':memory:' AS zebra; ATTACH ':memory:' AS apes");

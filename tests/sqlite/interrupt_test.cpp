@@ -1,4 +1,4 @@
-// An interrupt and a progress handler stop a long computation, on every version of SQLite.
+// Interrupts and progress handlers: both stop a long computation, on every version of SQLite.
 #include <chrono>
 
 #include "database.h"
@@ -36,7 +36,7 @@ TEST_F(StatementInterruptTest, LetsAComputationRun) {
   EXPECT_EQ(db.rows("SELECT busy(900)"), "ran");
 }
 
-TEST_F(StatementInterruptTest, NoticesAnInterruptAndRecovers) {
+TEST_F(StatementInterruptTest, SeesAnInterruptAndRecovers) {
   EXPECT_EQ(db.rows("SELECT busy(100000000)"), "error: interrupted");
   EXPECT_EQ(db.rows("SELECT busy(900)"), "ran");
 }
@@ -53,7 +53,7 @@ TEST_F(StatementInterruptTest, DrivesTheProgressHandler) {
       },
       nullptr, nullptr);
   static int calls;
-  // SQLite calls the handler once per so many of its own instructions: a check per millisecond runs a thousand.
+  // SQLite calls the handler once per N of its own instructions: a check per millisecond runs a thousand.
   for (const int instructions : {1, 1000}) {
     calls = 0;
     sqlite3_progress_handler(
@@ -65,7 +65,7 @@ TEST_F(StatementInterruptTest, DrivesTheProgressHandler) {
   }
 }
 
-TEST_F(StatementInterruptTest, CostsLittleACheck) {
+TEST_F(StatementInterruptTest, CostsLittlePerCheck) {
   const auto start = std::chrono::steady_clock::now();
   for (int i = 0; i < 1000000; ++i) interrupt.check();
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(3));

@@ -1,5 +1,5 @@
-// Limits of a connection that is set up for hostile SQL: everything works within those that SQLite's page on
-// security advises, and beyond smaller ones is a clear error that changes nothing.
+// Limits of a connection for hostile SQL: everything works within the limits that SQLite's page on security
+// recommends. Smaller limits give a clear error that changes nothing.
 #include "database.h"
 
 namespace foresee::testing {
@@ -11,7 +11,7 @@ constexpr const char* fill =
     "WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < 200)"
     "INSERT INTO ships SELECT i, 0, i, i % 7, 1, 0, 0.5, 'a' || i, 'de' FROM n";
 
-TEST(Limits, EverythingWorksWithinThoseThatSQLiteAdvisesForHostileSql) {
+TEST(Limits, EverythingWorksWithinThoseThatSQLiteRecommendsForHostileSql) {
   Database db;
   constexpr std::pair<int, int> advised[] = {
       {SQLITE_LIMIT_LENGTH, 1'000'000},

@@ -1,4 +1,4 @@
-// Numbers drawn for tables that SQL makes, and written so that SQL reads the very same.
+// Random numbers for tables that SQL creates, written so that SQL reads back the same number.
 #pragma once
 
 #include <charconv>
@@ -9,11 +9,11 @@ namespace foresee::testing {
 
 using Engine = std::mt19937_64;
 
-inline double drawn(Engine& random, double least, double most) {
-  return std::uniform_real_distribution<double>(least, most)(random);
+inline double drawn(Engine& random, double lowest, double highest) {
+  return std::uniform_real_distribution<double>(lowest, highest)(random);
 }
-inline int drawn(Engine& random, int least, int most) {
-  return std::uniform_int_distribution<int>(least, most)(random);
+inline int drawn(Engine& random, int lowest, int highest) {
+  return std::uniform_int_distribution<int>(lowest, highest)(random);
 }
 
 inline std::string shown_exactly(double number) {

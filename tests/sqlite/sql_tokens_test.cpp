@@ -1,3 +1,4 @@
+// The SQL tokenizer: words, quoted names, numbers, comments and unterminated tokens.
 #include "sqlite/sql_tokens.h"
 
 #include <gtest/gtest.h>
