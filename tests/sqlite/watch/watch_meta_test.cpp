@@ -108,7 +108,7 @@ TEST_P(WatchMeta, BeyondItsRangeIsAnError) {
   }
 }
 
-/// In no case the watch gives a wrong row.
+/// In no case does the watch give a wrong row.
 TEST_P(WatchMeta, ThatIsMissingIsAnErrorOrDoesNoHarm) {
   const std::string sql = std::string("DELETE FROM alerts_meta WHERE key = '") + GetParam().key + "'";
   if (!GetParam().may_be_missing) return damage(sql, "missing");
