@@ -1,5 +1,8 @@
-// The plain answer: every pair is a candidate. O(n²), no set-up, no memory; every index proves itself equal
-// to it.
+// All pairs as candidates: the index without an index, against which tests and benchmarks compare the others.
+//
+//   auto candidates = make_all_pairs(count, interrupt);
+//
+// Cost: O(n²) pairs, no set-up and no memory.
 #pragma once
 
 #include "index/candidates.h"

@@ -7,7 +7,7 @@
 namespace foresee::gpcd {
 namespace {
 
-constexpr std::size_t enough = 64;  // beams that tell where most are
+constexpr std::size_t enough = 64;  // the number of beams that suffices to find where most objects are
 
 double median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -15,7 +15,7 @@ double median(std::vector<double>& values) {
   return *middle;
 }
 
-/// The typical distance from the origin; where most objects sit at one place, the largest distance or extent.
+/// The typical distance from the origin; if most objects are at one place, the largest distance or extent.
 double typical_distance(std::vector<double>& distances, double largest) {
   const double typical = median(distances);
   if (typical > 0) return typical;

@@ -34,7 +34,7 @@ class DividedGrid final : public DividedCandidates {
               std::shared_ptr<GridSpace> space, Interrupt& interrupt)
       : space_(space ? std::move(space) : std::make_shared<GridSpace>()),
         grid_(a, b, *space_, helpers, interrupt) {
-    // Each part has giants of its own, which are worth their copying.
+    // Each partition copies the giants, so it has enough work to be worth the copy.
     const std::size_t work_per_part = std::max<std::size_t>(8192, 8 * grid_.giant_count());
     std::size_t stripe = 0, work = 0;
     for (std::size_t of_stripe : grid_.work_by_stripe()) {
@@ -65,7 +65,7 @@ class DividedGrid final : public DividedCandidates {
 
   std::shared_ptr<GridSpace> space_;
   gpcd::Grid<D> grid_;
-  std::vector<std::size_t> ends_;  // the stripe behind the last one of each part
+  std::vector<std::size_t> ends_;  // one past the last stripe of each partition
 };
 
 }  // namespace

@@ -6,14 +6,14 @@ namespace foresee::gpcd {
 namespace {
 
 constexpr std::size_t sample_max = 512;
-/// At most every sixteenth box, so that small scenes do not pay for statistics.
+/// At most every sixteenth box is sampled, so that small scenes do not pay for statistics.
 constexpr std::size_t sample_share = 16;
 constexpr std::size_t sample_enough = 64;
-constexpr std::size_t pairs_per_batch = 512;      // what becomes of them fits the first cache
-constexpr std::size_t touching_per_batch = 128;   // they become rows, which fit it then
+constexpr std::size_t pairs_per_batch = 512;      // the data of the next stage fits the first-level cache
+constexpr std::size_t touching_per_batch = 128;   // these become rows, which then fit that cache
 constexpr std::size_t steps_per_batch = 1 << 17;  // about a millisecond
 
-/// Non-empty beams of both sides, one from each of some hundred equal parts, not at equal distances.
+/// Non-empty beams of both sides: one from each of some hundred equal parts, at irregular distances.
 template <int D>
 std::vector<Beam<D>> sample_of(const MovingSource<D>& a, const MovingSource<D>* b) {
   const std::size_t count_a = a.count(), count = count_a + (b ? b->count() : 0),
@@ -32,7 +32,7 @@ std::vector<Beam<D>> sample_of(const MovingSource<D>& a, const MovingSource<D>* 
   return sample;
 }
 
-/// What either side needs; no travel where the frame's unit is too small for the test of time.
+/// The columns that either side needs; no travel if the frame's unit is too small for the time test.
 template <int D>
 Columns columns_of(const MovingSource<D>& a, const MovingSource<D>* b, const Frame<D>& frame) {
   const Columns first = a.columns(), second = b ? b->columns() : Columns{};
@@ -137,7 +137,7 @@ void GridVisit<D>::open_stripe(std::size_t number) {
     const bool meets_none = grid_.side(sides_.size() - 1 - i).stripes.entries(number).empty();
     const auto crossing = meets_none ? std::span<const Key>() : sides_[i].giants.crossing(stripe);
     sides_[i].crossing.gather(crossing, entered.rows, partition, stripe, interrupt_);
-    sides_[i].crossing.take(sides_[i].giants.cores());
+    sides_[i].crossing.set_cores(sides_[i].giants.cores());
   }
   for (std::size_t i = 0; i < sides_.size(); ++i)
     sides_[i].crossing.clip_to(sides_[sides_.size() - 1 - i].inside.view());

@@ -9,20 +9,20 @@
 
 namespace foresee::gpcd {
 
-// Where along x is a giant while it crosses a stripe?
+// The part of the x axis in which a giant can meet the boxes of a stripe.
 //
 //   clip(giants, inside, from, to);        // giants.size numbers each
 //
-// What is fast sweeps a box over half of the scene, but in one stripe it is for a short time, and at that
-// time in a short part of it. Seen from the boxes in the stripe that the giant's pairs are reported with, its
-// beam (shape/beam.h) has their heights for a part of the horizon only; where it is along x meanwhile is all
-// that a scan has to look at. Boxes that a giant meets begin before `to` and end after `from`; if it meets
-// none, from > to.
+// A fast object sweeps a box over half of the scene, but it is in one stripe for a short time only, and
+// therefore in a short part along x. The boxes of the stripe have heights; the giant's beam (shape/beam.h)
+// has those heights for a part of the horizon only. A scan compares the giant only with boxes near its x
+// during that part. Boxes that a giant can meet start before `to` and end after `from`; if there are
+// no such boxes, from > to.
 //
-// Rounding: y is widened by 2^-30 of all numbers in it, the part of the horizon by 2^-30, x by 2^-22 before
-// it becomes float; all in double, from the beams' floats, which have room for their own rounding
-// (float_lanes.kernel.cpp). Requires: columns of travel, none of life. Cost: some ten nanoseconds a giant
-// and axis.
+// Rounding: y is padded by 2^-30 of all numbers in it, the part of the horizon by 2^-30, and x by 2^-22
+// before it becomes float. All is computed in double from the beams' floats, which are padded for their own
+// rounding (float_lanes.kernel.cpp). Requires: columns of travel, but not of life. Cost: some ten nanoseconds
+// per giant and axis.
 
 template <int D>
 void clip(const LaneView<D>& giants, const LaneView<D>& inside, float* from, float* to);
@@ -35,7 +35,7 @@ struct Heights {
   float lower = inf, upper = -inf;
 };
 
-/// What the boxes cover along one axis; those alone whose class has none of `without`.
+/// The interval that the boxes cover along one axis, without the boxes whose class has a bit of `without`.
 template <int D>
 Heights heights_of(const LaneView<D>& boxes, int axis, std::uint32_t without) {
   Heights heights;
@@ -52,7 +52,7 @@ struct Part {
   double begin = 0, end = 1;
 };
 
-/// A beam on one axis: its middle at half the horizon, how far that moves, and half of what moves.
+/// A beam on one axis: its centre at half the horizon, the distance that this moves, and its half extent.
 struct Beam1 {
   double centre, travel, half;
 
@@ -64,7 +64,8 @@ struct Beam1 {
               std::abs(travel)) /
              2) {}
 
-  /// Leaves of `part` when the beam has heights in common. NaN, where travel is too large, leaves all.
+  /// Limits `part` to the time during which the beam overlaps the heights. If travel is NaN (too large), all
+  /// of it remains.
   void cut(const Heights& heights, Part& part) const {
     if (travel == 0) return;
     const double low = heights.lower, high = heights.upper;
@@ -80,7 +81,7 @@ struct Beam1 {
 template <int D>
 void clip(const LaneView<D>& giants, const LaneView<D>& inside, float* from, float* to) {
   constexpr std::size_t kinds = D == 1 ? 1 : D == 2 ? 2 : 4;
-  // A giant whose class has a bit is reported with boxes without it.
+  // A giant whose class has a bit is reported only with boxes without that bit.
   Heights heights[kinds][D];
   for (std::size_t kind = 0; kind < kinds; ++kind)
     for (int axis = 1; axis < D; ++axis)
@@ -108,11 +109,12 @@ template void clip(const LaneView<3>&, const LaneView<3>&, float*, float*);
 namespace {
 
 constexpr std::size_t boxes_per_check = 8192;
-constexpr std::size_t ahead = 12;  // rows lie anywhere in memory: ask for them early
+constexpr std::size_t ahead = 12;  // rows are scattered in memory: prefetch them this many ahead
 
 }  // namespace
 
-// A column for each place in a row, all in one block; a cache line's worth of sentinels behind each.
+// One block holds all columns, one column for each place in a row. A cache line of sentinels follows each
+// column.
 template <int D>
 void Lanes<D>::lay_out(std::size_t count, Columns columns) {
   constexpr std::size_t line = 16;
@@ -139,7 +141,7 @@ void Lanes<D>::lay_out(std::size_t count, Columns columns) {
   view_.from = view_.to = nullptr;
 }
 
-// Four by four places at a time.
+// Transposes four rows by four columns at a time.
 template <int D>
 template <int width>
 void Lanes<D>::copy_rows(const FloatRows<D>& rows, Interrupt& interrupt) {
@@ -208,7 +210,8 @@ void Lanes<D>::gather(std::span<const Key> keys, const FloatRows<D>& rows, Inter
   if (rows.columns().travel) find_movers();
   for (float* column : {floats_, floats_ + D * room_})  // lower and upper ends along x
     std::fill_n(column + keys.size(), room_ - keys.size(), std::numeric_limits<float>::infinity());
-  float longest[4] = {};  // side by side, so that none waits for the last; a sentinel's length is NaN
+  // Four accumulators, so that no step waits for the previous one. A sentinel's length is NaN.
+  float longest[4] = {};
   for (std::size_t i = 0; i < keys.size(); i += 4)
     for (std::size_t j = 0; j < 4; ++j)
       longest[j] = std::max(longest[j], view_.upper[0][i + j] - view_.lower[0][i + j]);
@@ -230,7 +233,7 @@ void Lanes<D>::gather(std::span<const Key> keys, const FloatRows<D>& rows, const
 }
 
 template <int D>
-void Lanes<D>::take(const Cores<D>* cores) {
+void Lanes<D>::set_cores(const Cores<D>* cores) {
   for (int axis = 0; axis < D; ++axis) {
     view_.core_lower[axis] = cores ? cores->lower[axis].data() : nullptr;
     view_.core_upper[axis] = cores ? cores->upper[axis].data() : nullptr;

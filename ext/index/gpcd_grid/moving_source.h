@@ -1,4 +1,4 @@
-// Where the grid reads beams from: the bodies of one side.
+// The beams of one side of the join, computed from its bodies.
 #pragma once
 
 #include <vector>
@@ -14,20 +14,20 @@ namespace foresee::gpcd {
 template <int D>
 class MovingSource {
  public:
-  /// `boxes` must outlive the source. A horizon of no length, or bodies that only rest, need no test of time;
-  /// else every life is looked at once.
+  /// `boxes` must outlive the source. Neither a horizon of length 0 nor bodies at rest need a time test;
+  /// otherwise the lifetime of every object is read once.
   MovingSource(const MovingBoxes<D>& boxes, Interrupt& interrupt) : boxes_(boxes) {
     columns_.travel = boxes.horizon.h > 0 && boxes.bodies.layout.law != Law::rest;
     columns_.life = columns_.travel && !all_exist_throughout(boxes.bodies, boxes.horizon, interrupt);
   }
   std::size_t count() const { return boxes_.bodies.count; }
-  /// What read() fills in beyond boxes.
+  /// The columns that read() fills in beside the boxes.
   Columns columns() const { return columns_; }
-  /// At most BeamLanes::width, from row `first` on. By several threads at a time.
+  /// Reads at most BeamLanes::width beams, from row `first` on. Thread-safe.
   void read(std::size_t first, std::size_t count, BeamLanes<D>& out) const {
     beams<D>(boxes_.bodies, first, count, boxes_.horizon, boxes_.margin, out);
   }
-  /// Appends the beams of some rows.
+  /// Appends the beams of these rows.
   void sample(std::span<const std::size_t> rows, std::vector<Beam<D>>& out) const {
     std::vector<double> some;
     for (std::size_t i : rows)
@@ -40,11 +40,11 @@ class MovingSource {
       for (std::size_t l = 0; l < count; ++l) out.push_back(beam_at(lanes, l));
     }
   }
-  /// Whether all that have a box are there when the horizon begins.
+  /// True if all objects with a box exist at the start of the horizon.
   bool all_start(Interrupt& interrupt) const {
     return all_exist_at_start(boxes_.bodies, boxes_.horizon, interrupt);
   }
-  /// What row i covers then: all that lies in it touches the row.
+  /// The core of row i: any box inside it touches the object at the start of the horizon.
   Box<D> core(std::size_t i) const { return core_box<D>(boxes_.bodies, i, boxes_.horizon.now); }
   ObjectRows objects() const {
     return {reinterpret_cast<const char*>(boxes_.bodies.rows),

@@ -6,7 +6,7 @@ namespace foresee::gpcd {
 
 namespace {
 
-/// Columns of lanes as rows of `width` floats.
+/// Transposes columns of lanes to rows of `width` floats.
 template <int width>
 void write_rows(const float* const* columns, std::size_t count, float* out) {
   for (std::size_t l = 0; l < count; ++l, out += width)
@@ -76,11 +76,12 @@ void Stripes<D>::read(const MovingSource<D>& source, const Frame<D>& frame, std:
   }
 }
 
-// Most boxes meet one stripe or two along an axis, which takes no branch.
+// Most boxes meet one or two stripes along an axis; that case takes no branch.
 template <int D>
 void Stripes<D>::enter(const FloatLanes<D>& lanes, std::size_t first, std::size_t count,
                        GridSpace::Part& memory, Part& part) const {
-  std::size_t wanted = part.size + 4;  // some are written and written over
+  std::size_t wanted =
+      part.size + 4;  // the branch-free case writes up to four entries and may overwrite them
   std::uint32_t any_giant = 0;
   for (std::size_t l = 0; l < count; ++l) {
     wanted += std::size_t{lanes.more_y[l] + 1} * (lanes.more_z[l] + 1);
@@ -112,7 +113,7 @@ void Stripes<D>::enter(const FloatLanes<D>& lanes, std::size_t first, std::size_
     if (lanes.giant[l]) part.giants.push_back(static_cast<std::uint32_t>(first + l));
 }
 
-// Counts become the places of each part's first entry in each stripe.
+// Counts become the positions of each part's first entry in each stripe.
 template <int D>
 void Stripes<D>::add_up(std::span<Part> parts) {
   for (const Part& part : parts) {

@@ -1,5 +1,5 @@
-// How much processor time has this thread used? What predictive_explain measures stages with, a batch at a
-// time: one reading costs some hundred nanoseconds.
+// Processor time of the calling thread, with which predictive_explain measures stages, batch by batch. One
+// reading costs some hundred nanoseconds.
 #pragma once
 
 #include <ctime>

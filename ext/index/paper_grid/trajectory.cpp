@@ -27,7 +27,7 @@ template Trajectory<3> trajectory_of<3>(const Bodies&, std::size_t, const Horizo
 
 namespace {
 
-/// The ends of an object's arc.
+/// The chord of an object's arc.
 template <int D>
 struct Chord {
   explicit Chord(const Trajectory<D>& t) : of(t), first(place(t.span.begin)), last(place(t.span.end)) {}
@@ -39,7 +39,7 @@ struct Chord {
   Vec<D> first, last;
 };
 
-/// What a region covers along a direction, and the size of the numbers that it comes from.
+/// The interval that a region covers along a direction, and the magnitude of the numbers behind it.
 struct Cover {
   double lower, upper, magnitude;
 };
@@ -57,13 +57,14 @@ Cover cover(const Chord<D>& chord, const Vec<D>& n) {
           std::max(first, last) - std::min(bend, 0.0) + room, (n.abs() * gone).sum() + room};
 }
 
-/// Certainly apart along n. Where a number is no number, or too large to trust, they are not.
+/// True if the regions are certainly disjoint along n. False if a number is NaN or too large for the error
+/// bound.
 template <int D>
-bool apart(const Chord<D>& a, const Chord<D>& b, const Vec<D>& n) {
-  constexpr double largest = 0x1p1000, least = 0x1p-1000;
+bool separated_along(const Chord<D>& a, const Chord<D>& b, const Vec<D>& n) {
+  constexpr double largest = 0x1p1000, absolute_pad = 0x1p-1000;
   const Cover one = cover(a, n), other = cover(b, n);
   const double magnitude = one.magnitude + other.magnitude;
-  const double slack = magnitude * 0x1p-40 + least;
+  const double slack = magnitude * 0x1p-40 + absolute_pad;
   if (!(magnitude < largest)) return false;
   return one.lower - other.upper > slack || other.lower - one.upper > slack;
 }
@@ -72,30 +73,32 @@ Vec<3> cross(const Vec<3>& a, const Vec<3>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-bool parted(const Chord<1>&, const Chord<1>&) {
+bool are_separated(const Chord<1>&, const Chord<1>&) {
   return false;
 }
 
-bool parted(const Chord<2>& a, const Chord<2>& b) {
+bool are_separated(const Chord<2>& a, const Chord<2>& b) {
   const Vec<2> along_a = a.direction(), along_b = b.direction();
-  return apart<2>(a, b, {-along_a[1], along_a[0]}) || apart<2>(a, b, {-along_b[1], along_b[0]});
+  return separated_along<2>(a, b, {-along_a[1], along_a[0]}) ||
+         separated_along<2>(a, b, {-along_b[1], along_b[0]});
 }
 
-bool parted(const Chord<3>& a, const Chord<3>& b) {
+bool are_separated(const Chord<3>& a, const Chord<3>& b) {
   const Vec<3> along_a = a.direction(), along_b = b.direction();
   for (int axis = 0; axis < 3; ++axis) {
     Vec<3> unit = Vec<3>::Zero();
     unit[axis] = 1;
-    if (apart<3>(a, b, cross(along_a, unit)) || apart<3>(a, b, cross(along_b, unit))) return true;
+    if (separated_along<3>(a, b, cross(along_a, unit)) || separated_along<3>(a, b, cross(along_b, unit)))
+      return true;
   }
-  return apart<3>(a, b, cross(along_a, along_b));
+  return separated_along<3>(a, b, cross(along_a, along_b));
 }
 
 }  // namespace
 
 template <int D>
 bool regions_may_meet(const Trajectory<D>& a, const Trajectory<D>& b) {
-  return !parted(Chord<D>(a), Chord<D>(b));
+  return !are_separated(Chord<D>(a), Chord<D>(b));
 }
 
 template bool regions_may_meet<1>(const Trajectory<1>&, const Trajectory<1>&);
