@@ -7,7 +7,7 @@ namespace foresee {
 template <int D>
 Vec<D> lower_end(const Vec<D>& value, const Vec<D>& pad) {
   const Vec<D> end = value - pad;
-  if ((end.abs() <= largest_bound).all()) return end;  // as good as always
+  if ((end.abs() <= largest_bound).all()) return end;  // the usual case
   return (end >= -largest_bound).select(end, -std::numeric_limits<double>::infinity()).min(largest_bound);
 }
 
@@ -18,12 +18,12 @@ Vec<D> upper_end(const Vec<D>& value, const Vec<D>& pad) {
 
 namespace {
 
-/// One lower face, carried by s seconds; the upper one is its mirror image.
+/// A lower face carried by s seconds; the upper face is its mirror image.
 template <int D>
 struct CarriedFace {
   Vec<D> x, v;
 
-  /// `v_before` is the velocity's end that counts for s < 0, `a_before` likewise.
+  /// `v_before` is the end of the velocity that applies for s < 0; `a_before` likewise.
   CarriedFace(const Vec<D>& x0, const Vec<D>& v0, const Vec<D>& v_before, const Vec<D>& a0,
               const Vec<D>& a_before, double s) {
     const Vec<D> by_velocity = (s < 0 ? v_before : v0) * s, by_acceleration = a0 * s * s * 0.5;
@@ -41,10 +41,10 @@ Bounds<D> bounds_at(const Motion<D>& motion, const Extents<D>& extents, double e
   const double s = epoch - motion.t;
   const Vec<D> by_velocity = motion.v * s, gained = motion.a * s, by_acceleration = gained * s * 0.5;
   const Vec<D> centre = motion.x + by_velocity + by_acceleration, velocity = motion.v + gained;
-  const double least = pad > 0 ? smallest_pad : 0;
+  const double absolute_pad = pad > 0 ? smallest_pad : 0;
   const Vec<D> x_pad =
-      (motion.x.abs() + by_velocity.abs() + by_acceleration.abs() + reach_of(extents)) * pad + least;
-  const Vec<D> v_pad = (motion.v.abs() + gained.abs()) * pad + least, none = Vec<D>::Zero();
+      (motion.x.abs() + by_velocity.abs() + by_acceleration.abs() + reach_of(extents)) * pad + absolute_pad;
+  const Vec<D> v_pad = (motion.v.abs() + gained.abs()) * pad + absolute_pad, none = Vec<D>::Zero();
   return {lower_end<D>(centre + extents.lower, x_pad),
           upper_end<D>(centre + extents.upper, x_pad),
           lower_end<D>(velocity, v_pad),
@@ -55,10 +55,10 @@ Bounds<D> bounds_at(const Motion<D>& motion, const Extents<D>& extents, double e
 
 template <int D>
 Bounds<D> with_growth(const Bounds<D>& bounds, const Vec<D>& growth, double age, double pad) {
-  const double least = pad > 0 ? smallest_pad : 0;
+  const double absolute_pad = pad > 0 ? smallest_pad : 0;
   const Vec<D> more = growth * std::max(age, 0.0);
   const auto padding = [&](const Vec<D>& end, const Vec<D>& grown) {
-    return Vec<D>(end.isFinite().select((end.abs() + grown) * pad + least, 0.0));
+    return Vec<D>(end.isFinite().select((end.abs() + grown) * pad + absolute_pad, 0.0));
   };
   return {lower_end<D>(bounds.x_lower - more, padding(bounds.x_lower, more)),
           upper_end<D>(bounds.x_upper + more, padding(bounds.x_upper, more)),

@@ -1,4 +1,5 @@
-// What does a question see of a node? Children and objects as moving boxes, and what passed of one leaf.
+// Results of a walk over a TPR-tree: the objects of one leaf that may match, and the moving box of a child
+// node.
 #pragma once
 
 #include <memory>
@@ -9,12 +10,12 @@
 
 namespace foresee {
 
-/// Objects of one leaf that may be part of the answer. The leaf stays as it was for as long as this is held:
-/// leaf->keys[slot] is an object's id, its record stands at leaf->values[slot * record size].
+/// Objects of one leaf that may be results. The leaf does not change while this holds it. leaf->keys[slot] is
+/// an object's id; its record starts at leaf->values[slot * record size].
 struct LeafHits {
   std::shared_ptr<const Node> leaf;
   std::vector<std::uint32_t> slots;
-  std::vector<double> distances;  ///< by NearestWalk only: the least possible one of each, ascending
+  std::vector<double> distances;  ///< set by NearestWalk only: a lower bound for each object, ascending
 };
 
 /// Requires: an inner node.
@@ -22,7 +23,7 @@ template <int D>
 MovingBox<D> child_box(const Node& inner, std::size_t slot, const Horizon& horizon) {
   const Times times = times_at<D>(inner, slot);
   return moving_box<D>(bounds_at<D>(inner, slot), inner.epoch,
-                       span_between(times.t_min, times.until_greatest, horizon), horizon);
+                       span_between(times.t_min, times.until_max, horizon), horizon);
 }
 
 }  // namespace foresee

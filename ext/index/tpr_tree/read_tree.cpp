@@ -20,13 +20,14 @@ class TreeReader {
     if (root->level < 0 || root->level > 64) throw BrokenTree("a tree's root has an impossible level");
     scene_.levels.starts.resize(static_cast<std::size_t>(root->level) + 1);
     visit(source_.find_root(), *root);
-    for (std::size_t level = scene_.levels.starts.size(); level-- > 0;)  // before the level below has its end
+    // From the top down: each level ends with the size of the level below, before that gets its own end.
+    for (std::size_t level = scene_.levels.starts.size(); level-- > 0;)
       scene_.levels.starts[level].push_back(next_below(level));
     return std::move(scene_);
   }
 
  private:
-  /// How many rows, or nodes one level down, there are so far.
+  /// The number of rows, or of nodes one level down, so far.
   std::uint32_t next_below(std::size_t level) const {
     return static_cast<std::uint32_t>(level == 0 ? scene_.ids.size()
                                                  : scene_.levels.starts[level - 1].size());

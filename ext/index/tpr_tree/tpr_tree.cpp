@@ -15,11 +15,11 @@ namespace {
 
 /// Fewer objects than these are merged one by one.
 constexpr std::size_t few = 32;
-/// No more are merged at once, and none than there is memory for if each concerns another leaf: leaves stay
-/// in memory meanwhile, as they were and as they become.
+/// The max number of objects merged at once, and the memory for the case that each of them is in another
+/// leaf. During a merge, memory holds the leaves as they were and as they become.
 constexpr std::size_t max_merged = 1 << 15, merge_memory = 64 << 20;
-/// Of so many updates one looks around its leaf; of objects that are merged together, which renew what is
-/// above them anyway, one of more.
+/// One of so many updates repacks around its leaf. For merged objects the number is larger, because a merge
+/// recomputes the entries above them anyway.
 constexpr std::size_t between_repacks = 24, between_merged = 512;
 
 template <int D>
@@ -37,9 +37,9 @@ class Tree final : public TprTree {
     if (!leaf) return false;
     state_.clock.observe(state_.reader.t(record.data()));
     const NewObject<D> object{id, record, Mover<D>(state_.reader, record.data())};
-    freshen_above(*leaf);
-    const auto [slot, stays] = place_of(*leaf, object);
-    if (stays) {
+    renew_stale_above(*leaf);
+    const auto [slot, fits] = place_of(*leaf, object);
+    if (fits) {
       overwrite(*leaf, slot, object);
     } else {
       const bool keeps_leaf = take_out(state_, *leaf, slot);
@@ -85,8 +85,8 @@ class Tree final : public TprTree {
       }
       return;
     }
-    see_newest(records);
-    const std::size_t portions = (ids.size() + portion() - 1) / portion();
+    observe_newest(records);
+    const std::size_t portions = (ids.size() + merge_size() - 1) / merge_size();
     if (portions == 1) return merge_neighbours(ids, records, interrupt);
     const auto order = leaf_order(state_, records, {portions, 1}, {0, portions}, interrupt);
     for (std::size_t i = 0; i < portions; ++i) {
@@ -97,7 +97,7 @@ class Tree final : public TprTree {
 
   void reload(std::span<const std::int64_t> ids, std::span<const double> records,
               Interrupt& interrupt) override {
-    see_newest(records);
+    observe_newest(records);
     free_all(state_.pages, interrupt);
     bulk_load_tree(state_, ids, records, interrupt);
   }
@@ -105,7 +105,7 @@ class Tree final : public TprTree {
   std::unique_ptr<SpacePartitioning> divide(std::span<const double> sample, std::size_t partitions,
                                             std::span<const double> newest, Interrupt& interrupt) override {
     if (newest.empty()) state_.clock = {};
-    see_newest(newest);
+    observe_newest(newest);
     return divide_space(state_, sample, partitions, interrupt);
   }
 
@@ -123,7 +123,7 @@ class Tree final : public TprTree {
   }
 
  private:
-  /// Merges objects that are near each other, if there are many: then they concern few nodes.
+  /// Merges objects that are near each other, if there are many: then they are in few nodes.
   void merge_neighbours(std::span<const std::int64_t> ids, std::span<const double> records,
                         Interrupt& interrupt) {
     merge_objects(state_, ids, records, interrupt);
@@ -143,14 +143,14 @@ class Tree final : public TprTree {
     return *leaf;
   }
 
-  /// How many objects are merged at once.
-  std::size_t portion() const {
+  /// The number of objects merged at once.
+  std::size_t merge_size() const {
     const std::size_t leaf = state_.pages.leaf_capacity() * state_.reader.record_size() * sizeof(double);
     return std::clamp(merge_memory / leaf, few, max_merged);
   }
 
-  /// The records that were written last are the last ones.
-  void see_newest(std::span<const double> records) {
+  /// Updates the clock from the last records, which were written last.
+  void observe_newest(std::span<const double> records) {
     const std::size_t size = state_.reader.record_size(), all = records.size() / size;
     for (std::size_t i = all - std::min(all, WriteClock::memory); i < all; ++i)
       state_.clock.observe(state_.reader.t(records.data() + i * size));
@@ -163,7 +163,7 @@ class Tree final : public TprTree {
 
   struct Place {
     std::size_t slot;
-    bool stays;  ///< the leaf's entry is true for the object as it will be
+    bool fits;  ///< the leaf's entry contains the new object
   };
   Place place_of(NodeNumber number, const NewObject<D>& object) {
     const auto leaf = state_.pages.read(number);
@@ -172,15 +172,14 @@ class Tree final : public TprTree {
     return {slot, !parent || entry_contains(*parent, number, object)};
   }
 
-  /// Would the entry of this child stay true if the object were beneath it? Greatest t apart, which is cheap
-  /// to mend.
+  /// True if the child's entry would contain the object beneath it. Max t is ignored: it is cheap to update.
   static bool entry_contains(const Node& parent, NodeNumber child, const NewObject<D>& object) {
     Entry<D> entry = entry_at<D>(parent, slot_of(parent, child));
     entry.times.t_max = std::numeric_limits<double>::infinity();
     return entry.contains(object.entry(parent.epoch));
   }
 
-  /// The lowest node above this one, not itself, that may take the object in; the root takes anything.
+  /// The lowest ancestor of this node whose entry contains the object; otherwise the root.
   NodeNumber ancestor_containing(NodeNumber number, const NewObject<D>& object) {
     auto node = state_.pages.read(number);
     auto parent = read_above(state_.pages, number, *node);
@@ -192,7 +191,7 @@ class Tree final : public TprTree {
     }
   }
 
-  void freshen_above(NodeNumber number) {
+  void renew_stale_above(NodeNumber number) {
     for (;;) {
       const auto node = state_.pages.read(number);
       std::size_t slot;
@@ -201,13 +200,13 @@ class Tree final : public TprTree {
         if (!parent) return;
         slot = slot_of(*parent, number);
       }
-      if (!freshen(state_, node->parent, slot)) return;
+      if (!renew_if_stale(state_, node->parent, slot)) return;
       number = node->parent;
     }
   }
 
-  /// Entries farther up contain the leaf's objects, not all that its own entry allows: they are looked at
-  /// too.
+  /// The entries of higher levels contain the leaf's objects, but not all that the leaf's entry allows. So
+  /// fit_upward() checks them too.
   void overwrite(NodeNumber leaf, std::size_t slot, const NewObject<D>& object) {
     double* place = state_.pages.modify_record(leaf, slot);
     const double t_before = state_.reader.t(place);

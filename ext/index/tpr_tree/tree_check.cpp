@@ -9,7 +9,7 @@
 namespace foresee {
 namespace {
 
-/// Walks the whole tree, with the entries above a node in hand.
+/// Visits the whole tree and keeps the entries above the current node.
 template <int D>
 class TreeCheck {
  public:
@@ -38,14 +38,14 @@ class TreeCheck {
       report_.problems.push_back("node " + std::to_string(number) + ": " + what);
   }
 
-  /// `level` is what the parent demands; -1: any.
+  /// `level` is the level that the parent requires; -1: any.
   void visit(NodeNumber number, NodeNumber parent, int level) {
     interrupt_.check();
     if (!nodes_.insert(number).second) return problem(number, "is reached twice");
     ++report_.nodes;
     const auto node = pages_.read(number);
     if (level >= 0 && node->level != level)
-      return problem(number, "has level " + std::to_string(node->level) + " below one that asks for " +
+      return problem(number, "has level " + std::to_string(node->level) + " below a node that requires " +
                                  std::to_string(level));
     if (node->parent != parent) problem(number, "names a parent that is not its own");
     if (!sizes_fit(number, *node)) return;
@@ -99,8 +99,8 @@ class TreeCheck {
         problem(places_[i].leaf, "holds object " + std::to_string(places_[i].id) + " again");
   }
 
-  /// Bounds that contain position, velocity and acceleration at the epoch contain the object at every moment.
-  /// What is compared is not padded, so it may be off by less than the entry's own padding.
+  /// Bounds that contain position, velocity and acceleration at the epoch contain the object at every time.
+  /// The object's own bounds are not padded, so their error is less than the entry's padding.
   void check_bounds(NodeNumber number, std::int64_t id, const Mover<D>& mover) {
     const Motion<D>& motion = mover.motion;
     for (const Above& above : above_) {
@@ -110,7 +110,7 @@ class TreeCheck {
     }
   }
 
-  /// A face that overflowed while it was computed proves nothing: it lies within any entry.
+  /// A face that overflowed in the computation is replaced by one inside any entry: it proves nothing.
   static Bounds<D> known(Bounds<D> own) {
     const Vec<D> anywhere = Vec<D>::Constant(std::numeric_limits<double>::infinity());
     for (Vec<D>* lower : {&own.x_lower, &own.v_lower, &own.a_lower})

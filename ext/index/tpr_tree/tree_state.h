@@ -1,4 +1,4 @@
-// What the parts of the tree share: its pages, how to read a record, the clock. Nothing about nodes.
+// State shared by the operations of a TPR-tree: its pages, a record reader and the write clock, but no nodes.
 #pragma once
 
 #include <algorithm>
@@ -10,21 +10,22 @@
 
 namespace foresee {
 
-// What time is it in this table? Objects are mostly written with the current time as their t, but some are
-// scheduled for later and some come late, so the clock is the median t of the last writes.
+// The write clock estimates the current time of a table. Most objects are written with the current time as
+// their t, but some are scheduled for later and some arrive late. So the clock is the median t of the last
+// writes.
 //
-// Only the tree's shape depends on it, never an answer.
+// Only the shape of the tree depends on it, never a result.
 
 class WriteClock {
  public:
-  /// How many writes it knows of.
+  /// The number of writes that it remembers.
   static constexpr std::size_t memory = 15;
 
   double now() const { return now_; }
-  /// False until something has been written.
+  /// False until the first write.
   bool runs() const { return count_ > 0; }
 
-  /// An object with this t is being written. A fresh clock believes its first write.
+  /// Called when an object with this t is written. The first write sets the clock.
   void observe(double t) {
     if (count_ == 0) recent_.fill(t);
     recent_[count_++ % recent_.size()] = t;
@@ -33,7 +34,7 @@ class WriteClock {
     std::nth_element(sorted.begin(), sorted.begin() + sorted.size() / 2, sorted.end());
     now_ = sorted[sorted.size() / 2];
   }
-  /// A whole table was written, with `t` as its typical time.
+  /// Called when a whole table was written; `t` is its typical time.
   void set(double t) { recent_.fill(t), now_ = t, count_ = recent_.size(); }
 
  private:
@@ -42,12 +43,13 @@ class WriteClock {
   double now_ = 0;
 };
 
-/// The part of `horizon` that the tree's shape looks ahead. Questions about a whole horizon are served best
-/// by 0.3 to 0.5, those about a twentieth by 0.1 or less; at 0.15 neither costs much more than it has to.
+/// The fraction of `horizon` for which the tree's shape is optimized. Queries about a whole horizon are
+/// fastest with 0.3 to 0.5, queries about a twentieth of it with 0.1 or less. With 0.15 neither costs much
+/// more than its optimum.
 inline constexpr double look_ahead = 0.15;
 
-/// The part of a leaf that is filled where leaves are packed. Objects that move come and go: leaves without
-/// room would be shared out anew by every other write.
+/// The fraction of a leaf that packing fills. Moving objects come and go, so every other write would
+/// redistribute leaves without free slots.
 inline constexpr double packed_fill = 0.9;
 
 template <int D>
@@ -66,19 +68,19 @@ struct TreeState {
   std::size_t capacity(int level) const {
     return level == 0 ? pages.leaf_capacity() : pages.inner_capacity();
   }
-  /// Objects of a leaf that was packed.
+  /// The number of objects in a packed leaf.
   std::size_t packed_size() const {
     return static_cast<std::size_t>(packed_fill * static_cast<double>(pages.leaf_capacity()));
   }
-  /// How many leaves so many objects are packed into.
+  /// The number of leaves for these objects when they are packed.
   std::size_t leaves_for(std::size_t objects) const {
     return objects <= pages.leaf_capacity() ? 1 : (objects + packed_size() - 1) / packed_size();
   }
-  /// A node with fewer keys is dissolved, the root excepted. At most the smaller half of any split.
+  /// A node with fewer keys is dissolved, except the root. No split gives a smaller half.
   std::size_t min_size(int level) const { return std::max<std::size_t>(2, capacity(level) / 4); }
 };
 
-/// Something that gets a place in the tree: an object in a leaf, or a branch in an inner node.
+/// What is added to the tree: an object in a leaf, or a branch in an inner node.
 template <int D>
 struct NewObject {
   std::int64_t id;
@@ -91,8 +93,8 @@ struct NewObject {
 template <int D>
 struct Branch {
   NodeNumber number;
-  NodeNumber parent;  ///< which is gone
-  int level;          ///< of the node it goes into
+  NodeNumber parent;  ///< which no longer exists
+  int level;          ///< of the node that the branch is added to
   Entry<D> known;
   double epoch;
 

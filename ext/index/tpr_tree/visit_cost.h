@@ -1,10 +1,11 @@
-// How often will a question visit these bounds? The measure by which the tree chooses and splits.
+// Cost model of a TPR-tree: the expected number of queries that visit given bounds, for the choice of
+// children and splits.
 //
-// A window of side `query` meets a box of widths w with probability proportional to the product of w + query;
-// the tree's look-ahead counts, so the product is integrated over part of it from the clock on (Saltenis et
-// al. 2000; the query's side is TPR*'s, Tao et al. 2003, and keeps flat boxes comparable). Simpson's rule on
-// three moments is exact for uniform motion in one to three axes. Unbounded widths count as very wide; every
-// cost is a finite number.
+// A window of side `query` meets a box of widths w with probability proportional to the product of w + query.
+// The product is integrated over the tree's look-ahead, which starts at the clock (Saltenis et al. 2000). The
+// side of the query comes from the TPR*-tree (Tao et al. 2003) and keeps flat boxes comparable. Simpson's
+// rule with three times is exact for uniform motion in one to three axes. Unbounded widths count as very
+// wide; every cost is a finite number.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +19,7 @@ namespace foresee {
 template <int D>
 class VisitCost {
  public:
-  /// For bounds at `epoch`.
+  /// The cost of bounds at `epoch`.
   VisitCost(double clock, double duration, double epoch) {
     for (int i = 0; i < 3; ++i)
       elapsed_[static_cast<std::size_t>(i)] =
@@ -32,7 +33,7 @@ class VisitCost {
     return product(elapsed_[0]) + 4 * product(elapsed_[1]) + product(elapsed_[2]);
   }
 
-  /// The mean width over the axes, half-way through the look-ahead.
+  /// The mean width over the axes, at half the look-ahead.
   double mean_width(const Bounds<D>& bounds) const {
     const double s = elapsed_[1];
     const Vec<D> widths = (bounds.x_upper - bounds.x_lower) + s * (bounds.v_upper - bounds.v_lower) +
@@ -40,16 +41,16 @@ class VisitCost {
     return within_reason(widths).sum() / D;
   }
 
-  /// Seconds between the epoch and the middle of the look-ahead.
+  /// Seconds between the epoch and half the look-ahead.
   double middle() const { return elapsed_[1]; }
-  /// … and its begin (0), middle (1) and end (2).
+  /// Seconds between the epoch and the start (0), middle (1) or end (2) of the look-ahead.
   double elapsed(int time) const { return elapsed_[static_cast<std::size_t>(time)]; }
 
-  /// Stored bounds may be anything: widths that are not numbers, or negative.
+  /// Stored bounds may be arbitrary: negative and NaN widths are replaced.
   static double within_reason(double width) { return width < widest ? (width > 0 ? width : 0) : widest; }
 
  private:
-  static constexpr double widest = 1e100;  // its cube is a double
+  static constexpr double widest = 1e100;  // its cube is finite
 
   static Vec<D> within_reason(const Vec<D>& widths) {
     return (widths < widest).select(widths.max(0.0), widest);

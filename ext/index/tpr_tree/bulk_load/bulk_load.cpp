@@ -8,7 +8,7 @@
 namespace foresee {
 namespace {
 
-/// The time that most objects have reached: the upper quartile of a sample of their t.
+/// The upper quartile of a sample of t: the time that most objects have reached.
 template <int D>
 double typical_t(const LeafReader<D>& reader, std::span<const double> records) {
   const std::size_t count = records.size() / reader.record_size(), step = count / 1024 + 1;
@@ -104,8 +104,8 @@ class TreeLoad {
 
   TreeState<D>& state_;
   Interrupt& interrupt_;
-  std::vector<std::size_t> levels_;  ///< nodes of each
-  std::vector<NodeNumber> firsts_;   ///< the first node of each; the others follow
+  std::vector<std::size_t> levels_;  ///< number of nodes per level
+  std::vector<NodeNumber> firsts_;   ///< the first node number of each level; the others follow
   std::vector<Entry<D>> entries_;    ///< of the nodes written last, for the level above
 };
 

@@ -1,5 +1,6 @@
-// How is a whole tree written at once? Level by level from the leaves up, each node once, from the objects in
-// leaf order; of objects that memory cannot hold together, part by part (space_partitioning.h).
+// Bulk load of a TPR-tree, level by level from the leaves up. Each node is written once, from the objects in
+// leaf order. If the objects do not fit in memory, they are loaded one partition at a time
+// (space_partitioning.h).
 #pragma once
 
 #include "base/error.h"
@@ -11,7 +12,7 @@ namespace foresee {
 /// Frees every node of the tree.
 void free_all(Pages& pages, Interrupt& interrupt);
 
-/// A clock that does not run yet is set by objects, a sample or all.
+/// Sets a clock that has not started to the typical t of the records, which may be a sample.
 template <int D>
 void start_clock(TreeState<D>& state, std::span<const double> records);
 
@@ -19,8 +20,8 @@ void start_clock(TreeState<D>& state, std::span<const double> records);
 template <int D>
 void bulk_load_tree(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
                     Interrupt& interrupt);
-/// Requires: the tree is empty, the clock runs, and there are objects. Only leaves at the border of two parts
-/// share a node that would not, had they been ordered together.
+/// Requires: the tree is empty, the clock runs, and there are objects. Only leaves at the border of two
+/// partitions may share a node that they would not share if all objects were ordered together.
 template <int D>
 void bulk_load_tree(TreeState<D>& state, ObjectPartitions& partitions, Interrupt& interrupt);
 

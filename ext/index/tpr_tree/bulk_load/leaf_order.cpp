@@ -21,7 +21,7 @@ class LeafOrder {
 
   std::vector<std::uint32_t> order() {
     fill();
-    const std::size_t first_giant = leaves_.first + plain_first() * leaves_.count / items_.size();
+    const std::size_t first_giant = leaves_.first + move_giants_last() * leaves_.count / items_.size();
     halve(leaves_.first, first_giant);
     halve(first_giant, leaves_.first + leaves_.count);
     std::vector<std::uint32_t> order(items_.size());
@@ -40,15 +40,15 @@ class LeafOrder {
     }
   }
 
-  /// Moves objects of far more than median reach to the end; returns how many are left in front.
-  std::size_t plain_first() {
+  /// Moves objects with far more than the median reach to the end; returns the number of the others.
+  std::size_t move_giants_last() {
     std::vector<float> sample;
     for (std::size_t i = 0; i < items_.size(); i += items_.size() / 1024 + 1) sample.push_back(reach_[i]);
     std::nth_element(sample.begin(), sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2),
                      sample.end());
-    const float most = 16 * sample[sample.size() / 2];
+    const float limit = 16 * sample[sample.size() / 2];
     const auto end = std::partition(items_.begin(), items_.end(), [&](const OrderItem<D>& item) {
-      return step_(), reach_[item.index] <= most;
+      return step_(), reach_[item.index] <= limit;
     });
     return static_cast<std::size_t>(end - items_.begin());
   }
@@ -75,7 +75,7 @@ class LeafOrder {
     return static_cast<std::ptrdiff_t>(first_child(leaf - leaves_.first, leaves_.count, items_.size()));
   }
 
-  /// The boundary between two nodes of the highest level that has one strictly between two leaves.
+  /// The boundary between two nodes, of the highest level with a boundary strictly between two leaves.
   std::size_t boundary_near_middle(std::size_t first, std::size_t last) const {
     const std::size_t middle = first + (last - first) / 2;
     for (std::size_t level = levels_.size(); level-- > 1;) {
@@ -100,7 +100,7 @@ class LeafOrder {
   Interrupt& interrupt_;
   Steps step_;
   std::vector<OrderItem<D>> items_;
-  std::vector<float> reach_;  ///< how far an object sticks out over the horizon, by record
+  std::vector<float> reach_;  ///< how far an object extends over the horizon, by record
 };
 
 }  // namespace

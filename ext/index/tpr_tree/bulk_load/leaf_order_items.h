@@ -1,12 +1,11 @@
-// What decides where an object stands in the order of a new tree's leaves? Where it is now and how it moves,
-// in comparable units.
+// Sort items of a leaf order: an object's position and velocity at the clock's time, in comparable units.
 //
-//   OrderItems<2> items(state, records.data());                 // positions count from the first object's
+//   OrderItems<2> items(state, records.data());                 // positions are relative to the first object's
 //   const OrderItem<2> item = items.of(record, 7);
 //   const std::size_t axis = widest_axis<2>(some_items);        // of position or velocity
 //
-// A velocity counts as the distance that it covers in part of a horizon. Single precision is enough: an order
-// that is not the best makes no answer wrong.
+// A velocity counts as the distance that it covers in part of a horizon. Single precision suffices: the order
+// affects the cost of queries, not their results.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +36,7 @@ class OrderItems {
     float reach;
     return of(record, index, reach);
   }
-  /// `reach`: how far the object sticks out over the horizon.
+  /// `reach` is set to the distance that the object extends over the horizon.
   OrderItem<D> of(const double* record, std::uint32_t index, float& reach) const {
     const Mover<D> mover(reader_, record);
     const double s = now_ - mover.motion.t;
@@ -65,20 +64,20 @@ class OrderItems {
   Vec<D> origin_;
 };
 
-/// The axis of position or velocity on which a sample is most spread out.
+/// The axis of position or velocity with the largest spread in a sample.
 template <int D>
 std::size_t widest_axis(std::span<const OrderItem<D>> items) {
   constexpr std::size_t samples = 20;
   const std::size_t step = (items.size() + samples - 1) / samples;
   std::size_t best = 0;
-  float most = -1;
+  float max_spread = -1;
   for (std::size_t along = 0; along < 2 * D; ++along) {
     std::array<float, samples> sample;
     std::size_t count = 0;
     for (std::size_t i = 0; i < items.size(); i += step) sample[count++] = items[i].place[along];
     std::sort(sample.begin(), sample.begin() + static_cast<std::ptrdiff_t>(count));
     const float spread = sample[count - 1 - count / 10] - sample[count / 10];
-    if (spread > most) best = along, most = spread;
+    if (spread > max_spread) best = along, max_spread = spread;
   }
   return best;
 }

@@ -35,11 +35,11 @@ class Division final : public SpacePartitioning {
   }
 
  private:
-  /// Between parts [first, middle) and [middle, last).
+  /// The cut between partitions [first, middle) and [middle, last).
   struct Cut {
     std::size_t along = 0;
     float at = 0;
-    std::size_t on_it = 0;  ///< objects, so far
+    std::size_t on_it = 0;  ///< the number of objects exactly on the cut so far
   };
 
   void cut(std::size_t first, std::size_t last, std::span<OrderItem<D>> drawn, Steps& step) {
@@ -60,7 +60,7 @@ class Division final : public SpacePartitioning {
 
   OrderItems<D> items_;
   std::size_t partitions_;
-  std::vector<Cut> cuts_;  ///< by the part behind it
+  std::vector<Cut> cuts_;  ///< by the first partition behind the cut
 };
 
 }  // namespace

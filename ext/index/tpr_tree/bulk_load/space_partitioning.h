@@ -1,13 +1,12 @@
-// Where do objects go that memory cannot hold together? Into parts, neighbours in space and velocity into
-// one, so that the leaves of one part after another are those of the whole.
+// Partitions of objects that do not fit in memory together, by position and velocity, for a bulk load.
 //
 //   auto division = divide_space(state, sample, 9, interrupt);     // records of some objects, drawn anywhere
 //   parts[division->partition_of(record)].push_back(object);
 //
-// The sample is halved again and again like the objects of a leaf order (leaf_order.h), and the cuts are
-// remembered. Objects that lie on a cut go to either side in turn, so that a place with very many is shared.
-// Parts differ in size as the sample does: by some hundredths. Cost, an object: its motion, and a comparison
-// for each halving.
+// The concatenated leaves of the partitions are those of the whole. The sample is halved recursively like the
+// objects of a leaf order (leaf_order.h), and the cuts are stored. Objects exactly on a cut go to either side
+// in turn, so one place with very many objects is divided too. The sizes of partitions vary as the sample
+// does, by a few percent. Cost per object: its motion, and one comparison per halving.
 #pragma once
 
 #include "base/error.h"
@@ -16,8 +15,8 @@
 
 namespace foresee {
 
-/// Parts have about as many objects as one another. Requires: a sample, and one part or more. Where the clock
-/// does not run the sample sets it.
+/// Partitions have about equal numbers of objects. Requires: a sample, and at least one partition. If the
+/// clock has not started, the sample sets it.
 template <int D>
 std::unique_ptr<SpacePartitioning> divide_space(TreeState<D>& state, std::span<const double> sample,
                                                 std::size_t parts, Interrupt& interrupt);

@@ -6,7 +6,7 @@
 namespace foresee {
 namespace {
 
-/// The gap between two boxes along each axis at one moment, and how fast it grows; 0 where they overlap.
+/// The gap between two boxes along each axis at one time, and its rate of change; 0 where they overlap.
 template <int D>
 struct Gap {
   Vec<D> width, speed;
@@ -21,23 +21,25 @@ struct Gap {
   double growth() const { return 2 * (width * speed).sum(); }
 };
 
-/// Along each axis a gap is the greater of two straight lines and 0: least at an end, or 0 in between.
+/// Along each axis the gap is the max of two linear functions and 0, so its min is at an end of the span, or
+/// 0.
 template <int D>
 Vec<D> min_gaps(const MovingBox<D>& a, const MovingBox<D>& b, const SharedInterval& span) {
   const Vec<D> left = a.lower - b.upper, right = b.lower - a.upper;
   const Vec<D> left_speed = a.v_lower - b.v_upper, right_speed = b.v_lower - a.v_upper;
-  auto least = [&](const Vec<D>& gap, const Vec<D>& speed) -> Vec<D> {
+  auto min_gap = [&](const Vec<D>& gap, const Vec<D>& speed) -> Vec<D> {
     const Vec<D> first = gap + speed * span.begin, last = gap + speed * span.end;
     return (first > 0 && last > 0).select(first.min(last), 0.0);
   };
-  return least(left, left_speed).max(least(right, right_speed));
+  return min_gap(left, left_speed).max(min_gap(right, right_speed));
 }
 
-inline constexpr double shrink = 1 - 0x1p-44;  // more than the rounding of what it is applied to
+inline constexpr double shrink = 1 - 0x1p-44;  // exceeds the rounding error of the numbers it is applied to
 
-/// The squared distance is a convex function of time: it lies above its tangents. Halve the span towards the
-/// minimum some times; where the tangents at both ends cross is a lower bound. Slopes so small that products
-/// in them may have vanished say nothing (nor do those that are 0: then the gaps along each axis say all).
+/// A lower bound of the squared distance, which is a convex function of time and so is above its tangents.
+/// The span is halved towards the minimum some times; then the tangents at both ends cross at a lower bound.
+/// Slopes so small that their products may have underflowed give no bound. The same holds for slopes of 0;
+/// then the gaps along each axis give the bound.
 template <int D>
 double tangent_bound(const MovingBox<D>& a, const MovingBox<D>& b, SharedInterval span) {
   constexpr int halvings = 5;
@@ -55,7 +57,7 @@ double tangent_bound(const MovingBox<D>& a, const MovingBox<D>& b, SharedInterva
   return f + down * tau - (f + g - down * tau + up * (span.end - span.begin)) * 0x1p-44;
 }
 
-/// Does a box pass the other one as a whole, farther than it is wide? Only then do tangents tell more than
+/// True if one box passes the other as a whole, farther than its width. Only then are tangents better than
 /// the gaps along each axis.
 template <int D>
 bool moves_far(const MovingBox<D>& a, const MovingBox<D>& b, const SharedInterval& span) {
@@ -72,27 +74,27 @@ double min_distance(const MovingBox<D>& a, const MovingBox<D>& b, const SharedIn
   const double by_axis = gaps.square().sum(), widest = gaps.maxCoeff();
   double squared = by_axis * shrink;
   if (D > 1 && moves_far(a, b, span)) squared = std::max(squared, tangent_bound(a, b, span));
-  // Squares that leave the range of doubles say nothing; the widest gap always does.
+  // Squares outside the range of doubles give no bound; the widest gap always does.
   return squared > 1e-280 && squared < 1e280 ? std::sqrt(squared) * shrink : widest * shrink;
 }
 
-/// A lower bound of the distance between the centre of `point`, whose faces all move alike, and the
-/// question's: that of the chords, less how far both may be off theirs. The rounding of this, tau's included,
-/// is some 10 units of magnitudes of which `off` has 32.
+/// The distance of the two chords, less the max deviation of both centres from their chords. All faces of
+/// `point` move alike. The rounding error, including that of tau, is about 10 units of magnitudes; `off` is
+/// padded by 32 of them.
 template <int D>
-double min_point_distance(const MovingBox<D>& point, const MovingBox<D>& question) {
-  const Vec<D> gap = 0.5 * point.lower - 0.5 * question.lower + (0.5 * point.upper - 0.5 * question.upper);
-  const Vec<D> off = 0.5 * point.upper - 0.5 * point.lower + (0.5 * question.upper - 0.5 * question.lower);
-  const Vec<D> speed = point.v_lower - question.v_lower;
+double min_point_distance(const MovingBox<D>& point, const MovingBox<D>& query) {
+  const Vec<D> gap = 0.5 * point.lower - 0.5 * query.lower + (0.5 * point.upper - 0.5 * query.upper);
+  const Vec<D> off = 0.5 * point.upper - 0.5 * point.lower + (0.5 * query.upper - 0.5 * query.lower);
+  const Vec<D> speed = point.v_lower - query.v_lower;
   const double fastest = speed.abs().maxCoeff(),
                farthest = (gap.abs() + speed.abs() * point.span.end).maxCoeff();
   const bool squares_fit = farthest < 1e140 && fastest < 1e140 && (fastest > 1e-140 || fastest == 0);
-  if (!squares_fit) return min_distance(point, question, point.span);
+  if (!squares_fit) return min_distance(point, query, point.span);
   double tau = point.span.begin;
   if (fastest > 0)
     tau = std::clamp(-(gap * speed).sum() / speed.square().sum(), point.span.begin, point.span.end);
   const double distance = std::sqrt((gap + speed * tau).square().sum()) - std::sqrt(off.square().sum());
-  return distance > 1e-140 ? distance * shrink : 0;  // squares that vanish say nothing
+  return distance > 1e-140 ? distance * shrink : 0;  // an underflowed square gives no bound
 }
 
 template <int D>
@@ -102,7 +104,7 @@ NearestWalk<D>::NearestWalk(NodeSource& source, const Vec<D>& point, const Vec<D
       interrupt_(interrupt),
       reader_(source.layout()),
       horizon_(horizon),
-      question_(moving_window<D>(point, point, velocity, horizon)) {
+      query_(moving_window<D>(point, point, velocity, horizon)) {
   if (source.find_root() != 0) open_.push_back({0, unread_root(source)});
 }
 
@@ -134,7 +136,7 @@ template <int D>
   for (std::size_t slot = 0; slot < inner.size(); ++slot) {
     const MovingBox<D> box = child_box<D>(inner, slot, horizon_);
     if (box.span.is_empty()) continue;
-    const double distance = min_distance(box, question_, box.span);
+    const double distance = min_distance(box, query_, box.span);
     if (distance > reach) continue;
     open_.push_back({distance, unread_child(number, inner, slot)});
     std::push_heap(open_.begin(), open_.end());
@@ -148,7 +150,7 @@ template <int D>
     const Motion<D> motion = reader_.motion(reader_.record(leaf, slot));
     const MovingBox<D> box = moving_box<D>(motion, Extents<D>::none(), horizon_, Vec<D>::Zero());
     if (box.span.is_empty()) continue;
-    const double distance = min_point_distance(box, question_);
+    const double distance = min_point_distance(box, query_);
     if (distance <= reach) near_.emplace_back(distance, static_cast<std::uint32_t>(slot));
   }
   std::sort(near_.begin(), near_.end());

@@ -1,12 +1,13 @@
-// How much farther than a node's bounds may a swept box reach?
-// ------------------------------------------------------------
-// swept_box() rounds outward by less than 36 units of 2^-53 of what goes into an object's box: |x| at its own
-// t, and its velocity and acceleration over the time between that t and the horizon's moments. The bounds of
-// a node contain its objects' real faces, but are of another moment, where those magnitudes may have
-// cancelled. They are bounded by the node's: from the epoch to any t beneath it and from there to the horizon
-// are at most R seconds, so |x| + |v| R + |a| R^2 at t is at most X + 2 V R + 3 A R^2 of the node. 64 units
-// of that, and of the margin, are added here. A shape that lies far beside its position cancels |x| by its
-// extents; there the bounds themselves are wide enough: bounds_at() pads by 32 units of both, and errs by 8.
+// Padding of swept bounds, so that they contain the swept boxes of all objects beneath a node.
+//
+// rounds outward by less than 36 units of 2^-53 of the terms of an object's box: |x| at its own t, and its
+// velocity and acceleration over the time between that t and the horizon. The bounds of a node contain its
+// objects' real faces, but at another time, at which those magnitudes may have cancelled. The node's own
+// numbers bound the terms. Let R be an upper bound, in seconds, of the time from the epoch to any t beneath
+// the node, and from there to the horizon. Then |x| + |v| R + |a| R^2 at t is at most X + 2 V R + 3 A R^2 of
+// the node. This file adds 64 units of that, and of the margin. If a shape is far from its position, its
+// extents cancel |x|. There the bounds themselves are wide enough: bounds_at() pads by 32 units of both, and
+// errs by 8.
 #include "index/tpr_tree/search/sweep_walk.h"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ double farthest(double time, const Times& times) {
   return std::max(std::abs(time - times.t_min), std::abs(time - times.t_max));
 }
 
-/// What swept boxes of objects beneath an entry can cover; a face that no number bounds is infinite or NaN.
+/// A box that contains the swept boxes of all objects beneath an entry; an unbounded face is infinite or NaN.
 template <int D>
 Box<D> swept_bounds(const Node& inner, std::size_t slot, const Horizon& horizon, const Vec<D>& margin) {
   const MovingBox<D> box = child_box<D>(inner, slot, horizon);
@@ -42,9 +43,9 @@ Box<D> swept_bounds(const Node& inner, std::size_t slot, const Horizon& horizon,
 }  // namespace
 
 template <int D>
-SweepWalk<D>::SweepWalk(NodeSource& source, const Box<D>& question, const Horizon& horizon,
-                        const Vec<D>& margin, Interrupt& interrupt)
-    : source_(source), interrupt_(interrupt), question_(question), horizon_(horizon), margin_(margin) {
+SweepWalk<D>::SweepWalk(NodeSource& source, const Box<D>& query, const Horizon& horizon, const Vec<D>& margin,
+                        Interrupt& interrupt)
+    : source_(source), interrupt_(interrupt), query_(query), horizon_(horizon), margin_(margin) {
   if (source.find_root() != 0) open_.push_back(unread_root(source));
 }
 
@@ -87,7 +88,7 @@ template <int D>
 [[gnu::flatten]] bool SweepWalk<D>::meets(const Node& inner, std::size_t slot) const {
   const Box<D> box = swept_bounds<D>(inner, slot, horizon_, margin_);
   for (int axis = 0; axis < D; ++axis)
-    if (box.lower[axis] > question_.upper[axis] || box.upper[axis] < question_.lower[axis]) return false;
+    if (box.lower[axis] > query_.upper[axis] || box.upper[axis] < query_.lower[axis]) return false;
   return true;
 }
 

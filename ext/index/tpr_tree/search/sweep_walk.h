@@ -1,15 +1,15 @@
-// Whose swept boxes may meet a box? Leaf by leaf, every leaf that has such an object.
+// Search in a TPR-tree for objects whose swept boxes meet a box, leaf by leaf.
 //
 //   SweepWalk<2> walk(source, tile, horizon, margin, interrupt);
-//   while (auto leaf = walk.next()) decide(*leaf);               // each object's own box has the last word
+//   while (auto leaf = walk.next()) decide(*leaf);               // each object's own box decides
 //
-// A swept box is wider than the object's way: its corners may be where the object never is. So this is not a
-// window's question (window_walk.h), which asks who is there at one moment.
+// A swept box is wider than the object's trajectory: its corners may be where the object never is. So this
+// differs from a window query (window_walk.h), which finds the objects inside at one time.
 //
-// Guarantee: every object whose swept box, as swept_box() rounds it with `margin`, meets the question is in
-// exactly one of the leaves; others are too. An object that does not exist during the horizon may be left
-// out. Cost: the nodes whose swept bounds meet the question. Between calls numbers of nodes are held, as
-// in a WindowWalk.
+// Guarantee: every object whose swept box, as swept_box() rounds it with `margin`, meets the query box is in
+// exactly one of the leaves; others are too. An object that does not exist during the horizon may be omitted.
+// Cost: the nodes whose swept bounds meet the query box. Between calls it holds node numbers, like a
+// WindowWalk.
 #pragma once
 
 #include "base/error.h"
@@ -20,14 +20,14 @@ namespace foresee {
 template <int D>
 class SweepWalk {
  public:
-  SweepWalk(NodeSource& source, const Box<D>& question, const Horizon& horizon, const Vec<D>& margin,
+  SweepWalk(NodeSource& source, const Box<D>& query, const Horizon& horizon, const Vec<D>& margin,
             Interrupt& interrupt);
 
-  /// The next leaf, some of whose objects may meet the question; null once there is none.
+  /// The next leaf, some of whose objects may meet the query box; null once no such leaf is left.
   std::shared_ptr<const Node> next();
 
-  /// About which part of all objects is in the leaves, from some nodes below the root: 1 where the tree is
-  /// small. To be asked before next().
+  /// An estimate of the fraction of all objects that is in the leaves, from some nodes below the root; 1 for
+  /// a small tree. Call it before next().
   double likely_share();
 
  private:
@@ -36,7 +36,7 @@ class SweepWalk {
 
   NodeSource& source_;
   Interrupt& interrupt_;
-  Box<D> question_;
+  Box<D> query_;
   Horizon horizon_;
   Vec<D> margin_;
   std::vector<Unread> open_;

@@ -8,8 +8,8 @@
 
 namespace foresee {
 
-// Which objects of two leaves can overlap at all? Side by side, one box each around where an object is while
-// it can meet the other leaf: most pairs are told apart by these without looking at how they move.
+// The objects of a leaf that can meet another leaf, with the box that each covers while it can. The boxes are
+// stored in columns. They separate most pairs before the motions are compared.
 
 template <int D>
 struct NearObjects {
@@ -21,18 +21,17 @@ struct NearObjects {
     for (int axis = 0; axis < D; ++axis) lower[axis].clear(), upper[axis].clear();
   }
 
-  /// Faces are straight lines, so each is farthest out at an end of the span. The rounding of that is part of
-  /// what moving_box.h pads for. Requires: the span is not empty.
+  /// Faces are linear in time, so each is farthest out at an end of the span. The padding of moving_box.h
+  /// covers the rounding error. Requires: the span is not empty.
   void add(std::uint32_t row, const MovingBox<D>& box, const SharedInterval& span) {
-    const Vec<D> least = (box.lower + box.v_lower * span.begin).min(box.lower + box.v_lower * span.end),
-                 most = (box.upper + box.v_upper * span.begin).max(box.upper + box.v_upper * span.end);
+    const Vec<D> low = (box.lower + box.v_lower * span.begin).min(box.lower + box.v_lower * span.end),
+                 high = (box.upper + box.v_upper * span.begin).max(box.upper + box.v_upper * span.end);
     rows.push_back(row);
-    for (int axis = 0; axis < D; ++axis)
-      lower[axis].push_back(least[axis]), upper[axis].push_back(most[axis]);
+    for (int axis = 0; axis < D; ++axis) lower[axis].push_back(low[axis]), upper[axis].push_back(high[axis]);
   }
 
-  /// Writes the positions, from `first` on, of those whose box meets that of others[i]; returns how many
-  /// there are. `out` has room for all. No branches: which ones meet cannot be foretold.
+  /// Writes the positions, from `first` on, of the boxes that meet the box of others[i]; returns their
+  /// number. `out` is large enough for all. There are no branches, because the result is not predictable.
   std::size_t overlapping(const NearObjects& others, std::size_t i, std::size_t first, std::size_t last,
                           std::uint32_t* out) const {
     std::array<double, D> from, to;
@@ -77,19 +76,19 @@ class JoinSide {
   std::size_t levels() const { return starts_.size(); }
   const MovingBox<D>& node(std::size_t level, std::uint32_t i) const { return boxes_[level + 1][i]; }
   const MovingBox<D>& object(std::uint32_t row) const { return boxes_[0][row]; }
-  /// Where objects, and leaves, are during the whole horizon.
+  /// The boxes of objects, and of leaves, over the whole horizon.
   const NearObjects<D>& swept_objects() const { return swept_[0]; }
   const NearObjects<D>& swept_leaves() const { return swept_[1]; }
-  /// What node i holds: rows if it is a leaf, else nodes one level down.
+  /// The children of node i: rows for a leaf, otherwise nodes one level down.
   std::uint32_t first(std::size_t level, std::uint32_t i) const { return starts_[level][i]; }
   std::uint32_t last(std::size_t level, std::uint32_t i) const { return starts_[level][i + 1]; }
-  /// The boxes of what a node of this level holds.
+  /// The boxes of the children of nodes on this level.
   const std::vector<MovingBox<D>>& held(std::size_t level) const { return boxes_[level]; }
 
  private:
   MovingBox<D> around(std::size_t level, std::size_t i) const {
-    const Vec<D> most = Vec<D>::Constant(std::numeric_limits<double>::infinity());
-    MovingBox<D> all{most, -most, most, -most, {most[0], -most[0]}};
+    const Vec<D> infinity = Vec<D>::Constant(std::numeric_limits<double>::infinity());
+    MovingBox<D> all{infinity, -infinity, infinity, -infinity, {infinity[0], -infinity[0]}};
     for (std::uint32_t child = starts_[level][i]; child < starts_[level][i + 1]; ++child) {
       const MovingBox<D>& box = boxes_[level][child];
       if (box.span.is_empty()) continue;
@@ -112,7 +111,7 @@ constexpr std::size_t batch_size = 4096;
 template <int D>
 class TreeJoin final : public Candidates {
  public:
-  /// `b` null: pairs within a.
+  /// If `b` is null: pairs within a.
   TreeJoin(std::unique_ptr<JoinSide<D>> a, std::unique_ptr<JoinSide<D>> b, Interrupt& interrupt)
       : own_a_(std::move(a)),
         own_b_(std::move(b)),
@@ -139,7 +138,7 @@ class TreeJoin final : public Candidates {
   }
 
  private:
-  /// Two nodes, and when their boxes can meet.
+  /// Two nodes, and the interval in which their boxes can meet.
   struct NodePair {
     std::size_t level_a, level_b;
     std::uint32_t a, b;
@@ -148,7 +147,7 @@ class TreeJoin final : public Candidates {
 
   static SharedInterval everything() { return {0, std::numeric_limits<double>::infinity()}; }
 
-  /// The part of `span` during which two boxes can meet; false if there is none.
+  /// Narrows `span` to the interval in which two boxes can meet; false if they cannot.
   static bool meet(const MovingBox<D>& a, const MovingBox<D>& b, SharedInterval& span) {
     span.begin = std::max({span.begin, a.span.begin, b.span.begin});
     span.end = std::min({span.end, a.span.end, b.span.end});
@@ -204,7 +203,7 @@ class TreeJoin final : public Candidates {
     }
   }
 
-  /// The objects of a leaf that can meet the other leaf's box, where they are while they can.
+  /// Collects the objects of a leaf that can meet the other leaf's box, with their boxes during that time.
   void gather(const JoinSide<D>& side, std::uint32_t leaf, const JoinSide<D>& other_side, std::uint32_t other,
               const SharedInterval& when, NearObjects<D>& near) {
     const std::uint32_t first = side.first(0, leaf), last = side.last(0, leaf);

@@ -1,16 +1,18 @@
-// Which pairs may touch, by synchronous traversal of two trees, or of one tree with itself (SIJ-TPR)?
+// Join of two TPR-trees, or of one tree with itself, by synchronous traversal (SIJ-TPR): pairs that may
+// touch.
 //
 //   TreeScene ships = read_tree(source, interrupt);           // rows in leaf order, and which leaf is where
 //   auto candidates = make_tree_join<2>(ships.bodies(), ships.levels, horizon, margin, interrupt);
 //
-// Two nodes are opened together while their moving boxes can meet, and only for the moments at which they
-// can: the time interval narrows on the way down. Boxes are those of the objects during this horizon, grown
-// by `margin` on every side, and are gathered from the leaves up before the first pair, so a join sees tight
-// bounds and the tree as it was.
+// Two nodes are opened together while their moving boxes can meet, and only for the times at which they can:
+// the interval narrows on each level. The boxes bound the objects during this horizon, grown by `margin` on
+// every side. They are computed from the leaves up before the first pair. So a join has tight bounds and a
+// snapshot of the tree.
 //
-// Guarantee: every pair whose grown moving boxes meet at one moment of the horizon at which both exist comes
-// exactly once; other pairs may come too, none twice. (Fewer than those whose swept boxes meet: both have to
-// be there at the same time.) Memory: one moving box an object, a stack of node pairs, one batch.
+// Guarantee: every pair is reported exactly once whose grown moving boxes meet at a time of the horizon at
+// which both objects exist. Other pairs may be reported too, none twice. (They are fewer than the pairs whose
+// swept boxes meet, because both objects must be there at the same time.) Memory: one moving box per object,
+// a stack of node pairs, one batch.
 #pragma once
 
 #include "index/candidates.h"
@@ -18,8 +20,8 @@
 
 namespace foresee {
 
-/// The tree without its numbers. starts[0][i] is the first row of leaf i, starts[k][i] the first child, one
-/// level down, of node i on level k; each level ends with the size of the one below.
+/// The structure of the tree without its numbers. starts[0][i] is the first row of leaf i; starts[k][i] is
+/// the first child, one level down, of node i on level k. Each level ends with the size of the level below.
 struct TreeLevels {
   std::vector<std::vector<std::uint32_t>> starts;
 };
@@ -35,7 +37,7 @@ struct TreeScene {
 
 TreeScene read_tree(NodeSource& source, Interrupt& interrupt);
 
-/// Pairs within one tree. `interrupt` must outlive the join; nothing else is kept.
+/// Pairs within one tree. `interrupt` must outlive the join; the other arguments need not.
 template <int D>
 std::unique_ptr<Candidates> make_tree_join(const Bodies& bodies, const TreeLevels& levels,
                                            const Horizon& horizon, const Vec<D>& margin,

@@ -3,15 +3,11 @@
 namespace foresee {
 
 template <int D>
-WindowWalk<D>::WindowWalk(NodeSource& source, const MovingBox<D>& question, const Horizon& horizon,
+WindowWalk<D>::WindowWalk(NodeSource& source, const MovingBox<D>& query, const Horizon& horizon,
                           const Vec<D>& margin, Interrupt& interrupt)
-    : source_(source),
-      interrupt_(interrupt),
-      reader_(source.layout()),
-      horizon_(horizon),
-      question_(question) {
-  question_.lower = lower_end<D>(question.lower - margin, (question.lower.abs() + margin) * rounding_pad);
-  question_.upper = upper_end<D>(question.upper + margin, (question.upper.abs() + margin) * rounding_pad);
+    : source_(source), interrupt_(interrupt), reader_(source.layout()), horizon_(horizon), query_(query) {
+  query_.lower = lower_end<D>(query.lower - margin, (query.lower.abs() + margin) * rounding_pad);
+  query_.upper = upper_end<D>(query.upper + margin, (query.upper.abs() + margin) * rounding_pad);
   if (source.find_root() != 0) open_.push_back(unread_root(source));
 }
 
@@ -41,8 +37,8 @@ template <int D>
 [[gnu::flatten]] void WindowWalk<D>::open_children(NodeNumber number, const Node& inner) {
   for (std::size_t slot = 0; slot < inner.size(); ++slot) {
     const MovingBox<D> box = child_box<D>(inner, slot, horizon_);
-    SharedInterval span = shared_span(box, question_);
-    if (!span.is_empty() && narrow_to_contact(box, question_, span))
+    SharedInterval span = shared_span(box, query_);
+    if (!span.is_empty() && narrow_to_contact(box, query_, span))
       open_.push_back(unread_child(number, inner, slot));
   }
 }
@@ -52,8 +48,8 @@ template <int D>
   for (std::size_t slot = 0; slot < leaf.size(); ++slot) {
     const Mover<D> mover(reader_, reader_.record(leaf, slot));
     const MovingBox<D> box = mover.box(horizon_, Vec<D>::Zero());
-    SharedInterval span = shared_span(box, question_);
-    if (!span.is_empty() && narrow_to_contact(box, question_, span))
+    SharedInterval span = shared_span(box, query_);
+    if (!span.is_empty() && narrow_to_contact(box, query_, span))
       slots.push_back(static_cast<std::uint32_t>(slot));
   }
 }

@@ -1,17 +1,18 @@
-// Who may meet a moving box during a horizon? Every object of the tree that does, leaf by leaf.
+// Search in a TPR-tree for objects that may meet a moving box during a horizon (a window query), leaf by
+// leaf.
 //
 //   WindowWalk<2> walk(source, moving_window<2>(lower, upper, velocity, horizon), horizon, Vec<2>::Zero(),
 //                      interrupt);
 //   for (LeafHits hits; walk.next(hits);)
-//     for (auto slot : hits.slots) decide(hits.leaf->keys[slot]);          // contact has the last word
+//     for (auto slot : hits.slots) decide(hits.leaf->keys[slot]);          // the contact module decides
 //
-// The same walk probes the tree with one object: its moving_box() is the question, `margin` what `within`
-// adds to both together.
+// The same walk finds the partners of one object: its moving_box() is the query box, and `margin` is the
+// distance that `within` adds for both together.
 //
-// Guarantee: every object whose box, grown by `margin`, meets the question's at a moment of the horizon at
-// which it exists comes exactly once; others may come too. The walk reads nodes as it goes; between calls it
-// holds only the numbers of nodes that are still to be read, so a source that changes meanwhile must be one
-// that keeps the moment (pages.h).
+// Guarantee: every object is returned exactly once whose box, grown by `margin`, meets the query box at a
+// time of the horizon at which the object exists. Others may be returned too. The walk reads nodes on demand;
+// between calls it holds only the numbers of unread nodes. So if the tree changes between calls, the source
+// must be a snapshot (pages.h).
 #pragma once
 
 #include "base/error.h"
@@ -22,10 +23,11 @@ namespace foresee {
 template <int D>
 class WindowWalk {
  public:
-  WindowWalk(NodeSource& source, const MovingBox<D>& question, const Horizon& horizon, const Vec<D>& margin,
+  WindowWalk(NodeSource& source, const MovingBox<D>& query, const Horizon& horizon, const Vec<D>& margin,
              Interrupt& interrupt);
 
-  /// The next leaf with objects that may meet the question, at least one; false once there is none.
+  /// Returns the next leaf with at least one object that may meet the query box; false once no such leaf is
+  /// left.
   bool next(LeafHits& hits);
 
  private:
@@ -36,7 +38,7 @@ class WindowWalk {
   Interrupt& interrupt_;
   LeafReader<D> reader_;
   Horizon horizon_;
-  MovingBox<D> question_;  ///< grown by the margin
+  MovingBox<D> query_;  ///< grown by the margin
   std::vector<Unread> open_;
 };
 

@@ -5,7 +5,7 @@
 namespace foresee {
 namespace {
 
-/// The side of a typical question: half the mean width of some of the children.
+/// The side of a typical query: half the mean width of some of the children.
 template <int D>
 double typical_query(const Node& inner, const VisitCost<D>& cost) {
   constexpr std::size_t limit = 8;
@@ -37,7 +37,7 @@ ChildChoice<D>::ChildChoice(const Node& inner, const VisitCost<D>& cost)
   costs_with(Bounds<D>::nothing(), before_);
 }
 
-/// What each child costs with `added` in it: as VisitCost says, children side by side.
+/// The cost of each child with `added` in it, as in VisitCost, for all children in columns.
 template <int D>
 void ChildChoice<D>::costs_with(const Bounds<D>& added, std::vector<double>& costs) {
   const Vec<D>* ends[] = {&added.x_lower, &added.x_upper, &added.v_lower,
@@ -45,12 +45,13 @@ void ChildChoice<D>::costs_with(const Bounds<D>& added, std::vector<double>& cos
   for (int part = 0; part < faces; part += 2) {
     const double more = part == x_lower ? query_ : 0, share = part == a_lower ? 0.5 : 1;
     for (int axis = 0; axis < D; ++axis) {
-      const double *least = face(part, axis), *limit = face(part + 1, axis);
+      const double *lowest = face(part, axis), *highest = face(part + 1, axis);
       const double low = (*ends[part])[axis], high = (*ends[part + 1])[axis];
       double* width = widths_.data() + static_cast<std::size_t>(part / 2 * D + axis) * children_;
       for (std::size_t slot = 0; slot < children_; ++slot)
         width[slot] =
-            ((limit[slot] > high ? limit[slot] : high) - (least[slot] < low ? least[slot] : low)) * share +
+            ((highest[slot] > high ? highest[slot] : high) - (lowest[slot] < low ? lowest[slot] : low)) *
+                share +
             more;
     }
   }

@@ -1,11 +1,11 @@
-// Into which child does an object go, and with which sibling does a node share? Where the cost of being
-// visited grows least.
+// Choice of the subtree for an insertion, and of the sibling with which a node shares: the cost of visits
+// increases least.
 //
 //   ChildChoice<2> choice(*inner, state.cost(inner->epoch));     // for as many objects as there are
 //   const std::size_t slot = choice.choose(entry_of(object, inner->epoch).bounds);
 //
-// Ties go to the cheaper child. Cost: reading the node's entries once; then, an object, some thirty
-// multiplications for each child, side by side.
+// Ties go to the cheaper child. Cost: the node's entries are read once. Then each object costs about thirty
+// multiplications per child, in vector instructions.
 #pragma once
 
 #include <compare>
@@ -18,10 +18,10 @@ namespace foresee {
 template <int D>
 class ChildChoice {
  public:
-  /// Requires: an inner node that is not empty; `cost` for bounds at its epoch.
+  /// Requires: an inner node that is not empty; `cost` is for bounds at its epoch.
   ChildChoice(const Node& inner, const VisitCost<D>& cost);
 
-  /// The slot of the best child for something with `added` as its bounds at the node's epoch.
+  /// The slot of the best child for `added`, bounds at the node's epoch.
   std::size_t choose(const Bounds<D>& added);
 
  private:
@@ -34,17 +34,17 @@ class ChildChoice {
   std::size_t children_;
   VisitCost<D> cost_;
   double query_;
-  std::vector<double> faces_;             ///< of all children side by side, face after face, axis by axis
-  std::vector<double> widths_, product_;  ///< room
-  std::vector<double> before_, after_;    ///< what children cost
+  std::vector<double> faces_;             ///< of all children in columns: by face, then by axis
+  std::vector<double> widths_, product_;  ///< temporary
+  std::vector<double> before_, after_;    ///< the cost of each child
 };
 
-/// The slot of the sibling that a node overlaps most: together they would cost least more than apart. Its own
-/// if it has no sibling.
+/// The slot of the sibling that a node overlaps most: a union with it increases the cost least. The node's
+/// own slot if it has no sibling.
 template <int D>
 std::size_t closest_sibling(const TreeState<D>& state, const Node& above, NodeNumber number);
 
-/// How much more a child would cost with something in it; the least is the best one.
+/// The cost that an addition adds to a child; the min is the best.
 struct Growth {
   double cost;
   std::size_t slot;
@@ -52,12 +52,12 @@ struct Growth {
   friend auto operator<=>(const Growth&, const Growth&) = default;
 };
 
-/// Of every child, by slot. `added` as bounds at the node's epoch.
+/// The growth of every child, by slot. `added` are bounds at the node's epoch.
 template <int D>
 std::vector<Growth> growths(const Node& inner, const Bounds<D>& added, const VisitCost<D>& cost,
                             double query);
 
-/// The slots of a child and its siblings that it overlaps most, itself first: so many, or all.
+/// The slots of a child, first, and of the siblings that it overlaps most: at most `limit` in total.
 template <int D>
 std::vector<std::size_t> closest_children(const TreeState<D>& state, const Node& above, NodeNumber number,
                                           std::size_t limit);

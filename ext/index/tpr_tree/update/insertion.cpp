@@ -7,8 +7,8 @@
 namespace foresee {
 namespace {
 
-/// The node of this level, beneath `number`, whose way down grows least by what is added: ChildChoice on
-/// every level. Throws BrokenTree where a node is not beneath its parent.
+/// The node of this level beneath `number` to which ChildChoice leads on every level. Throws BrokenTree if a
+/// node is not beneath its parent.
 template <int D, class Added>
 NodeNumber choose_node(TreeState<D>& state, NodeNumber number, int level, const Added& added) {
   auto node = number == state.pages.find_root() ? read(state.pages, unread_root(state.pages))
@@ -42,7 +42,7 @@ NodeNumber put_root_above(TreeState<D>& state, NodeNumber old_root) {
 
 namespace {
 
-/// Has the epoch become a bad one for this child? Then much of its width stems from the time since.
+/// True if the epoch is stale for this child: much of its width comes from the time since the epoch.
 template <int D>
 bool is_stale(const TreeState<D>& state, const Node& inner, std::size_t slot) {
   const double away = std::abs(state.clock.now() - inner.epoch);
@@ -53,14 +53,14 @@ bool is_stale(const TreeState<D>& state, const Node& inner, std::size_t slot) {
   return by_epoch.sum() > 0.5 * (bounds.x_upper - bounds.x_lower).sum();
 }
 
-/// Does the child's entry contain what was added beneath it, without being stale?
+/// True if the child's entry contains the addition beneath it and is not stale.
 template <int D, class Added>
 bool fits(const TreeState<D>& state, const Node& parent, NodeNumber child, const Added& added) {
   const std::size_t slot = slot_of(parent, child);
   return entry_at<D>(parent, slot).contains(added.entry(parent.epoch)) && !is_stale(state, parent, slot);
 }
 
-/// Widens the parent's entry so that it contains what was added beneath the child.
+/// Widens the parent's entry so that it contains the addition beneath the child.
 template <int D, class Added>
 void widen(TreeState<D>& state, NodeNumber parent, NodeNumber child, const Added& added) {
   std::size_t slot;
@@ -74,7 +74,7 @@ void widen(TreeState<D>& state, NodeNumber parent, NodeNumber child, const Added
     entry.include(wanted);
     set_entry(state.pages.modify(parent), slot, entry);
   }
-  freshen(state, parent, slot);
+  renew_if_stale(state, parent, slot);
 }
 
 template <int D>
@@ -86,7 +86,7 @@ std::vector<Bounds<D>> bounds_of_all(const Node& inner, double epoch) {
   return all;
 }
 
-/// Moves the named slots of `node` (ascending) to the empty node `to`.
+/// Moves these slots of `node` (ascending) to the empty node `to`.
 void move_slots(Node& node, std::span<const std::uint32_t> slots, Node& to, std::size_t stride) {
   for (const std::uint32_t slot : slots) {
     to.keys.push_back(node.keys[slot]);
@@ -140,7 +140,7 @@ void fit_upward(TreeState<D>& state, NodeNumber number, const Added& added) {
       node = std::move(parent), number = parent_number;
       continue;
     }
-    node.reset(), parent.reset();  // they change now
+    node.reset(), parent.reset();  // released before they change
     if (parent_number == 0) parent_number = put_root_above(state, number);
     widen(state, parent_number, number, added);
     if (overfull && is_leaf) even_out_leaf(state, parent_number, number);
@@ -163,7 +163,7 @@ void renew_entries(TreeState<D>& state, NodeNumber inner) {
 }
 
 template <int D>
-bool freshen(TreeState<D>& state, NodeNumber inner, std::size_t slot) {
+bool renew_if_stale(TreeState<D>& state, NodeNumber inner, std::size_t slot) {
   if (!is_stale(state, *state.pages.read(inner), slot)) return false;
   renew_entries(state, inner);
   return true;
@@ -202,7 +202,7 @@ void insert_branch(TreeState<D>& state, const Branch<D>& branch) {
   template void fit_upward(TreeState<D>&, NodeNumber, const NewObject<D>&);                   \
   template void insert_branch<D>(TreeState<D>&, const Branch<D>&);                            \
   template void renew_entries<D>(TreeState<D>&, NodeNumber);                                  \
-  template bool freshen<D>(TreeState<D>&, NodeNumber, std::size_t)
+  template bool renew_if_stale<D>(TreeState<D>&, NodeNumber, std::size_t)
 FORESEE_OF_AXES(1);
 FORESEE_OF_AXES(2);
 FORESEE_OF_AXES(3);

@@ -17,7 +17,7 @@ class Merge {
  public:
   Merge(TreeState<D>& state, std::span<const std::int64_t> ids, std::span<const double> records,
         Interrupt& interrupt)
-      : state_(state), ids_(ids), records_(records), step_(interrupt), homes_(ids.size()) {}
+      : state_(state), ids_(ids), records_(records), step_(interrupt), old_leaves_(ids.size()) {}
 
   void run() {
     const auto root = read(state_.pages, unread_root(state_.pages));
@@ -33,11 +33,11 @@ class Merge {
   }
 
  private:
-  /// A node that this merge has to do with.
+  /// The work of this merge in one node.
   struct Visit {
     NodeNumber parent = 0;
-    std::vector<NodeNumber> children = {};    ///< … and which of its children it has to do with, too
-    std::vector<std::uint32_t> objects = {};  ///< those that look for a leaf beneath this node, or in it
+    std::vector<NodeNumber> children = {};    ///< the children with work, too
+    std::vector<std::uint32_t> objects = {};  ///< that need a leaf beneath this node, or enter this leaf
   };
 
   NewObject<D> object(std::uint32_t i) const {
@@ -46,7 +46,7 @@ class Merge {
     return {ids_[i], record, Mover<D>(state_.reader, record.data())};
   }
 
-  /// A child of a node that was visited.
+  /// The visit of a child of a visited node.
   Visit& visit_below(NodeNumber parent, const Node& node, std::size_t slot) {
     const auto [place, is_new] =
         levels_[static_cast<std::size_t>(node.level) - 1].try_emplace(node.keys[slot]);
@@ -58,7 +58,7 @@ class Merge {
     return place->second;
   }
 
-  /// A node and all above it; the visit of its parent.
+  /// Visits a node and all its ancestors; returns the visit of its parent.
   Visit& visit_upward(NodeNumber number, const Node& node) {
     const auto parent = read_above(state_.pages, number, node);
     if (!parent || static_cast<std::size_t>(parent->level) >= levels_.size())
@@ -69,20 +69,20 @@ class Merge {
     return above.at(node.parent);
   }
 
-  /// Would the entry of this child stay true? Greatest t apart, which settling mends.
+  /// The entry without its max t, which settling recomputes.
   static Entry<D> without_newest(Entry<D> entry) {
     entry.times.t_max = std::numeric_limits<double>::infinity();
     return entry;
   }
 
-  /// Overwrites the objects that stay in their leaves; the others leave them.
+  /// Overwrites the objects that keep their leaves; the others leave them.
   void write_reports() {
     std::vector<std::pair<NodeNumber, std::uint32_t>> found;
     Visit& root = levels_.back().begin()->second;
     for (std::uint32_t i = 0; i < ids_.size(); ++i) {
       step_();
       if (const auto leaf = state_.pages.find_leaf(ids_[i]))
-        found.emplace_back(*leaf, i), homes_[i] = *leaf;
+        found.emplace_back(*leaf, i), old_leaves_[i] = *leaf;
       else
         root.objects.push_back(i);
     }
@@ -119,23 +119,23 @@ class Merge {
     }
   }
 
-  /// Objects that a node of this level does not contain go on to the one above.
+  /// Moves objects that a node of this level does not contain to the level above.
   void rise(std::size_t level) {
     for (auto& [number, visit] : levels_[level]) {
       if (visit.objects.empty()) continue;
       const auto above = state_.pages.read(visit.parent);
       const Entry<D> entry = without_newest(entry_at<D>(*above, slot_of(*above, number)));
-      const auto stays = [&](std::uint32_t i) {
+      const auto contained = [&](std::uint32_t i) {
         return step_(), entry.contains(object(i).entry(above->epoch));
       };
-      const auto rising = std::stable_partition(visit.objects.begin(), visit.objects.end(), stays);
+      const auto rising = std::stable_partition(visit.objects.begin(), visit.objects.end(), contained);
       auto& higher = levels_[level + 1].at(visit.parent).objects;
       higher.insert(higher.end(), rising, visit.objects.end());
       visit.objects.erase(rising, visit.objects.end());
     }
   }
 
-  /// Objects that look for a leaf beneath a node of this level go on to one of its children.
+  /// Moves objects that need a leaf beneath a node of this level to one of its children.
   void sink(std::size_t level) {
     for (auto& [number, visit] : levels_[level]) {
       if (visit.objects.empty()) continue;
@@ -161,7 +161,7 @@ class Merge {
         const NewObject<D> added = object(i);
         leaf.keys.push_back(added.id);
         leaf.values.insert(leaf.values.end(), added.record.begin(), added.record.end());
-        if (homes_[i] != number) arriving.push_back(added.id);
+        if (old_leaves_[i] != number) arriving.push_back(added.id);
       }
       state_.pages.place(arriving, number);
     }
@@ -171,7 +171,7 @@ class Merge {
   std::span<const std::int64_t> ids_;
   std::span<const double> records_;
   Steps step_;
-  std::vector<NodeNumber> homes_;                    ///< the leaf that each object was in; 0: none
+  std::vector<NodeNumber> old_leaves_;               ///< the old leaf of each object; 0: a new object
   std::vector<std::map<NodeNumber, Visit>> levels_;  ///< leaves first
 };
 

@@ -5,7 +5,7 @@
 namespace foresee {
 namespace {
 
-/// What elements are sorted by: their place half-way through the look-ahead, or their velocity.
+/// The sort key of elements: their centre at half the look-ahead, or their velocity.
 template <int D>
 double sort_key(const Bounds<D>& b, int axis, bool by_velocity, double middle) {
   const double v = 0.5 * b.v_lower[axis] + 0.5 * b.v_upper[axis];
@@ -40,18 +40,18 @@ class SplitSearch {
   std::vector<std::uint32_t> leaving() const { return leaving_; }
 
  private:
-  /// from_[i]: bounds of all elements from place i of the order on.
+  /// from_[i] is set to the bounds of all elements from place i of the order on.
   void try_cuts() {
-    const std::size_t count = elements_.size(), least = std::max<std::size_t>(2, count * 2 / 5);
+    const std::size_t count = elements_.size(), min_count = std::max<std::size_t>(2, count * 2 / 5);
     Bounds<D> right = Bounds<D>::nothing(), left = right;
     for (std::size_t i = count; i-- > 0;) {
       right.include(elements_[order_[i]]);
       from_[i] = right;
     }
     std::size_t best_cut = 0;
-    for (std::size_t cut = 1; cut + least <= count; ++cut) {
+    for (std::size_t cut = 1; cut + min_count <= count; ++cut) {
       left.include(elements_[order_[cut - 1]]);
-      if (cut < least) continue;
+      if (cut < min_count) continue;
       const double total = cost_(left, query_) + cost_(from_[cut], query_);
       if (total < lowest_) lowest_ = total, best_cut = cut;
     }

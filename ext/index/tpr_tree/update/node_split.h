@@ -1,8 +1,8 @@
-// How is an overfull node cut in two? Along position or velocity, wherever the two halves will be visited
-// least.
+// Split of an overfull node along an axis of position or velocity, so that the visit cost of both halves is
+// minimal.
 //
-// Orders tried: by centre half-way through the look-ahead and by velocity, on every axis; every cut that
-// leaves both halves 40 % or more. Cost: 2·D sorts of one node's elements.
+// The elements are sorted by their centres at half the look-ahead and by velocity, on every axis. Every cut
+// that leaves at least 40 % on both sides is evaluated. Cost: 2·D sorts of one node's elements.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace foresee {
 
-/// Which elements leave for the new node, by index, ascending. Requires: at least 4 elements.
+/// The elements that move to the new node, by index, ascending. Requires: at least 4 elements.
 template <int D>
 std::vector<std::uint32_t> choose_split(std::span<const Bounds<D>> elements, const VisitCost<D>& cost);
 

@@ -8,14 +8,14 @@
 namespace foresee {
 namespace {
 
-constexpr std::size_t siblings = 3;  ///< that are asked for room
+constexpr std::size_t siblings = 3;  ///< the number of siblings that are checked for free slots
 
 std::size_t key_count(Pages& pages, NodeNumber number) {
   return pages.read(number)->size();
 }
 
-/// Of the siblings that a leaf overlaps most, the first that takes what is too much for it, or else the
-/// first; the leaf itself where it has none.
+/// Of the siblings that a leaf overlaps most, the first with free slots for the leaf's surplus, otherwise the
+/// first. The leaf itself if it has no sibling.
 template <int D>
 NodeNumber sibling_with_room(const TreeState<D>& state, const Node& parent, NodeNumber leaf) {
   const std::size_t size = key_count(state.pages, leaf);
@@ -27,16 +27,16 @@ NodeNumber sibling_with_room(const TreeState<D>& state, const Node& parent, Node
   return parent.keys[closest[1]];
 }
 
-/// The leaf with which a leaf shares what both hold, itself where it has no sibling; 0: it stays as it is.
+/// The leaf with which a leaf shares its objects; itself if it has no sibling; 0 if no change is necessary.
 template <int D>
 NodeNumber partner_of(const TreeState<D>& state, const Node& parent, NodeNumber leaf) {
   const NodeNumber sibling = sibling_with_room(state, parent, leaf);
   const std::size_t size = key_count(state.pages, leaf), limit = state.capacity(0);
   const bool is_due = size > limit || size < state.min_size(0);
-  const bool stays = sibling == leaf
-                         ? size <= limit
-                         : !is_due && size + key_count(state.pages, sibling) > state.packed_size();
-  return stays ? 0 : sibling;
+  const bool is_unchanged = sibling == leaf
+                                ? size <= limit
+                                : !is_due && size + key_count(state.pages, sibling) > state.packed_size();
+  return is_unchanged ? 0 : sibling;
 }
 
 template <int D>
@@ -68,7 +68,7 @@ class EvenOut {
       renew_entries(state_, number_);
     else
       for (const NodeNumber child : children)
-        if (has(child) && freshen(state_, number_, slot_of(parent_, child))) break;
+        if (has(child) && renew_if_stale(state_, number_, slot_of(parent_, child))) break;
   }
 
  private:
@@ -86,7 +86,7 @@ class EvenOut {
     state_.pages.free(child);
   }
 
-  /// Packs these leaves anew, in as few as hold their objects.
+  /// Repacks these leaves into as few as hold their objects.
   void pack(std::span<const NodeNumber> old) {
     LeafPack<D> pack(state_);
     for (const NodeNumber leaf : old)
@@ -116,21 +116,21 @@ class EvenOut {
     }
   }
 
-  /// Hangs everything beneath `child` below its sibling.
+  /// Moves all children of `child` to its sibling.
   void take_up(NodeNumber child, NodeNumber sibling) {
     const Node gone = *state_.pages.read(child);
-    Node& stays = state_.pages.modify(sibling);
-    expect_below(stays, number_, gone.level);
+    Node& taker = state_.pages.modify(sibling);
+    expect_below(taker, number_, gone.level);
     for (std::size_t slot = 0; slot < gone.size(); ++slot) {
-      expect_no_child(stays, gone.keys[slot]);
+      expect_no_child(taker, gone.keys[slot]);
       Entry<D> entry = entry_at<D>(gone, slot);
-      entry.bounds = carried(entry.bounds, gone.epoch, stays.epoch);
-      add_entry(stays, gone.keys[slot], entry);
+      entry.bounds = carried(entry.bounds, gone.epoch, taker.epoch);
+      add_entry(taker, gone.keys[slot], entry);
       add_children(state_, unread_child(child, gone, slot), sibling);
     }
     let_go(child);
-    EvenOut(state_, sibling).run(gone.keys);  // what had no sibling has some now
-    renew(sibling, stays);
+    EvenOut(state_, sibling).run(gone.keys);  // children that had no sibling have siblings now
+    renew(sibling, taker);
   }
 
   TreeState<D>& state_;

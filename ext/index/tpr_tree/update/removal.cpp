@@ -6,7 +6,7 @@
 namespace foresee {
 namespace {
 
-/// What dissolved nodes held.
+/// The contents of dissolved nodes.
 template <int D>
 struct Orphans {
   std::vector<std::int64_t> ids;
@@ -49,8 +49,8 @@ void dissolve(TreeState<D>& state, NodeNumber number, NodeNumber parent_number, 
   state.pages.free(number);
 }
 
-/// Evens out a leaf that has lost an object, if it is half empty. Where to go on from: the leaf, or if
-/// anything changed its parent.
+/// Rebalances a leaf that has lost an object, if it is less than half full. Returns the node at which to
+/// continue: the leaf, or its parent if anything changed.
 template <int D>
 NodeNumber share(TreeState<D>& state, NodeNumber leaf) {
   NodeNumber parent;
@@ -62,7 +62,8 @@ NodeNumber share(TreeState<D>& state, NodeNumber leaf) {
   return even_out_leaf(state, parent, leaf) ? parent : leaf;
 }
 
-/// From a leaf that has just lost something up to the root. True if that leaf is still there.
+/// Tightens and dissolves nodes from a leaf that has just lost an object up to the root. True if that leaf
+/// still exists.
 template <int D>
 bool condense(TreeState<D>& state, NodeNumber leaf, Orphans<D>& orphans) {
   NodeNumber number = share(state, leaf);

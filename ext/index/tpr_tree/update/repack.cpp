@@ -8,11 +8,12 @@
 namespace foresee {
 namespace {
 
-/// Leaves that are packed together, or if that does not do; and how many of their objects may move where
-/// leaves do not hold more: each may be another row of the page map, and a small commit should stay small.
+/// The number of leaves that are packed together, and the number to try otherwise. At most max_moved objects
+/// may change their leaf, unless a leaf holds more: each may be another row of the page map, and a small
+/// commit should remain small.
 constexpr std::size_t packed_together[] = {4, 2};
 constexpr std::size_t max_moved = 72;
-/// What leaves cost after they were packed, or another parent, in parts of what they did, to be worth it.
+/// A change is worth it if it reduces the cost to less than this factor of what it was.
 constexpr double worth_packing = 0.95, worth_moving = 0.8;
 
 template <int D>
@@ -22,7 +23,7 @@ double total(const std::vector<Entry<D>>& entries, const VisitCost<D>& cost, dou
   return sum;
 }
 
-/// What a child adds to the cost of its parent.
+/// The cost that a child adds to its parent.
 template <int D>
 double share_of(const Node& parent, std::size_t child, double epoch, const VisitCost<D>& cost, double query) {
   Bounds<D> rest = Bounds<D>::nothing();
@@ -33,7 +34,7 @@ double share_of(const Node& parent, std::size_t child, double epoch, const Visit
   return cost(all, query) - cost(rest, query);
 }
 
-/// Hangs a leaf below another parent.
+/// Moves a leaf to another parent.
 template <int D>
 void move_leaf(TreeState<D>& state, NodeNumber leaf, NodeNumber from, NodeNumber to, NodeNumber above) {
   Node& old = state.pages.modify(from);
@@ -82,7 +83,7 @@ void move_where_it_costs_less(TreeState<D>& state, NodeNumber leaf) {
   move_leaf(state, leaf, from, to, above_number);
 }
 
-/// False: with so many siblings it is not worth it, or too much would move.
+/// Returns false if the result is not worth it with so many siblings, or if too many objects would move.
 template <int D>
 bool pack_with_siblings(TreeState<D>& state, NodeNumber number, NodeNumber leaf, std::size_t together) {
   LeafPack<D> pack(state);
