@@ -79,6 +79,7 @@ ENFORCED = (
     "ext/sqlite/watch/",
     "ext/sqlite/functions/",
     "ext/sqlite/names/",
+    "ext/index/",
     "ext/storage/",
     "ext/query/avoid/",
     "tests/contact/approach_oracle.cpp",
@@ -162,6 +163,11 @@ ENFORCED_NAMES = (
     "ext/sqlite/watch/",
     "ext/sqlite/functions/",
     "ext/sqlite/names/",
+    "tests/index/",
+    "tests/storage/",
+)
+ENFORCED_NAMES = (
+    "ext/index/",
     "ext/storage/",
     "ext/contact/boxes/",
     "ext/contact/certain/",
@@ -217,6 +223,7 @@ ENFORCED_NAMES = (
     "tests/sqlite/functions/avoid_outlines_test.cpp",
     "tests/sqlite/functions/avoid_test.cpp",
     "tests/sqlite/",
+    "tests/index/",
     "tests/storage/",
 )
 PAGES = ("docs/architecture.md", "docs/recipes.md", "docs/exactness.md", "docs/storage_format.md", "CONTRIBUTING.md", "bench/README.md")

@@ -1,10 +1,10 @@
-// Boxes as bodies at rest: what the grid is given where nothing moves.
+// Boxes as bodies at rest: input of the grid without motion.
 //
 //   RestingBodies<2> resting(boxes);
 //   drain(*make_gpcd_grid<2>(resting.side(), nullptr, never));
 //
-// A body has a centre and half extents, so that its box may differ from the given one by rounding: boxes()
-// has those of the bodies. An empty box becomes a body whose life has ended before.
+// A body has a centre and half extents, so its box may differ from the given box by rounding; boxes() returns
+// the bodies' boxes. An empty box becomes a body whose life has already ended.
 #pragma once
 
 #include <vector>

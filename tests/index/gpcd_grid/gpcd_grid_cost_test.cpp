@@ -1,4 +1,4 @@
-// What the grid costs, in counts that are the same on every machine: entries, steps of the kernel, checks.
+// The cost of the grid in counts that are the same on every machine: entries, kernel steps, interrupt polls.
 #include "index/candidate_pairs.h"
 #include "index/gpcd_grid/grid.h"
 #include "index/gpcd_grid/moving_source.h"
@@ -45,8 +45,8 @@ TEST(GpcdGridCost, IsLinearInUniformScenes) {
   expect_linear_in_objects<3>();
 }
 
-/// One object that spans the space, or crosses it many times over, meets everybody once and changes nothing
-/// else.
+/// One object that spans the space, or crosses it many times over, meets every other once; other counts
+/// hardly change.
 template <int D>
 void expect_unmoved_by_one(SceneKind kind) {
   const Cost without = cost_of<D>(boxes_of<D>(SceneKind::uniform, 20000));
@@ -69,11 +69,11 @@ TEST(GpcdGridCost, HardlyGrowsWithOneFastObject) {
   expect_unmoved_by_one<3>(SceneKind::one_fast);
 }
 
-TEST(GpcdGridCost, StaysBoundedWhenAllAreAtOneSpot) {
+TEST(GpcdGridCost, IsBoundedWhenAllAreAtOneSpot) {
   constexpr std::size_t count = 3000;
   const Cost cost = cost_of<2>(boxes_of<2>(SceneKind::one_spot, count));
   EXPECT_LE(cost.entries, 6 * count);
-  // Entries share stripes with all others, so steps follow the pairs there are.
+  // Each object shares a stripe with all others, so the steps are proportional to the number of pairs.
   EXPECT_LE(cost.steps * gpcd::lanes_max, 6 * count * (count - 1) / 2);
 }
 
@@ -90,8 +90,8 @@ TEST(GpcdGridCost, IsMovedLittleByObjectsFarAway) {
   EXPECT_LE(after.steps, before.steps + before.steps / 5);
 }
 
-/// Half of the objects are large: they are neither entered everywhere nor compared with everything.
-TEST(GpcdGridCost, StaysModerateWithTwoSizes) {
+/// Half of the objects are large: they are neither entered into all stripes nor compared with all objects.
+TEST(GpcdGridCost, IsModerateWithTwoSizes) {
   Random random(5);
   std::vector<Box<2>> boxes;
   for (int i = 0; i < 40000; ++i) {
@@ -129,19 +129,19 @@ TEST(GpcdGridInterrupt, IsSeenInEveryBatch) {
   EXPECT_THROW(visit.next(batch), Interrupted);
 }
 
-/// Keys in any order, of few different places, with some that are far away.
+/// Keys in any order, at few different places, with some far away.
 TEST(GpcdGridKeys, AreSortedWhateverTheRange) {
   Random random(9);
   GridSpace::Visit::Lanes memory;
-  const float inf = std::numeric_limits<float>::infinity(), most = std::numeric_limits<float>::max();
+  const float inf = std::numeric_limits<float>::infinity(), max = std::numeric_limits<float>::max();
   for (std::size_t count : {0u, 1u, 5u, 12u, 13u, 100u, 3000u})
-    for (const gpcd::Range& range : {gpcd::Range{-5, 5}, gpcd::Range{0, 0}, gpcd::Range{-most, most},
+    for (const gpcd::Range& range : {gpcd::Range{-5, 5}, gpcd::Range{0, 0}, gpcd::Range{-max, max},
                                      gpcd::Range{1e-40F, 2e-40F}, gpcd::Range{7, 3}})
       for (double scale : {0.0, 1e-44, 3.0, 1e38}) {
         std::vector<gpcd::Key> keys;
         for (std::uint32_t i = 0; i < count; ++i) {
           const auto x = static_cast<float>(random.in(-1, 1) * scale);
-          keys.push_back(gpcd::key_of(i % 50 == 7 ? most : i % 70 == 9 ? -most : i % 90 == 3 ? -inf : x, i));
+          keys.push_back(gpcd::key_of(i % 50 == 7 ? max : i % 70 == 9 ? -max : i % 90 == 3 ? -inf : x, i));
         }
         const auto sorted = gpcd::along_x(keys, range, memory, never);
         std::sort(keys.begin(), keys.end());

@@ -1,5 +1,5 @@
-// The grid over swept boxes of every layout and kind of scene, judged by all pairs and, independently, by
-// Boost.Geometry's R-tree.
+// The grid over swept boxes of every layout and kind of scene, compared with all pairs and, independently,
+// with Boost.Geometry's R-tree.
 #include <boost/geometry.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <iterator>
@@ -22,7 +22,8 @@ void expect_grid_agrees(const RandomScene& scene, const RandomScene& other, doub
   const std::vector<Box<D>> a = left.boxes(never), b = right.boxes(never);
   const std::vector<Pair> within = pairs_that_meet<D>(a), between = pairs_that_meet<D>(a, b);
   const MovingBoxes<D> second = right.side();
-  // Rounded outward, boxes on a lattice that just miss each other may meet; otherwise hardly any do.
+  // Because boxes are rounded outward, boxes on a lattice that just miss each other may meet; otherwise few
+  // do.
   expect_all_once(within_order(drain(*make_gpcd_grid<D>(left.side(), nullptr, never))), within,
                   within.size() / 10 + 20);
   expect_all_once(in_order(drain(*make_gpcd_grid<D>(left.side(), &second, never))), between,
@@ -64,11 +65,11 @@ TEST_P(GpcdGridScenes, AgreesForHorizonsOfAnyLength) {
       const Layout layout{axes, Law::accelerated, Shape::ball, false, false};
       const RandomScene scene = random_scene({layout, GetParam(), 120, 5});
       SCOPED_TRACE(h);
-      const std::size_t most = scene.size() * (scene.size() - 1) / 2;
+      const std::size_t all_pairs_count = scene.size() * (scene.size() - 1) / 2;
       auto agrees = [&]<int D>(std::integral_constant<int, D>) {
         const RestingBodies<D> all(boxes_of<D>(scene, h));
         expect_all_once(within_order(drain(*make_gpcd_grid<D>(all.side(), nullptr, never))),
-                        pairs_that_meet<D>(all.boxes(never)), most);
+                        pairs_that_meet<D>(all.boxes(never)), all_pairs_count);
       };
       if (axes == 1) agrees(std::integral_constant<int, 1>());
       if (axes == 2) agrees(std::integral_constant<int, 2>());
@@ -92,7 +93,7 @@ BoostPoint<D> boost_point(const Vec<D>& x) {
   return point;
 }
 
-/// Self-join of an R-tree of the boxes: an index of another kind, by other people.
+/// Self-join of an R-tree of the boxes: an independent index of another kind.
 template <int D>
 std::vector<Pair> pairs_by_rtree(const std::vector<Box<D>>& boxes) {
   using Value = std::pair<BoostBox<D>, std::uint32_t>;

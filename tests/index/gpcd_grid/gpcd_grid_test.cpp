@@ -1,4 +1,4 @@
-// The grid against the plain answer, on bodies at rest: every pair that meets comes exactly once.
+// The grid compared with all pairs, on bodies at rest: every pair that meets is reported exactly once.
 #include "index/gpcd_grid/gpcd_grid.h"
 
 #include "index/candidate_pairs.h"
@@ -29,7 +29,7 @@ std::vector<Box<D>> uniform_boxes(std::size_t count, std::uint64_t seed, double 
   return boxes;
 }
 
-/// As far out as rounding may put the ends of what the grid compares (motion/beam.kernel.cpp).
+/// An upper bound of the rounding error at the ends of the grid's boxes (motion/beam.kernel.cpp).
 template <int D>
 std::vector<Box<D>> rounded_outward(std::vector<Box<D>> boxes) {
   for (Box<D>& box : boxes) {
@@ -167,7 +167,7 @@ TYPED_TEST(GpcdGrid, AgreesOnCrowdsOfDifferentSizes) {
   expect_grid_agrees(boxes, 5);
 }
 
-/// The scene scaled by 2^exponent and moved: the same pairs, up to what the rounding of the move itself does.
+/// The scene scaled by 2^exponent and moved: the same pairs, except for the rounding of the move itself.
 TYPED_TEST(GpcdGrid, KeepsResolutionAtExtremeCoordinates) {
   constexpr int D = TypeParam::value;
   struct Change {

@@ -1,3 +1,4 @@
+// Joins of TPR-trees, compared with sampled positions of every pair.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -23,11 +24,11 @@ std::vector<double> record_at(const TreeScene& scene, std::size_t row) {
   return {bodies.row(row), bodies.row(row) + bodies.at.size};
 }
 
-/// Do two rows' boxes, grown by margin each, meet at a sampled moment of the horizon?
+/// True if two rows' boxes, each grown by margin, meet at a sampled time of the horizon.
 template <int D>
 bool meet_at_a_sample(const TreeScene& a, std::size_t i, const TreeScene& b, std::size_t j,
                       const Horizon& horizon, double margin) {
-  Layout layout_a = a.layout, layout_b = b.layout;  // rows carry the acceleration itself
+  Layout layout_a = a.layout, layout_b = b.layout;  // rows store the acceleration itself
   if (layout_a.law == Law::forced) layout_a.law = Law::accelerated;
   if (layout_b.law == Law::forced) layout_b.law = Law::accelerated;
   const auto record_a = record_at(a, i), record_b = record_at(b, j);

@@ -1,3 +1,4 @@
+// Window and nearest-neighbour searches in a TPR-tree, compared with sampled positions of every object.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -28,7 +29,7 @@ Vec<D> random_vec(Random& random, double lower, double upper) {
   return v;
 }
 
-/// Every object that is in the window at a sampled moment must come, and none twice.
+/// Every object that is in the window at a sampled time must be found, and none twice.
 template <int D>
 void expect_window_complete(TreeModel& model, const Horizon& horizon, const Vec<D>& lower,
                             const Vec<D>& upper, const Vec<D>& velocity) {
@@ -51,12 +52,12 @@ void expect_window_complete(TreeModel& model, const Horizon& horizon, const Vec<
   }
 }
 
-/// Nothing that the walk leaves out comes nearer, at a sampled moment, than the k-th best it gave.
+/// No object that the walk omits is nearer, at a sampled time, than the k-th best that it returned.
 template <int D>
 void expect_nearest_complete(TreeModel& model, const Horizon& horizon, const Vec<D>& point,
                              const Vec<D>& velocity, std::size_t k) {
   auto sampled_distance = [&](const std::vector<double>& record) {
-    long double least = infinity;
+    long double nearest = infinity;
     for (int i = 0; i <= instants; ++i) {
       const long double tau = static_cast<long double>(horizon.h) * i / instants;
       long double from[D], to[D], squared = 0;
@@ -65,9 +66,9 @@ void expect_nearest_complete(TreeModel& model, const Horizon& horizon, const Vec
         const long double gap = (from[axis] + to[axis]) / 2 - point[axis] - velocity[axis] * tau;
         squared += gap * gap;
       }
-      least = std::min(least, std::sqrt(squared));
+      nearest = std::min(nearest, std::sqrt(squared));
     }
-    return static_cast<double>(least);
+    return static_cast<double>(nearest);
   };
   std::multiset<double> best;
   std::set<std::int64_t> found;
@@ -164,7 +165,7 @@ TEST(TreeWalks, FindFewWhereFewAre) {
   EXPECT_GT(objects, 10u);
 }
 
-TEST(LeastDistance, IsNeverAboveWhatSamplesFind) {
+TEST(MinDistance, IsNeverAboveASampledDistance) {
   Random random(11);
   for (int i = 0; i < 20000; ++i) {
     auto box = [&] {
@@ -182,12 +183,12 @@ TEST(LeastDistance, IsNeverAboveWhatSamplesFind) {
       sampled = std::min(sampled, std::sqrt(gap.square().sum()));
     }
     ASSERT_LE(bound, sampled);
-    ASSERT_GE(bound, sampled - 1.0);  // and not much below it
+    ASSERT_GE(bound, sampled - 1.0);  // the bound is not much smaller
   }
 }
 
-/// A gap that closes so slowly that the slope of its square is no double, in a time as long.
-TEST(LeastDistance, IsNoneWhereTheSlopeOfASquareVanishes) {
+/// The gap closes so slowly that the slope of its square underflows, over a span as long.
+TEST(MinDistance, IsNoneWhereTheSlopeOfASquareVanishes) {
   for (double gap : {1e-120, 1e-130, 1e-139})
     for (double pace : {1e-180, 1e-200, 1e-220}) {
       const Vec<2> none = Vec<2>::Zero(), place(0, gap), speed(0, -pace);
@@ -197,7 +198,7 @@ TEST(LeastDistance, IsNoneWhereTheSlopeOfASquareVanishes) {
     }
 }
 
-TEST(LeastDistance, OfPointsHoldsAtEverySizeOfNumbers) {
+TEST(MinDistance, OfPointsHoldsAtEverySizeOfNumbers) {
   Random random(12);
   for (double size : {1e-300, 2e-161, 1e-150, 1e-20, 1.0, 1e15, 1e150, 1e290})
     for (double h : {0.0, 1e-9, 5.0, 1e9})

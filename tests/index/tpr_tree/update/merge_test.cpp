@@ -1,4 +1,4 @@
-// Many objects at once: the tree is as sound as if they had come one by one, and its leaves stay full.
+// Merges of many objects: the tree is as sound as after single insertions, and its leaves remain full.
 
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ TEST(Merge, TakesMoreObjectsThanAreMergedAtOnce) {
   model.expect_sound();
 }
 
-TEST(Merge, LeavesStayThreeQuartersFullWhileTheyGrow) {
+TEST(Merge, LeavesRemainThreeQuartersFullWhileTheyGrow) {
   const RandomScene scene = random_scene({.layout = boats, .count = 10000, .seed = 8});
   TreeModel model(boats, 60, 20);
   Random random(4);
