@@ -1,11 +1,13 @@
 // The scan kernel (base/simd.h): separating-axis test of beams, one source for all vector widths
 // (scan_vectors.h).
 //
-// The time test ------------- Relative to the row, a lane's beam is a point that moves along a segment, and
-// the row is a box with the sum of both extents. The two touch only if the segment meets the box. A segment
-// and a box are disjoint exactly if they are separated along an axis, or along the cross product of an axis
-// and the segment (separating axis theorem). Let m be the middle of the segment, d half of it and r the half
-// extents of the box, all times two. Then they are disjoint if
+// The time test
+// -------------
+// Relative to the row, a lane's beam is a point that moves along a segment, and the row is a box with the sum
+// of both extents. The two touch only if the segment meets the box. A segment and a box are disjoint exactly
+// if they are separated along an axis, or along the cross product of an axis and the segment (separating axis
+// theorem). Let m be the middle of the segment, d half of it and r the half extents of the box, all times
+// two. Then they are disjoint if
 //
 //   |m_i| > r_i + |d_i|     or     |m_i d_j - m_j d_i| > r_i |d_j| + r_j |d_i|
 //
@@ -14,10 +16,10 @@
 // objects exist for a part of the horizon only, the segment is cut to the time at which both exist.
 //
 // No pair is lost to rounding. All terms are sums of at most three products of at most three factors, and a
-// pair that touches has |m_i| <= r_i + |d_i|. So the error of each side is less than 2^-21 (r_i +
-// |w_i|)(|d_j|) plus the same with i and j exchanged, where w is the travel of both. r is already padded by
-// 2^-20 of these terms (float_lanes.kernel.cpp). There, travel below 2^-40 is 0 and r is at min_end 2^-40, so
-// products do not underflow; numbers beyond 2^60 are NaN, so products do not overflow.
+// pair that touches has |m_i| <= r_i + |d_i|. Let w be the travel of both. Then the error of each side is
+// less than 2^-21 (r_i + |w_i|)(|d_j|) plus the same with i and j exchanged. r is already padded by 2^-20 of
+// these terms (float_lanes.kernel.cpp). There, travel below 2^-40 is 0 and r is at least 2^-40, so products
+// do not underflow. Numbers beyond 2^60 are NaN, so products do not overflow.
 //
 // Every operation is one of IEEE 754 and none is contracted, so all instruction sets keep the same pairs.
 #include "base/simd.h"

@@ -80,8 +80,8 @@ void Stripes<D>::read(const MovingSource<D>& source, const Frame<D>& frame, std:
 template <int D>
 void Stripes<D>::enter(const FloatLanes<D>& lanes, std::size_t first, std::size_t count,
                        GridSpace::Part& memory, Part& part) const {
-  std::size_t wanted =
-      part.size + 4;  // the branch-free case writes up to four entries and may overwrite them
+  // The branch-free case writes up to four entries, some of which are overwritten.
+  std::size_t wanted = part.size + 4;
   std::uint32_t any_giant = 0;
   for (std::size_t l = 0; l < count; ++l) {
     wanted += std::size_t{lanes.more_y[l] + 1} * (lanes.more_z[l] + 1);

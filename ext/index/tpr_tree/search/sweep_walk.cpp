@@ -1,13 +1,13 @@
 // Padding of swept bounds, so that they contain the swept boxes of all objects beneath a node.
 //
-// rounds outward by less than 36 units of 2^-53 of the terms of an object's box: |x| at its own t, and its
-// velocity and acceleration over the time between that t and the horizon. The bounds of a node contain its
-// objects' real faces, but at another time, at which those magnitudes may have cancelled. The node's own
-// numbers bound the terms. Let R be an upper bound, in seconds, of the time from the epoch to any t beneath
-// the node, and from there to the horizon. Then |x| + |v| R + |a| R^2 at t is at most X + 2 V R + 3 A R^2 of
-// the node. This file adds 64 units of that, and of the margin. If a shape is far from its position, its
-// extents cancel |x|. There the bounds themselves are wide enough: bounds_at() pads by 32 units of both, and
-// errs by 8.
+// swept_box() rounds outward by less than 36 units of 2^-53 of the terms of an object's box: |x| at its own
+// t, and its velocity and acceleration over the time between that t and the horizon. The bounds of a node
+// contain its objects' real faces, but at another time, at which those magnitudes may have cancelled. The
+// node's own numbers bound the terms. Let R be an upper bound, in seconds, of the time from the epoch to any
+// t beneath the node, and from there to the horizon. Then |x| + |v| R + |a| R^2 at t is at most
+// X + 2 V R + 3 A R^2 of the node. This file adds 64 units of that, and of the margin. If a shape is far from
+// its position, its extents cancel |x|. There the bounds themselves are wide enough: bounds_at() pads by 32
+// units of both, and errs by 8.
 #include "index/tpr_tree/search/sweep_walk.h"
 
 #include <algorithm>
