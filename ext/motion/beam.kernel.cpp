@@ -21,7 +21,7 @@
 namespace foresee {
 namespace {
 
-constexpr double u = 0x1p-53, forever = __builtin_inf();
+constexpr double u = 0x1p-53, unbounded = __builtin_inf();
 constexpr double shortest_part = 1.0 / 64;  // of the horizon; the box of a shorter life does not move
 constexpr std::size_t block = 8;            // lanes per step: those of the widest register
 
@@ -69,9 +69,9 @@ void find_beams(BeamLanes<D>& lanes, std::size_t count, const double (&margin)[D
         const double lost = parts == 1 ? 0 : 0x1p-40 * absolute(travel);
         const double lower = (lesser(begin, end) + lesser(-bow, 0)) - (below + error + lost);
         const double upper = (greater(begin, end) + greater(-bow, 0)) + (above + error + lost);
-        const bool sound = upper - lower < forever, none = parts < 0;
-        lanes.lower[k][l] = none ? forever : sound ? lower : -forever;
-        lanes.upper[k][l] = none ? -forever : sound ? upper : forever;
+        const bool sound = upper - lower < unbounded, none = parts < 0;
+        lanes.lower[k][l] = none ? unbounded : sound ? lower : -unbounded;
+        lanes.upper[k][l] = none ? -unbounded : sound ? upper : unbounded;
         lanes.travel[k][l] = none ? 0 : travel;
       }
 }

@@ -1,4 +1,4 @@
-// What the laws of outlines and of meshes share: numbers, scenes, and one way to ask both.
+// What the laws of outlines and of meshes share: numbers, scenes, and one interface to both.
 //
 //   for_each_scene<MeshForms>([](const MeshScene& scene, const std::optional<ContactTimes>& answer) {
 //     expect_same(answer, mesh_contact({scene.b, scene.a, scene.question}), "exchanged");

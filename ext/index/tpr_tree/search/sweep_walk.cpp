@@ -1,6 +1,6 @@
 // Padding of swept bounds, so that they contain the swept boxes of all objects beneath a node.
 //
-// swept_box() rounds outward by less than 36 units of 2^-53 of the terms of an object's box: |x| at its own
+// swept_box() rounds outward by less than 36 units of 2^-53 of the terms of an object's box. These are |x| at its own
 // t, and its velocity and acceleration over the time between that t and the horizon. The bounds of a node
 // contain its objects' real faces, but at another time, at which those magnitudes may have cancelled. The
 // node's own numbers bound the terms. Let R be an upper bound, in seconds, of the time from the epoch to any
