@@ -1,5 +1,5 @@
-// Laws of contact (contact/contact.h) for outlines and meshes alike: a scene that is exchanged, scaled or mirrored has the
-// same answers, and greater distances are reached no later.
+// Laws of contact (contact/contact.h) for outlines and meshes alike: a scene that is exchanged, scaled or
+// mirrored has the same answers, and greater distances are reached no later.
 #include "contact/form_laws.h"
 
 namespace foresee {
