@@ -36,7 +36,7 @@ std::vector<Layout> judged_layouts() {
   return layouts;
 }
 
-void choose_changes(AvoidQuestion& question, Random& random) {
+void draw_changes(AvoidQuestion& question, Random& random) {
   const Layout& layout = question.own->layout;
   question.touching = random.below(2) ? Touching::part : Touching::ignore;
   std::vector<QueriedChanges> queried{{Manoeuvre::speed, -8, 8}, {Manoeuvre::delay, 0, 20}};
@@ -133,7 +133,7 @@ TEST(AvoidJudge, FindsEveryClearRangeAndNamesItsEnds) {
     Random random(1000 + static_cast<std::uint64_t>(i));
     const RandomScene scene = SceneOfTies(layouts[random.below(layouts.size())], random).made();
     AvoidQuestion question = avoid_question(scene, 0, as_scene(scene));
-    choose_changes(question, random);
+    draw_changes(question, random);
     const std::vector<AvoidRow> rows = rows_of(question);
     if (rows.empty()) continue;
     SCOPED_TRACE("scene " + std::to_string(i) + ": " + described(scene, question));
