@@ -48,7 +48,8 @@ struct ClosestApproach {
   double d;
 };
 
-/// The laws of contact, for every pair of shapes, bit for bit. A change of numbers counts if it is exact.
+/// The laws of contact, for every pair of shapes, bit for bit. A law applies only
+/// if the change of the numbers is exact in doubles.
 /// tests/contact/laws_test.cpp and laws_of_order_test.cpp check each law by its number.
 ///
 /// Law 1 (symmetry): exchanging a and b changes no answer.

@@ -1,7 +1,7 @@
 // Ball arithmetic of any precision: a midpoint and an error radius, like Midrad128 with as many bits as
 // needed.
 //
-//   Midrad third = Midrad(Dyadic(1.0), 1000) / Midrad(Dyadic(3.0), 1000);    // off by 2^-1000 or so
+//   Midrad third = Midrad(Dyadic(1.0), 1000) / Midrad(Dyadic(3.0), 1000);    // off by about 2^-1000
 //   third.sign() == 1                                  // or unknown_sign where the error reaches 0
 //
 // If 128 bits do not decide a sign, the computation is repeated with 512, 1024 and so on. A number that fits

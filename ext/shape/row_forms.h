@@ -1,7 +1,7 @@
 // The rotated forms of many rows, outlines or meshes as their layout says, to be attached to bodies.
 //
 //   RowForms forms;
-//   forms.assign(bodies, source, interrupt);              // once the rows are there
+//   forms.assign(bodies, source, interrupt);              // after the rows are filled
 //   forms.attach_to(bodies);                                   // bodies.outlines or bodies.meshes
 #pragma once
 

@@ -11,11 +11,12 @@
 
 namespace foresee {
 
-// Tests whether all objects exist for the whole horizon: then no tests of single lives are needed.
+// Tests whether all objects that exist during the horizon exist at its start, or throughout it: then no tests
+// of single lives are needed.
 //
 //   all_exist_at_start(ships, {.now = 600, .h = 300}, interrupt)
 //
-// Cost: one pass over the rows, up to the first body that does not; none where the layout says it.
+// Cost: one pass over the rows, up to the first body that does not; none if the layout has no t and no until.
 
 /// Whether every body that exists during the horizon exists at its start.
 bool all_exist_at_start(const Bodies& bodies, const Horizon& horizon, Interrupt& interrupt);

@@ -3,7 +3,7 @@
 // Common to outlines (outline/turned_outlines.h) and meshes (mesh/turned_meshes.h).
 //
 //   TurnedForms<SharedOutline> forms;
-//   forms.assign(ships, source, interrupt);               // looks every number up
+//   forms.assign(ships, source, interrupt);               // looks up the form number of every row
 //   ScratchPieces<ConvexPieces> own;
 //   if (const ConvexPieces* hull = forms.pieces(row, own)) …   // turned by the row's heading
 //

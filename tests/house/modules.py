@@ -1,20 +1,20 @@
-"""Does every room keep to its place? Reads the #include lines under ext/ and says which break the order of docs/architecture.md.
+"""Checks the order of modules: reads the #include lines under ext/ and reports those that break docs/architecture.md.
 
     python3 modules.py ext tests        # prints one line a violation; status 1 if there is any
 
-The order: sqlite -> query -> index -> contact -> shape -> motion -> numbers -> base. A room may include rooms to its
-right and no others, with two doors of their own: storage may include shape, motion, base and the page and tree interface
-of index, and only sqlite may include storage. SQLite's headers are for storage and sqlite alone. Rooms inside a room
-have an order too; what lies beside them, at the room's door, may include them and be included. No headers include each
-other in a circle. tests/ has no folder that is no room of ext/, but for those that are of no one room, and a test named after a file
-stands in that file's room.
+The order: sqlite -> query -> index -> contact -> shape -> motion -> numbers -> base. A module may include modules to its
+right and no others, with two exceptions: storage may include shape, motion, base and the page and tree interface
+of index, and only sqlite may include storage. SQLite's headers are for storage and sqlite alone. Modules inside a module
+have an order too; files directly in a module may include them and be included. No headers include each
+other in a circle. Every folder of tests/ is a module of ext/, except for those of TESTS_OF_NO_MODULE. A test that is named after
+a file stands in that file's module.
 """
 import re
 import sys
 from pathlib import Path
 
 ORDER = ["query", "index", "contact", "shape", "motion", "numbers", "base"]
-MAY_INCLUDE = {room: set(ORDER[i + 1:]) for i, room in enumerate(ORDER)}
+MAY_INCLUDE = {module: set(ORDER[i + 1:]) for i, module in enumerate(ORDER)}
 MAY_INCLUDE["storage"] = {"shape", "motion", "base"}
 MAY_INCLUDE["geography"] = {"base"}
 MAY_INCLUDE["sqlite"] = {"storage", "geography", *ORDER}
@@ -22,7 +22,7 @@ MAY_INCLUDE["hosts"] = {"sqlite"}
 # What the index asks of a place to keep pages, which storage supplies; and the tree that it makes of them.
 PAGE_INTERFACE = {"index/pages.h", "index/tpr_tree/tpr_tree.h"}
 SEES_SQLITE = {"storage", "sqlite", "hosts"}
-# The rooms inside a room: each may include those to its right.
+# The modules inside a module: each may include those to its right.
 INSIDE = {
     "contact": ["clearance", "mesh", "outline", "pieces", "boxes", "exact", "certain", "set"],
     "index": ["paper_grid", "gpcd_grid", "tpr_tree"],
@@ -31,47 +31,47 @@ INSIDE = {
     "storage": ["watch", "table", "nodes", "rows", "format"],
     "sqlite": ["watch", "functions", "names", "table"],
 }
-# Folders of tests/ that are of no one room, and files that tests read.
+# Folders of tests/ that are of no one module, and files that tests read.
 TESTS_OF_NO_MODULE = {"house", "fuzz", "portability", "storage/files", "sqlite/faults", "sqlite/lives"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 
 
 def inner_module(parts):
-    """The room inside a room that a path leads to, or None for what lies at the room's door."""
+    """The module inside a module that a path leads to, or None for what lies at the module's door."""
     return parts[1] if len(parts) > 2 else None
 
 
 def complaint(source, target):
     """Why the file `source` may not include `target`, both as paths under ext; None if it may."""
-    room = source.parts[0]
+    module = source.parts[0]
     name = target.rsplit("/", 1)[-1]
-    if name.startswith("sqlite3") and room not in SEES_SQLITE:
+    if name.startswith("sqlite3") and module not in SEES_SQLITE:
         return f"only {' and '.join(sorted(SEES_SQLITE))} see SQLite"
     if target.startswith(".") or "/../" in target:
-        return "include by room, as in \"motion/vec.h\", not by relative path"
+        return "include by module, as in \"motion/vec.h\", not by relative path"
     other = target.split("/", 1)[0] if "/" in target else None
-    if other == room:
-        return complaint_inside(room, inner_module(source.parts), inner_module(target.split("/")))
+    if other == module:
+        return complaint_inside(module, inner_module(source.parts), inner_module(target.split("/")))
     if other not in MAY_INCLUDE:
         return None
-    if room == "storage" and target in PAGE_INTERFACE:
+    if module == "storage" and target in PAGE_INTERFACE:
         return None
-    if other not in MAY_INCLUDE[room]:
-        return f"{room} may include {', '.join(sorted(MAY_INCLUDE[room])) or 'no other room'}"
+    if other not in MAY_INCLUDE[module]:
+        return f"{module} may include {', '.join(sorted(MAY_INCLUDE[module])) or 'no other module'}"
     return None
 
 
-def complaint_inside(room, here, there):
-    """The same for two places of one room."""
+def complaint_inside(module, here, there):
+    """The same for two places of one module."""
     if here is None or there is None or here == there:
         return None
-    order = INSIDE.get(room, [])
+    order = INSIDE.get(module, [])
     for place in (here, there):
         if place not in order:
-            return f"{room}/{place} has no place in the order of the rooms inside {room}"
+            return f"{module}/{place} has no place in the order of the modules inside {module}"
     if order.index(there) < order.index(here):
-        return f"{room}/{here} may include {', '.join(order[order.index(here) + 1:]) or 'no other room inside'}"
+        return f"{module}/{here} may include {', '.join(order[order.index(here) + 1:]) or 'no other module inside'}"
     return None
 
 
@@ -103,9 +103,9 @@ def violations(ext):
     for path in sorted(p for p in Path(ext).rglob("*") if p.suffix in {".h", ".hpp", ".cpp", ".c", ".inc"}):
         files += 1
         inside = path.relative_to(ext)
-        room = inside.parts[0]
-        if room not in MAY_INCLUDE or len(inside.parts) < 2:
-            found.append(f"{inside}: not in a room")
+        module = inside.parts[0]
+        if module not in MAY_INCLUDE or len(inside.parts) < 2:
+            found.append(f"{inside}: not in a module")
             continue
         targets = includes[inside.as_posix()] = []
         for number, line in enumerate(path.read_text().splitlines(), 1):
@@ -121,25 +121,25 @@ def violations(ext):
 
 
 def strange_folders(ext, tests):
-    """A sentence for each folder under `tests` that has no room under `ext`."""
+    """A sentence for each folder under `tests` that has no module under `ext`."""
     found = []
     for folder in sorted(path for path in Path(tests).rglob("*") if path.is_dir() and any(p.is_file() for p in path.iterdir())):
         name = folder.relative_to(tests).as_posix()
-        of_no_room = any(f"{name}/".startswith(f"{other}/") for other in TESTS_OF_NO_MODULE)
-        if not of_no_room and folder.name != "__pycache__" and not (Path(ext) / name).is_dir():
+        of_no_module = any(f"{name}/".startswith(f"{other}/") for other in TESTS_OF_NO_MODULE)
+        if not of_no_module and folder.name != "__pycache__" and not (Path(ext) / name).is_dir():
             found.append(f"tests/{name}: there is no ext/{name}")
     return found
 
 
 def misplaced_tests(ext, tests):
-    """A sentence for each tests/…/name_test.cpp that is not in the room of name.h or name.cpp."""
+    """A sentence for each tests/…/name_test.cpp that is not in the module of name.h or name.cpp."""
     found = []
     for test in sorted(Path(tests).rglob("*_test.cpp")):
         here = test.parent.relative_to(tests)
-        room = Path(ext) / (here.parts[0] if here.parts else "")
-        rooms = {path.parent.relative_to(ext).as_posix() for path in room.rglob(test.name.replace("_test.cpp", ".*"))}
-        if rooms and here.as_posix() not in rooms:
-            found.append(f"tests/{here.as_posix()}/{test.name}: what it tests is in ext/{', ext/'.join(sorted(rooms))}")
+        module = Path(ext) / (here.parts[0] if here.parts else "")
+        modules = {path.parent.relative_to(ext).as_posix() for path in module.rglob(test.name.replace("_test.cpp", ".*"))}
+        if modules and here.as_posix() not in modules:
+            found.append(f"tests/{here.as_posix()}/{test.name}: what it tests is in ext/{', ext/'.join(sorted(modules))}")
     return found
 
 

@@ -1,4 +1,4 @@
-"""The guard of the rooms, tried on made-up trees: it catches planted violations and lets good trees pass."""
+"""The guard of the modules, tried on made-up trees: it catches planted violations and lets good trees pass."""
 import tempfile
 import unittest
 from pathlib import Path
@@ -16,7 +16,7 @@ def tree(files):
         return violations(folder)[0]
 
 
-class RoomGuard(unittest.TestCase):
+class ModuleGuard(unittest.TestCase):
     def catches(self, path, include, words):
         found = tree({path: f"#pragma once\n{include}\n"})
         self.assertEqual(len(found), 1, found)
@@ -26,16 +26,16 @@ class RoomGuard(unittest.TestCase):
     def passes(self, path, include):
         self.assertEqual(tree({path: include + "\n"}), [])
 
-    def test_a_room_may_include_rooms_to_its_right(self):
+    def test_a_module_may_include_modules_to_its_right(self):
         self.passes("contact/ball.h", '#include "motion/vec.h"')
         self.passes("query/join/join.h", '#include "index/candidates.h"\n#include "contact/contact.h"')
         self.passes("sqlite/table/moving_objects_table.cpp", '#include "storage/table/store.h"\n#include "query/join/join.h"')
         self.passes("motion/vec.h", '#include <Eigen/Core>\n#include "motion/law.h"')
         self.passes("index/gpcd_grid/stripes.cpp", '#include "index/gpcd_grid/stripes.h"')
 
-    def test_a_room_may_not_include_rooms_to_its_left(self):
+    def test_a_module_may_not_include_modules_to_its_left(self):
         self.catches("motion/vec.h", '#include "contact/contact.h"', "motion may include base, numbers")
-        self.catches("base/error.h", '#include "motion/vec.h"', "base may include no other room")
+        self.catches("base/error.h", '#include "motion/vec.h"', "base may include no other module")
         self.catches("contact/ball.h", '#include "index/candidates.h"', "contact may include base, motion")
         self.catches("index/all_pairs.cpp", '#include "query/scene.h"', "index may include")
         self.catches("query/join/join.h", '#include "sqlite/foresee.h"', "query may include")
@@ -46,7 +46,7 @@ class RoomGuard(unittest.TestCase):
         self.catches("storage/pages.cpp", '#include "index/candidates.h"', "storage may include base, motion")
         self.catches("storage/pages.cpp", '#include "contact/contact.h"', "storage may include base, motion")
 
-    def test_rooms_inside_a_room_have_an_order(self):
+    def test_modules_inside_a_module_have_an_order(self):
         self.passes("storage/table/store.h", '#include "storage/nodes/node_cache.h"\n#include "storage/rows/statement.h"')
         self.passes("query/scene.h", '#include "query/join/join.h"')
         self.passes("query/join/join.h", '#include "query/scene.h"')
@@ -69,14 +69,14 @@ class RoomGuard(unittest.TestCase):
         self.catches("motion/vec.h", '#include "../contact/contact.h"', "relative path")
         self.catches("motion/vec.h", '#include "motion/../query/join.h"', "relative path")
 
-    def test_a_file_outside_the_rooms_is_a_violation(self):
-        self.assertEqual(tree({"loose.h": ""}), ["loose.h: not in a room"])
-        self.assertEqual(tree({"annex/loose.h": ""}), ["annex/loose.h: not in a room"])
+    def test_a_file_outside_the_modules_is_a_violation(self):
+        self.assertEqual(tree({"loose.h": ""}), ["loose.h: not in a module"])
+        self.assertEqual(tree({"annex/loose.h": ""}), ["annex/loose.h: not in a module"])
 
     def test_a_comment_is_no_include(self):
         self.passes("motion/vec.h", '// #include "query/join/join.h"')
 
-    def test_a_folder_of_tests_has_its_room(self):
+    def test_a_folder_of_tests_has_its_module(self):
         with tempfile.TemporaryDirectory() as folder:
             for name in ("ext/query/join", "tests/query/join", "tests/query/flight", "tests/annex", "tests/fuzz/found",
                          "tests/storage/files"):
@@ -85,7 +85,7 @@ class RoomGuard(unittest.TestCase):
             self.assertEqual(strange_folders(f"{folder}/ext", f"{folder}/tests"),
                              ["tests/annex: there is no ext/annex", "tests/query/flight: there is no ext/query/flight"])
 
-    def test_a_test_stands_in_the_room_of_what_it_tests(self):
+    def test_a_test_stands_in_the_module_of_what_it_tests(self):
         with tempfile.TemporaryDirectory() as folder:
             for name in ("ext/query/scene.h", "ext/query/join/probe.h", "tests/query/scene_test.cpp", "tests/query/probe_test.cpp",
                          "tests/query/laws_test.cpp"):

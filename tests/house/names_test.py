@@ -31,9 +31,9 @@ class Names(unittest.TestCase):
 
     def test_two_types_of_one_name_are_found(self):
         with tempfile.TemporaryDirectory() as folder:
-            for room, text in {"a": "struct Name {\n};\n", "b": "class Name final : public Base {\n};\nstruct Other;\n",
+            for module, text in {"a": "struct Name {\n};\n", "b": "class Name final : public Base {\n};\nstruct Other;\n",
                                "c": "struct Other {};\n"}.items():
-                (Path(folder) / f"{room}.h").write_text(text)
+                (Path(folder) / f"{module}.h").write_text(text)
             self.assertEqual(shared_names(folder)[0], {"Name": ["a.h", "b.h"]})
 
 

@@ -7,10 +7,10 @@
 
 namespace foresee {
 
-/// The verdict on two that touch when the change is made. A change is clear if the distance of the centres
-/// never decreases while they touch, and they do not touch again (bent_separation.h). Convex sets never touch
-/// again if no path is bent. If extents grow, the gap must not decrease. Bent paths of growing extents or of
-/// pieces are blocked. `evaluations`: as for certify_clearance().
+/// Certifies a range of changes for two objects that touch at the change. A change is clear if the distance of
+/// the centres never decreases while they touch, and they do not touch again (bent_separation.h). Convex sets
+/// never touch again if no path is bent. If extents grow, the gap must not decrease. Bent paths of growing
+/// extents or of pieces are blocked. `evaluations`: as for certify_clearance().
 template <int D>
 ClearanceVerdict certify_separation_increases(const Encounter<D>& encounter,
                                               const TrajectoryFamily<D>& family, std::uint64_t& evaluations);

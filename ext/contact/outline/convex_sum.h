@@ -4,7 +4,7 @@
 //   for (ConvexSum sum(a, b); sum.next(edge);) use(edge);       // counterclockwise, from the lowest corner
 //
 // The sum is convex. Each of its edges is an edge of A, moved by minus the extreme corner of B, or an edge
-// of B turned by half a turn. The edges of both are merged by their directions, with exact signs (M. de
+// of B rotated by 180 degrees. The edges of both are merged by their directions, with exact signs (M. de
 // Berg et al., "Computational Geometry", 3rd edition, section 13.3). Parallel edges follow each other.
 // Cost: some five nanoseconds per edge.
 #pragma once

@@ -4,8 +4,6 @@
 //     until = intervals.possible_until(from);
 //     intervals.possible_pairs({from, until}, visit);               // they touch at no time outside of these
 //   }
-//
-// It uses the tree walk and the tests of pieces of one pair of objects.
 #pragma once
 
 #include "contact/pieces/pair_context.h"

@@ -38,11 +38,11 @@ struct Length {
   int t_a = no_length, t_b = no_length;  ///< of growth: the places of t; an absent t is 0
 };
 
-/// One piece: the intersection in which the primitives `all` are at most 0. Two lists do not change the union
-/// and save work. Where the piece holds, the primitives `around` it hold too. The piece may be restricted to
-/// where `beyond` is at least 0, because another piece covers the rest. `ball` is a ball or strip of `all`
-/// that no other piece has. Its roots are costly: the exact stage computes them last, and only while the rest
-/// holds.
+/// One piece: the intersection in which the primitives `all` are at most 0. `around` and `beyond` save work;
+/// they do not change the union. Where the piece holds, the primitives `around` it hold too. The piece may be
+/// restricted to where `beyond` is at least 0, because another piece covers the rest. `ball` is a ball or
+/// strip of `all` that no other piece has. Its roots are costly: the exact stage computes them last, and only
+/// while the rest holds.
 struct Conditions {
   std::vector<int> all, around = {}, beyond = {};
   int ball = -1;  ///< -1: no ball

@@ -6,8 +6,8 @@
 // Relative to the row, a lane's beam is a point that moves along a segment, and the row is a box with the sum
 // of both extents. The two touch only if the segment meets the box. A segment and a box are disjoint exactly
 // if they are separated along an axis, or along the cross product of an axis and the segment (separating axis
-// theorem). Let m be the middle of the segment, d half of it and r the half extents of the box, all times
-// two. Then they are disjoint if
+// theorem). Let m be the middle of the segment, d half of it and r the half extents of the box, all
+// doubled. Then they are disjoint if
 //
 //   |m_i| > r_i + |d_i|     or     |m_i d_j - m_j d_i| > r_i |d_j| + r_j |d_i|
 //

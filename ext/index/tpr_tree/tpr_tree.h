@@ -12,9 +12,9 @@
 // its entries are recomputed when an object beneath it is written. If updates have left loose leaves, the
 // leaves beneath two neighbours are repacked from time to time (repack.h).
 //
-// Cost: insert and erase touch one path of nodes. An update changes the leaf alone if the leaf's entry
-// remains true and the object is not the newest (except for the few updates that repack loose leaves). A bulk
-// load is O(n log n) and fills the leaves.
+// Cost: insert and erase touch one path of nodes. An update writes only the leaf if the leaf's entry stays
+// valid and the object is not the newest; a few updates also repack loose leaves. A bulk load is O(n log n)
+// and fills the leaves.
 //
 // The tree keeps no state about its nodes in memory, so a rollback may change the pages behind it. An
 // exception that leaves a call leaves the pages half changed: the caller rolls them back.

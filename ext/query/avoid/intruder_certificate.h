@@ -38,9 +38,10 @@ class IntruderCertificate {
   /// The encounter of one change, for guesses.
   Encounter<D> encounter_at(double k) const { return encounter_between(k, k); }
 
-  /// Whether it bounds several convex sets, and whether it is worthwhile to test those. If it is smaller than
-  /// the distance between the changes of the range, no set touches for all of them.
+  /// Whether it bounds several convex sets.
   bool has_parts() const { return stage_ == Stage::whole || stage_ == Stage::boxes; }
+  /// Whether a test of the parts can succeed. It cannot if the whole is smaller than the distance between the
+  /// changes of the range: then no set touches for all of them.
   bool is_worth_splitting(const TrajectoryFamily<D>& family) const;
   std::vector<IntruderCertificate> parts() const;
 

@@ -12,7 +12,7 @@
 // ordered result the first slabs are short, so a reader that stops early does not pay for the later rows.
 // With helpers (slab_helpers.h) rows and their order are the same. Memory: the scenes at about a hundred
 // bytes per object, one batch of pairs, and 24 bytes for each row of a slab that has to be sorted. If few
-// rows are likely to be read (likely_rows), a multiple of that number takes the place of the slab's rows.
+// rows are likely to be read (likely_rows), only a multiple of that number is kept.
 #pragma once
 
 #include <memory>

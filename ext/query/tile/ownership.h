@@ -3,7 +3,7 @@
 //
 //   auto candidates = owned_candidates(make_gpcd_grid<2>(boxes, nullptr, interrupt), ownership);
 //
-// Guarantee: of the pairs that the inner candidates give, exactly those that the tile owns come, in order.
+// Guarantee: returns exactly the inner candidates that the tile owns, in their order.
 #pragma once
 
 #include <memory>

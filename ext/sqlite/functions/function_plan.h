@@ -6,9 +6,9 @@
 //   idxStr   two letters per argument: 'A' + column, then the comparison ('=' '>' 'G' '<' 'L'), or '!' for an
 //            input that SQLite compares again; or '@' and then 'n' (LIMIT) or 'o' (OFFSET): function_call.h
 //
-// Constraints on inputs are consumed; those on outputs are hints that SQLite checks again. If it also checks
-// an input again, a NULL would lose every row, because no comparison with NULL is true: such a call must be
-// refused. LIMIT and OFFSET are hints too (function_call.h).
+// Constraints on inputs are consumed; those on outputs are hints that SQLite checks again. If SQLite compares
+// an input again and it is NULL, no row would pass: such a call must be refused. LIMIT and OFFSET are hints
+// too (function_call.h).
 #pragma once
 
 #include <cstddef>

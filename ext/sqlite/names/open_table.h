@@ -5,9 +5,9 @@
 //
 // A name resolves as SQLite resolves it (temp, main, attached) unless a schema is given; without a name the
 // connection must see exactly one moving_objects table. SQLite itself looks the name up, connects the table
-// and starts to read that database (table_lookups.h). Scenes and trees are snapshots, and that statement has
-// ended before open_table returns: the table can be written during a running call. Towards other connections
-// SQLite holds its read lock until the calling statement ends, as for any reader.
+// and starts to read that database (table_lookups.h). Scenes and trees are snapshots, and the statement of
+// the look-up has ended before open_table returns: the table can be written during a running call. Towards
+// other connections SQLite holds its read lock until the calling statement ends, as for any reader.
 #pragma once
 
 #include "sqlite/connection.h"

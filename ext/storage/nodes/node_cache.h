@@ -61,9 +61,9 @@ class NodeCache final : public Pages {
   void forget(std::int64_t id) override { map_.set(id, MapChanges::erased); }
 
   // --- stored and dirty state
-  /// Empties the cache. Requires: nothing has_unwritten to be written.
+  /// Empties the cache. Requires: no change is unwritten.
   void forget_all() noexcept;
-  /// Drops clean nodes and the root, so that they are read again. Requires: nothing has_unwritten to be written.
+  /// Drops clean nodes and the root, so that they are read again. Requires: no change is unwritten.
   void forget_clean();
   bool has_unwritten() const {
     return dirty_ > 0 || map_.has_unwritten() || head_.root_dirty || wrote_early_;

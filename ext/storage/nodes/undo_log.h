@@ -6,7 +6,7 @@
 //   undo.find(mark, 7)                     // node 7 as of that mark; null: unchanged since
 //
 // A savepoint and the snapshot of a query are both a mark. A node that changes is kept once, by the newest
-// mark; an older mark finds it there, because the node did not change in between. A mark that is given up
+// mark; an older mark finds it there: the node is unchanged between the two marks. A mark that is given up
 // passes its states to the mark before it. Cost: one entry per changed node, none per mark; passing states on
 // costs the smaller of the two numbers of entries.
 #pragma once

@@ -3,7 +3,7 @@
 //   store.insert(42, record, auxiliaries);                // record: record_offsets(layout).size doubles
 //   store.read_all(ids, rows, interrupt);                 // all objects, for a query
 //
-// A write goes through memory; a read sees everything that has_unwritten there:
+// A write goes through memory; a read sees everything that is still unwritten there:
 //
 //   write  ─► PendingObjects ─► tree over NodeCache (nodes, MapChanges) ─► shadow rows, once per transaction
 //   read   ─► pending objects, else the cache, else the shadow rows

@@ -57,8 +57,6 @@ struct ObjectCount {
   }
 };
 
-// State that a savepoint restores: positions in logs; no objects are copied.
-
 /// The largest id, known within a write transaction only.
 struct LargestId {
   bool known = false;
@@ -66,6 +64,7 @@ struct LargestId {
   std::optional<std::int64_t> id = {};
 };
 
+/// State that a savepoint restores: positions in logs; no objects are copied.
 struct StoreSavepoint {
   int level;
   UndoLog::Handle mark;

@@ -51,11 +51,11 @@ void draw_changes(AvoidQuestion& question, Random& random) {
 std::string described(const RandomScene& scene, const AvoidQuestion& question) {
   std::string text = testing::name_of(scene.layout) +
                      (question.touching == Touching::part ? ", part" : ", ignore") +
-                     ", h = " + foresee::shown(scene.h) + "\n";
+                     ", h = " + shown(scene.h) + "\n";
   const auto size = static_cast<std::size_t>(record_offsets(scene.layout).size);
   for (std::size_t i = 0; i < scene.size(); ++i) {
     text += "(" + std::to_string(scene.ids[i]);
-    for (std::size_t j = 0; j < size; ++j) text += ", " + foresee::shown(scene.records[i * size + j]);
+    for (std::size_t j = 0; j < size; ++j) text += ", " + shown(scene.records[i * size + j]);
     text += ")\n";
   }
   return text;
@@ -95,7 +95,7 @@ std::string lost_in(const Judge& judge, const std::vector<AvoidRow>& rows, Rando
       for (const double share : {0.0, -1.0, 1.0, -0.5, 0.5, 0.1, -0.1, 0.7, -0.7, 0.01, -0.01})
         clear = clear && judge.is_clear(k + share * half);
       for (const double share : {0.0, -1.0, 1.0}) clear = clear && judge.is_surely_clear(k + share * half);
-      if (clear && !grazes(judge, row, random)) return foresee::shown(k) + " is lost in\n" + text_of(rows);
+      if (clear && !grazes(judge, row, random)) return shown(k) + " is lost in\n" + text_of(rows);
     }
   }
   return "";
@@ -106,7 +106,7 @@ void expect_none_wrong(const Judge& judge, const std::vector<AvoidRow>& rows, Ra
     if (!row.clear) continue;
     const double aside = 1e-9 * (row.k_to - row.k_from);
     for (const double k : sample(row.k_from + aside, row.k_to - aside, random))
-      ASSERT_TRUE(judge.is_clear(k)) << foresee::shown(k) << " is not clear in\n" << text_of(rows);
+      ASSERT_TRUE(judge.is_clear(k)) << shown(k) << " is not clear in\n" << text_of(rows);
   }
 }
 

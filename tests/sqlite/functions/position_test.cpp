@@ -105,7 +105,7 @@ TEST_F(PositionTest, SaysWhatIsWrong) {
             "predictive_position: no such table: 'nowhere' (moving_objects tables here: 'ships')");
   EXPECT_EQ(
       db.error_of("SELECT * FROM predictive_position(1, 'Main.ships')"),
-      "predictive_position: no such table: 'Main.ships'; give the schema by itself: 'ships' with schema = "
+      "predictive_position: no such table: 'Main.ships'; write the schema separately: 'ships' with schema = "
       "'main' (moving_objects tables here: 'ships')");
   EXPECT_EQ(db.rows("SELECT count(*) FROM predictive_position(1, 'ships') WHERE schema = 'main'"), "3");
 }

@@ -7,9 +7,9 @@
 // differs from a window query (window_walk.h), which finds the objects inside at one time.
 //
 // Guarantee: every object whose swept box, as swept_box() rounds it with `margin`, meets the query box is in
-// exactly one of the leaves; others are too. An object that does not exist during the horizon may be omitted.
-// Cost: the nodes whose swept bounds meet the query box. Between calls it holds node numbers, like a
-// WindowWalk.
+// exactly one of the leaves; the leaves may also contain other objects. An object that does not exist during
+// the horizon may be omitted. Cost: the nodes whose swept bounds meet the query box. Between calls it holds
+// node numbers, like a WindowWalk.
 #pragma once
 
 #include "base/error.h"
